@@ -341,6 +341,16 @@ Option CommandLine::flag(const std::string& name, const std::function<void()>& a
     return Option(*app_->add_flag_callback(name, action, help));
 }
 
+Option CommandLine::flag(const std::string& name, const std::vector<std::string>& words, std::string& to,
+                         const std::string& help) {
+    CLI::Option* option = app_->add_flag(name + "{" + words.front() + "}", to, help);
+    option->check([name, words](const std::string& text) -> std::string {
+        if (std::find(words.begin(), words.end(), text) != words.end()) return {};
+        return fmt::format("{}: expected {}, found '{}'", name, alternatives(words), text);
+    });
+    return Option(*option);
+}
+
 Option CommandLine::repeated(const std::string& name, std::vector<std::string>& to, const std::string& help) {
     return Option(*withValue(*app_, app_->add_option(name, to, help)->allow_extra_args(false)));
 }

@@ -73,6 +73,10 @@ class CommandLine {
     Option option(const std::string& name, const ReadValue& read, const std::string& help);
     Option flag(const std::string& name, bool& to, const std::string& help);
     Option flag(const std::string& name, const std::function<void()>& action, const std::string& help);
+    /// A flag that may have one of a few words after an equals sign: "--update" stands for the first word,
+    /// "--update=missing" for another. `to` is empty without the flag.
+    Option flag(const std::string& name, const std::vector<std::string>& words, std::string& to,
+                const std::string& help);
     /// An option that may be repeated, with one value each time.
     Option repeated(const std::string& name, std::vector<std::string>& to, const std::string& help);
     Option repeated(const std::string& name, const ReadValue& read, const std::string& help);

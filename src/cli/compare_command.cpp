@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <system_error>
+#include <tuple>
 
 #include "base/contained_call.h"
 #include "base/memory_limit.h"
@@ -21,6 +22,7 @@
 #include "image/exr/exr_header.h"
 #include "image/file.h"
 #include "image/format.h"
+#include "image/png/png_appearance.h"
 #include "image/png/png_chunks.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -62,6 +64,16 @@ std::string layoutDifference(const std::vector<std::byte>& first, const std::vec
     const std::string one = image::describeExr(*expected), other = image::describeExr(*got);
     return one == other ? std::string()
                         : fmt::format("the pixels are equal, but not the files: {}; {}", one, other);
+}
+
+/// file-W19 for a PNG file that a browser may show as another picture than the one that is compared.
+void warnOfAppearance(const std::vector<std::byte>& file, const std::string& path) {
+    if (image::formatOf(file) != image::Format::png) return;
+    if (const std::string why = image::shownOtherwise(file); !why.empty())
+        print({diagnose(
+            "file-W19",
+            fmt::format("'{}' may be shown as another picture than the one that is compared: {}", path, why),
+            {path, 1, 1})});
 }
 
 /// A pair of pictures: their files, and what messages call them if there are several.
@@ -129,8 +141,11 @@ class Comparer {
             std::async(std::launch::async, [&] { return decode(*second, pair.second, arguments_.limits); });
         const Result<image::Image> expected = decode(*first, pair.first, arguments_.limits);
         const Result<image::Image> got = decoding.get();
-        print(expected.diagnostics);
-        print(got.diagnostics);
+        for (const auto& [name, file, picture] :
+             {std::tie(pair.first, *first, expected), std::tie(pair.second, *second, got)}) {
+            print(picture.diagnostics);
+            if (picture) warnOfAppearance(file, name);
+        }
         if (!expected || !got) return kSceneIsWrong;
         image::Judgement judged = image::judge(*expected, *got, arguments_.tolerance, arguments_.everything);
         if (judged.same && arguments_.exact)

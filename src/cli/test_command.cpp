@@ -42,14 +42,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kMissing = "missing";  ///< --update=missing
+
 struct TestArguments {
     SuiteArguments suites;
-    bool update = false;
+    std::string update;  ///< "all", "missing" or empty
+    bool rename = false;
     bool prune = false;
     bool force = false;
     bool variant = false;
     bool also = false;
+    bool replaceUnreadable = false;
+    bool anyDriver = false;
     bool strictFlaky = false;
+    bool strictOrphans = false;
     bool list = false;
     bool allowOutside = false;
     suite::Shot picture;  ///< what the options of a picture state
@@ -60,14 +66,20 @@ struct TestArguments {
     std::vector<std::string> merge;
     std::vector<std::string> roots;
     std::string command;
+
+    [[nodiscard]] bool updates() const { return !update.empty(); }
+    /// It may write or remove goldens.
+    [[nodiscard]] bool writesGoldens() const { return updates() || rename || prune; }
 };
 
 /// Prints the summary and writes the reports. Returns the exit status.
-int report(const suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
+int report(suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
+    run.orphansFail = arguments.strictOrphans;
     const std::string text =
         suite::toText(run, {.color = hasColor(STDOUT_FILENO), .resultsFolder = arguments.results});
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
+    noteOrphans(run);
     return std::max(writeReports(run, arguments.reports, arguments.results, roots) ? kDone : kSceneIsWrong,
                     exitStatus(run));
 }
@@ -110,7 +122,7 @@ Diagnostics overwrittenBy(const TestArguments& arguments, const Selection& selec
         const suite::Shot& shot = suite.shots[each.shot];
         const fs::path golden = suite::goldenFolder(suite, arguments.goldens) / suite::goldenName(shot);
         const auto [known, isNew] = goldens.try_emplace(render::filePlaceOf(golden), each.suite);
-        if (!arguments.update || !shot.golden || shot.expectedError) continue;
+        if (!arguments.updates() || !shot.golden || shot.expectedError) continue;
         append(problems, read.overwrittenBy(golden, "--update"));
         if (!isNew && known->second != each.suite)
             problems.push_back(diagnose(
@@ -197,10 +209,14 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     options.memory = arguments.suites.memory;
     options.skip = arguments.picture.options.skip;
     options.checkUndefined = arguments.picture.options.checkUndefined;
-    options.update = arguments.update;
+    options.update = arguments.updates();
+    options.onlyMissing = arguments.update == kMissing;
     options.force = arguments.force;
     options.variant = arguments.variant;
     options.also = arguments.also;
+    options.replaceUnreadable = arguments.replaceUnreadable;
+    options.anyDriver = arguments.anyDriver;
+    options.prune = arguments.prune;
     options.strictFlaky = arguments.strictFlaky;
     options.allowOutside = arguments.allowOutside;
     options.goldens = arguments.goldens;
@@ -209,11 +225,30 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     return options;
 }
 
+/// --rename: gives the golden of the shot's former name its new one, if the picture is that of the golden.
+void moveGolden(suite::ShotResult& shot, const Selection& selection, const suite::RunOptions& options) {
+    if (shot.verdict != suite::Verdict::missing || shot.renamedFrom.empty()) return;
+    const auto found = std::ranges::find(selection.suites, shot.suite, &suite::Suite::name);
+    if (found == selection.suites.end() || !found->find(shot.shot)) return;
+    const auto store = suite::GoldenStore::open(*found, options.goldens, options.allowOutside);
+    const suite::Orphans& orphans =
+        *options.orphans[static_cast<std::size_t>(found - selection.suites.begin())];
+    const Diagnostics problems = store->rename(shot.renamedFrom, *found->find(shot.shot), orphans.files());
+    if (hasError(problems)) {
+        shot.verdict = suite::Verdict::refused;
+        shot.reason = toString(problems.front());
+        append(shot.diagnostics, problems);
+        return;
+    }
+    shot.verdict = suite::Verdict::updated;
+    shot.reason = fmt::format("the golden '{}' was renamed", shot.renamedFrom.string());
+}
+
 int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
-    if ((arguments.update || arguments.prune) && !arguments.allowOutside && arguments.goldens.empty()) {
+    if (arguments.writesGoldens() && !arguments.allowOutside && arguments.goldens.empty()) {
         Diagnostics problems;
         for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
         if (printErrors(problems)) return kWrongUsage;
@@ -233,7 +268,8 @@ int test(const TestArguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const Interruption interruption;
     const auto isStopped = [&] { return interruption.signal() != 0; };
-    const suite::RunOptions options = runOptions(arguments, sandbox);
+    suite::RunOptions options = runOptions(arguments, sandbox);
+    options.orphans = orphansOf(selection->suites, arguments.goldens);
     const suite::ShotInputs inputs =
         suite::inputsOf(selection->suites, selection->shots,
                         inputWorkers(arguments.suites, selection->shots.size(), options.sandbox, isStopped),
@@ -252,7 +288,7 @@ int test(const TestArguments& arguments) {
     }
     suite::RunResult run = beginningOf(arguments, *selection, options);
     std::optional<RunRecord> record =
-        RunRecord::open(arguments.results, run, resumes, arguments.update, isStopped);
+        RunRecord::open(arguments.results, run, resumes, arguments.updates(), isStopped);
     if (!record) {
         interruption.obey();
         return kSceneIsWrong;
@@ -263,13 +299,14 @@ int test(const TestArguments& arguments) {
         driver = suite::keyOfDriver(arguments.suites.driver,
                                     inputWorkers(arguments.suites, 1, options.sandbox, isStopped));
     std::vector<suite::ShotReference> open;
-    std::map<std::pair<std::string, std::string>, std::string> fingerprintOf;  // by the names of results
+    std::map<suite::ShotKey, std::pair<suite::ShotReference, std::string>> basisOf;  // with the fingerprint
     for (const suite::ShotReference& each : selection->shots) {
         const suite::Suite& suite = selection->suites[each.suite];
         const std::string& fingerprint = fingerprints.at(each);
-        fingerprintOf.emplace(std::pair(suite.name, suite.shots[each.shot].name), fingerprint);
+        basisOf.emplace(suite::ShotKey(suite.name, suite.shots[each.shot].name),
+                        std::pair(each, fingerprint));
         if (!record->isDone(suite, each, {fingerprint, driver}) ||
-            (arguments.update && lacksGolden(suite, each.shot, arguments.goldens)))
+            (arguments.updates() && lacksGolden(suite, each.shot, arguments.goldens)))
             open.push_back(each);
     }
     if (const std::size_t count = record->droppedCount(); count > 0)
@@ -285,13 +322,17 @@ int test(const TestArguments& arguments) {
         const suite::Suite& suite = selection->suites[each.suite];
         progress.begins(suite.name + "/" + suite.shots[each.shot].name);
     };
-    events.done = [&](const suite::ShotResult& shot) {
+    events.done = [&](const suite::ShotResult& judged) {
+        suite::ShotResult shot = judged;
+        if (arguments.rename) moveGolden(shot, *selection, options);
         if (const std::string line = lineOf(shot); printsLines && !line.empty()) progress.print(line);
         // A suite that is new has no goldens; that is no failure to count.
         progress.add(suite::isFailure(shot.verdict) && shot.verdict != suite::Verdict::missing);
-        suite::ShotResult kept = shot;
-        kept.fingerprint = fingerprintOf[{shot.suite, shot.shot}];
-        record->add(kept);
+        const auto& [reference, fingerprint] = basisOf.at({shot.suite, shot.shot});
+        shot.fingerprint = suite::sealed(fingerprint, shot.verdict);
+        if (const auto found = inputs.find(reference); suite::needsALook(shot) && found != inputs.end())
+            shot.reads = found->second.files;
+        record->add(shot);
     };
     events.stop = [&] { return isStopped() || record->failed(); };
     const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
@@ -309,7 +350,10 @@ int test(const TestArguments& arguments) {
 
     run.driver = end.driver;
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    record->finish(run, selection->suites, selection->shots);
+    record->collect(run, selection->suites, selection->shots);
+    if (!end.stopped)
+        status = std::max(status, settleOrphans(selection->suites, options.orphans, arguments.prune, run));
+    record->finish(run);
     if (record->failed()) status = kSceneIsWrong;
     if (const std::string missing = suite::shortfall(run); !missing.empty()) {
         print({diagnose("result-E03", missing + "; continue the run with --resume")});
@@ -318,8 +362,6 @@ int test(const TestArguments& arguments) {
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
     status = std::max(
         status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
-    if (!end.stopped)
-        status = std::max(status, answerOrphans(selection->suites, arguments.goldens, arguments.prune));
     if (end.stopped && interruption.signal() != 0) {
         printLine("stopped; continue with --resume");
         interruption.obey();
@@ -351,11 +393,15 @@ int runCommand(const TestArguments& arguments) {
     }
     if (arguments.suites.suites.empty())
         return refuse("expected a suite: a TOML file or a folder of scenes, such as `glibra test scenes/`");
-    if ((arguments.force || arguments.variant || arguments.also) && !arguments.update)
-        return refuse("--force, --variant and --also need --update");
+    if ((arguments.force || arguments.variant || arguments.also || arguments.replaceUnreadable ||
+         arguments.anyDriver) &&
+        !arguments.updates())
+        return refuse("--force, --variant, --also, --replace-unreadable and --any-driver need --update");
     if (arguments.variant && arguments.also) return refuse("--also excludes --variant");
-    if ((arguments.update || arguments.prune) && arguments.suites.untrusted)
-        return refuse("--untrusted changes no goldens, so it excludes --update and --prune");
+    if (arguments.rename && arguments.updates())
+        return refuse("--rename excludes --update: rename first, then look at what is left");
+    if (arguments.writesGoldens() && arguments.suites.untrusted)
+        return refuse("--untrusted changes no goldens, so it excludes --update, --rename and --prune");
     if (arguments.suites.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!arguments.roots.empty()) return refuse("--root needs --merge; a run knows its folders");
     return test(arguments);
@@ -372,7 +418,13 @@ void addTest(CommandLine& program, int& status) {
         "glibra test scenes/start.toml --only teapot");
     TestArguments& to = *arguments;
     command.list("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
-    command.flag("--update", to.update, "accept pictures that differ as the new goldens");
+    command.flag(
+        "--update", {"all", kMissing}, to.update,
+        "accept pictures that differ or have no golden as the new goldens; --update=missing: only those "
+        "that have none");
+    command.flag(
+        "--rename", to.rename,
+        "give a golden of no shot, whose picture a shot without a golden draws, the name of that shot");
     command.flag("--prune", to.prune,
                  "remove goldens that belong to no shot of the suites, instead of listing them");
     command.flag("--force", to.force,
@@ -381,8 +433,15 @@ void addTest(CommandLine& program, int& status) {
                  "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
     command.flag("--also", to.also,
                  "with --update: keep the golden, and accept the picture beside it, as NAME.also1.png");
+    command.flag("--replace-unreadable", to.replaceUnreadable,
+                 "with --update: also replace goldens that cannot be read");
+    command.flag(
+        "--any-driver", to.anyDriver,
+        "with --update: also write goldens for all drivers whose suite has those of another family of "
+        "drivers");
     command.flag("--list", to.list, "print the names of the selected shots, as SUITE/SHOT, and draw nothing");
     command.flag("--strict-flaky", to.strictFlaky, "shots that are right in some of their drawings fail");
+    command.flag("--strict-orphans", to.strictOrphans, "goldens that belong to no shot make the run fail");
     addSelectionOptions(command, to.suites);
     command.option("--results", to.results, "folder for the results and the pictures of failures")
         .written()
@@ -415,8 +474,9 @@ void addTest(CommandLine& program, int& status) {
     for (const char* each : {"timeout", "memory", "no-skip", "check-undefined"})
         addPictureOption(command, each, to.picture);
     addUntrustedOption(command, to.suites.untrusted);
-    for (const char* each : {"--force", "--variant", "--shard", "--resume", "--results", "--junit",
-                             "--goldens", "--allow-outside", "--merge", "--root", "--driver", "--untrusted"})
+    for (const char* each :
+         {"--force", "--variant", "--replace-unreadable", "--any-driver", "--shard", "--resume", "--results",
+          "--junit", "--goldens", "--allow-outside", "--merge", "--root", "--driver", "--untrusted"})
         command.find(each).rare();
     command.onRun(
         [arguments, timeout = command.find("--timeout"), results = command.find("--results"), &status] {
@@ -424,7 +484,7 @@ void addTest(CommandLine& program, int& status) {
             if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
             arguments->suites.memory = arguments->picture.memory;
             arguments->command = commandLine();
-            arguments->suites.withNamed = !arguments->update;
+            arguments->suites.withNamed = !arguments->updates();
             status = runCommand(*arguments);
         });
 }

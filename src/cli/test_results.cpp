@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "scene/file_lookup.h"
 #include "suite/golden/golden_store.h"
+#include "suite/run/fingerprint.h"
 #include "suite/run/verdict.h"
 
 namespace glibra::cli {
@@ -80,7 +81,8 @@ std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::Ru
 bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& shot, const Basis& basis) {
     const auto found = results_.find({suite.name, suite.shots[shot.shot].name});
     if (found == results_.end()) return false;
-    if (!basis.fingerprint.empty() && found->second.fingerprint == basis.fingerprint &&
+    if (!basis.fingerprint.empty() &&
+        found->second.fingerprint == suite::sealed(basis.fingerprint, found->second.verdict) &&
         !basis.driverKey.empty() && found->second.driverKey == basis.driverKey)
         return true;
     results_.erase(found);
@@ -95,8 +97,8 @@ void RunRecord::add(const suite::ShotResult& shot) {
     results_.insert_or_assign({shot.suite, shot.shot}, shot);
 }
 
-void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suites,
-                       std::span<const suite::ShotReference> shots) {
+void RunRecord::collect(suite::RunResult& run, std::span<const suite::Suite> suites,
+                        std::span<const suite::ShotReference> shots) const {
     run.shots.reserve(shots.size());
     for (const suite::ShotReference& each : shots) {
         const suite::Suite& suite = suites[each.suite];
@@ -107,6 +109,9 @@ void RunRecord::finish(suite::RunResult& run, std::span<const suite::Suite> suit
                                 : suite::ShotJudge::broken(suite, shot, suite::Verdict::skipped,
                                                            "the run was stopped before this shot"));
     }
+}
+
+void RunRecord::finish(suite::RunResult& run) {
     if (failed_) return;
     run.complete = suite::missingShots(run).empty();
     failed_ = printErrors(suite::writeResults(run, folder_));
@@ -154,7 +159,7 @@ suite::ReportRoots shownRoots(std::span<const suite::Suite> suites,
 }
 
 int exitStatus(const suite::RunResult& run) {
-    int status = kDone;
+    int status = run.orphansFail && !run.orphans.empty() ? kDiffers : kDone;
     for (const suite::ShotResult& each : run.shots) {
         if (!suite::isFailure(each.verdict)) continue;
         status = std::max(status, suite::wasNotDrawn(each) ? kSceneIsWrong : kDiffers);

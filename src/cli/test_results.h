@@ -39,10 +39,11 @@ class RunRecord {
     void add(const suite::ShotResult& shot);
     /// True once a result could not be written; the reason has been printed.
     [[nodiscard]] bool failed() const { return failed_; }
-    /// Puts all results into `run`, in the order of `shots`, and writes them. Shots without a result are
-    /// skipped; the run is complete if there is none.
-    void finish(suite::RunResult& run, std::span<const suite::Suite> suites,
-                std::span<const suite::ShotReference> shots);
+    /// Puts all results into `run`, in the order of `shots`. Shots without a result are skipped.
+    void collect(suite::RunResult& run, std::span<const suite::Suite> suites,
+                 std::span<const suite::ShotReference> shots) const;
+    /// Writes the run, which is complete if no shot was skipped.
+    void finish(suite::RunResult& run);
 
   private:
     using Key = std::pair<std::string, std::string>;  ///< suite and shot
@@ -70,8 +71,8 @@ suite::ReportRoots shownRoots(std::span<const suite::Suite> suites,
                               std::span<const suite::ShotReference> shots,
                               const std::filesystem::path& goldens);
 
-/// The exit status for the verdicts: 0, 1 for a comparison that failed, 3 for a scene that is wrong, crashed
-/// or hung.
+/// The exit status for the verdicts: 0, 1 for a comparison that failed or goldens of no shot that may not be,
+/// 3 for a scene that is wrong, crashed or hung.
 int exitStatus(const suite::RunResult& run);
 
 }  // namespace glibra::cli

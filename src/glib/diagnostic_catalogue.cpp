@@ -293,6 +293,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"file-W18",
      "--untrusted: 'scenes/shaders' is a link, which is not followed; name the folder that it leads to, as "
      "with --library"},
+    {"file-W19",
+     "'a.png' may be shown as another picture than the one that is compared: it is an animation (chunk "
+     "acTL)"},
     {"file-N01", "noise is read from 'noise3d.064.tex' beside the scene"},
     // The graphics driver
     {"gpu-E01", "no usable OpenGL driver (4.1 core or later is needed); tried: egl, osmesa"},
@@ -356,9 +359,14 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-E29", "ignore: [200, 0, 100, 20] is not inside of the picture of 256 x 256 pixels"},
     {"suite-E30", "quarantine: '2026-02-30' is not a day, as \"2026-12-31\""},
     {"suite-E31", "'oval' has 9 further accepted pictures; remove one before another is added"},
+    {"suite-E32",
+     "the golden 'oval.png' may be shown as another picture than the one that is compared: it is an "
+     "animation "
+     "(chunk acTL)"},
     {"suite-W01", "this is not a line of accepted pixels; it is ignored"},
     {"suite-W02", "the quarantine of 'oval' ended on 2026-12-31; remove it from the suite"},
     {"suite-W03", "an ignored rectangle of 'oval' counts again since 2026-12-31; remove it from the suite"},
+    {"suite-W04", "only 0.4 % of the picture of 'oval' is compared"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
     {"result-E02", "another run is writing its results to 'results'; give each run a folder of its own"},

@@ -99,6 +99,30 @@ Format pnmOrPfm(std::span<const std::byte> bytes) {
     return kind >= '1' && kind <= '6' ? Format::pnm : Format::unknown;
 }
 
+/// Texts that version control and downloads leave in the place of a picture. They begin with these words, in
+/// upper or lower case.
+struct Placeholder {
+    std::string_view begin, what;
+};
+constexpr std::string_view kLfs =
+    "a pointer of Git LFS, whose picture has not been downloaded; `git lfs pull` downloads it";
+constexpr std::string_view kAnnex =
+    "a pointer of git-annex, whose picture has not been downloaded; `git annex get` downloads it";
+constexpr std::string_view kConflict =
+    "not a picture but has the marks of a merge conflict; choose one of its two sides with `git checkout "
+    "--ours` or `git checkout --theirs`";
+constexpr std::string_view kWebPage =
+    "a web page, such as a download that failed leaves, and not a picture; download it again";
+constexpr std::array kPlaceholders{
+    Placeholder{"version https://git-lfs.github.com/spec/", kLfs},
+    Placeholder{"version https://hawser.github.com/spec/", kLfs},
+    Placeholder{"/annex/objects/", kAnnex},
+    Placeholder{"../.git/annex/objects/", kAnnex},
+    Placeholder{"<<<<<<< ", kConflict},
+    Placeholder{"<!doctype html", kWebPage},
+    Placeholder{"<html", kWebPage},
+};
+
 /// TGA has no signature: its whole header must be valid, and either the footer of version 2 exists or the
 /// length of uncompressed pixels agrees.
 bool isTarga(std::span<const std::byte> bytes) {
@@ -143,6 +167,24 @@ Format formatOfSuffix(const std::filesystem::path& path) {
 bool holdsFloats(const std::filesystem::path& path) {
     const Format format = formatOfSuffix(path);
     return format == Format::openExr || format == Format::hdr || format == Format::pfm;
+}
+
+std::string_view placeholderOf(std::span<const std::byte> bytes) {
+    constexpr std::size_t kLongest = 64;
+    std::string begin;
+    for (const std::byte each : bytes.first(std::min(bytes.size(), kLongest))) {
+        const char c = static_cast<char>(each);
+        if (begin.empty() && (c == ' ' || c == '\n' || c == '\r' || c == '\t')) continue;
+        begin += base::lower(c);
+    }
+    const auto* const found = std::ranges::find_if(
+        kPlaceholders, [&](const Placeholder& each) { return begin.starts_with(each.begin); });
+    return found == kPlaceholders.end() ? std::string_view() : found->what;
+}
+
+std::string_view describeUnknown(std::span<const std::byte> bytes) {
+    const std::string_view instead = placeholderOf(bytes);
+    return instead.empty() ? describe(Format::unknown) : instead;
 }
 
 bool keepsAlpha(Format format) {

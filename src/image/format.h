@@ -44,6 +44,12 @@ bool keepsAlpha(Format format);
 /// With article, for messages: "a TIFF picture", "an EXR picture", "a raw texture".
 std::string_view describe(Format format);
 
+/// What a file is that takes the place of a picture, and what to do: "a pointer of Git LFS ..., `git lfs
+/// pull` downloads it", a file with the marks of a merge conflict, a web page. Empty for all others.
+std::string_view placeholderOf(std::span<const std::byte> bytes);
+/// That, or the description of Format::unknown.
+std::string_view describeUnknown(std::span<const std::byte> bytes);
+
 /// OpenImageIO's name of the format; "" for unknown and rawTexture.
 std::string_view openImageIoName(Format format);
 

@@ -41,7 +41,7 @@ constexpr std::array kReaderRows{
 Result<Image> decode(std::span<const std::byte> file, Format format, const fs::path& path,
                      const FileLabel& label, const ReadOptions& options) {
     if (format == Format::unknown || format == Format::rawTexture)
-        return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
+        return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describeUnknown(file)),
                         label.place);
     if (const auto inner = format == Format::bmp ? embeddedPicture(file) : std::nullopt) {
         const Format wrapped = formatOf(*inner);

@@ -55,7 +55,7 @@ Result<TexelBlock> fromRaw(std::span<const std::byte> file, int dimensions, cons
     // If a file is not meant as a raw texture, the lengths of raw textures do not help its author.
     if (rawShapes(file, dimensions).empty() && promised != Format::rawTexture &&
         !looksRaw(file, dimensions, limits))
-        return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describe(Format::unknown)),
+        return diagnose("file-E03", fmt::format("'{}' is {}", label.name, describeUnknown(file)),
                         label.place);
     auto result = decodeRawTexture(file, dimensions, label, limits);
     if (result && promised != Format::unknown && promised != Format::rawTexture)

@@ -121,9 +121,11 @@ class GitHub(unittest.TestCase):
             for each in job["steps"]:
                 self.assertNotIn("${{", each.get("run", ""), each)
 
-    def steps(self, radius):
+    def steps(self, radius, change=None):
         with tempfile.TemporaryDirectory() as folder:
             project = Project(folder, radius)
+            if change:
+                change(project)
             for part in self.jobs["part"]["strategy"]["matrix"]["part"]:
                 done = project.run(step(self.jobs["part"], "Draw")["run"], PART=str(part))
                 self.assertIn(done.returncode, (0, 1) if "Spere" in radius else (0,), done.stderr)
@@ -132,7 +134,7 @@ class GitHub(unittest.TestCase):
             done = project.run(step(self.jobs["report"], "Join the parts")["run"], **environment)
             self.assertEqual(done.returncode, 0, done.stderr)
             status = re.search(r"status=(\d+)", project.read("output")).group(1)
-            if status == "1":
+            if status == "1" and not change:
                 self.pictures(project)
             self.assertEqual(project.run(step(self.jobs["report"], "Summary")["run"], **environment).returncode, 0)
             self.assertTrue(os.path.exists(os.path.join(folder, "report", "index.html")))
@@ -166,6 +168,28 @@ class GitHub(unittest.TestCase):
         self.assertIn("pictures/c", summary)
         self.assertIn("<img src=", summary)
         self.assertNotIn("secret", summary)
+
+    def test_a_scene_that_was_deleted_fails_and_is_named(self):
+        status, summary, result = self.steps(".5", lambda project: os.remove(project.folder + "/tests/d.glib"))
+        self.assertEqual((status, result), ("1", 1))
+        self.assertIn("golden/pictures/d.png", summary)
+
+    def test_a_line_of_the_list_of_hashes_passes_no_wrong_picture(self):
+        def forge(project):
+            """The pixels of the new picture for the golden that stays, as a change from a fork could have them."""
+            golden, hashes = project.folder + "/tests/golden/pictures/c.png", "tests/golden/pictures/pictures.hashes"
+            with open(golden, "rb") as file:
+                kept = file.read()
+            before = project.read(hashes)
+            subprocess.run([PROGRAM, "test", "tests/pictures.toml", "--only", "c", "--update", "--results", project.folder + "/made"],
+                           cwd=project.folder, check=True, capture_output=True)
+            pixels = next(each for each in project.read(hashes).splitlines() if each.startswith("c ")).split(" ")[3]
+            with open(golden, "wb") as file:
+                file.write(kept)
+            words = next(each for each in before.splitlines() if each.startswith("c ")).split(" ")
+            project.write(hashes, before.replace(" ".join(words), " ".join([*words[:3], pixels, *words[4:]])))
+        status, _, result = self.steps(".8", forge)
+        self.assertEqual((status, result), ("1", 1))
 
     def test_its_steps_report_a_scene_that_is_broken(self):
         status, _, result = self.steps(".8\nSpere 1")

@@ -253,7 +253,7 @@ TEST_F(TestCommand, UpdateDoesNotWriteThroughALink) {
     fs::remove(folder / "golden/a@uKd=0.4.png");
     fs::create_symlink(folder / "mine.png", folder / "golden/a@uKd=0.4.png");
     light("1.1");
-    const Finished update = run("s.toml --update --force --allow-outside");
+    const Finished update = run("s.toml --update --force --replace-unreadable --allow-outside");
     EXPECT_TRUE(contains(update.out, "a@uKd=0.4.png': it is a symbolic link")) << update.out;
     EXPECT_NE(update.status, 0);
     EXPECT_EQ(readFile(folder / "mine.png"), "mine");

@@ -85,7 +85,7 @@ class Report(unittest.TestCase):
     def test_failures_come_first_and_passes_are_folded(self):
         groups = self.browser.run("return [...document.querySelectorAll('.group')].map((each) => each.dataset.verdict)")
         self.assertEqual(groups, ["failed", "crashed", "timed-out", "unstable", "refused", "missing", "updated",
-                                  "skipped", "passed"])
+                                  "skipped", "changed", "passed"])
         self.assertEqual(self.first, "sample/failed")
         self.assertEqual(self.listed()[0], "sample/failed")
         tops = self.browser.run("return [...document.querySelectorAll('.group')].map((each) => each.offsetTop)")
@@ -95,7 +95,7 @@ class Report(unittest.TestCase):
                          "8 of %d shots failed, 1 drawn without a golden" % (PASSES + 13))
         chips = self.browser.run("return [...document.querySelectorAll('#chips button')].map((each) => each.textContent)")
         self.assertEqual(chips, ["4 failed", "1 crashed", "1 timed-out", "1 unstable", "1 refused", "1 missing",
-                                 "1 updated", "1 skipped", "%d passed" % (PASSES + 2)])
+                                 "1 updated", "1 skipped", "1 changed", "%d passed" % (PASSES + 1)])
 
     def test_while_a_shot_loads_no_picture_is_said_to_be_missing(self):
         captions = "return [...document.querySelectorAll('figcaption'), document.querySelector('#zoomText')].map((each) => each.textContent)"
@@ -173,7 +173,7 @@ class Report(unittest.TestCase):
                                          "difference": "0 0 0"})
 
     def test_the_pointer_is_marked_in_all_panes(self):
-        sums = """return [...document.querySelectorAll('#panes canvas')].map((canvas) =>
+        sums = """return [...document.querySelectorAll('#panes canvas:not(.close)')].map((canvas) =>
             canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.reduce((a, b) => a + b, 0))"""
         before = self.browser.run(sums)
         self.point("expected", 40, 30)
@@ -205,7 +205,7 @@ class Report(unittest.TestCase):
         self.assertNotEqual(self.browser.screenshot(selector="figure[data-pane=difference] canvas"), one)
 
     def test_wheel_and_drag_move_all_panes_and_f_shows_all_again(self):
-        grid = """return [...document.querySelectorAll('#panes canvas')].map((canvas) =>
+        grid = """return [...document.querySelectorAll('#panes canvas:not(.close)')].map((canvas) =>
             canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.reduce((a, b) => (a * 31 + b) % 65521, 7))"""
         self.browser.pointer(("move", 5, 5))
         whole = self.browser.run(grid)
@@ -223,6 +223,23 @@ class Report(unittest.TestCase):
             self.assertEqual(len({whole[each], larger[each], moved[each]}), 3)
         self.browser.press("f")
         self.assertEqual(self.browser.run(grid), whole)
+
+    def test_the_place_that_differs_most_is_framed_and_enlarged(self):
+        self.go("sample/failed")
+        shown = "return [...document.querySelectorAll('#panes .close')].map((each) => !each.hidden && each.clientWidth > 0)"
+        self.assertEqual(self.browser.run(shown), [True] * 3)
+        place = self.browser.run("""const canvas = document.querySelector('figure[data-pane=difference] .close');
+            const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            return data.filter((each, at) => at % 4 < 3 && each > 0).length / data.length""")
+        self.assertGreater(place, .05, "what differs is in it")
+        zoom = "return Number.parseFloat(document.querySelector('#zoomText').textContent)"
+        before = self.browser.run(zoom)
+        self.browser.press("z")
+        self.assertGreater(self.browser.run(zoom), before)
+        self.browser.press("f")
+        self.assertEqual(self.browser.run(zoom), before)
+        self.go("sample/missing")
+        self.assertEqual(self.browser.run(shown), [False] * 3, "nothing differs where one picture is missing")
 
     def test_keys_go_through_the_shots(self):
         def chosen():

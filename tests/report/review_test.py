@@ -186,10 +186,12 @@ class Review(unittest.TestCase):
         self.restart()
         browser = self.open()
         self.key(browser, "g")
-        browser.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('#pictures img').length === 40")
+        browser.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('#pictures img').length === 80")
         browser.wait("return document.body.dataset.seen.split(' ').length > 1")
         self.key(browser, "A")
         self.said(browser, "nobody has looked at its picture")
+        said = browser.run("return document.querySelector('#said').textContent").splitlines()
+        self.assertEqual(len(said), 2, "what was accepted, and one line for all others")
         accepted = "return document.querySelectorAll('[data-decided=accepted]').length"
         first = browser.run(accepted)
         self.assertTrue(1 <= first < 40, first)
@@ -205,7 +207,7 @@ class Review(unittest.TestCase):
     def test_a_group_is_accepted_at_once_and_another_browser_sees_it(self):
         first, second = self.open(), self.open()
         self.key(first, "g")
-        first.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('#pictures img').length === 3")
+        first.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('#pictures img').length === 6")
         self.key(first, "A")
         self.said(first, "3 accepted")
         self.key(second, "a")
@@ -213,11 +215,99 @@ class Review(unittest.TestCase):
         self.assertEqual(second.run("return document.querySelectorAll('[data-decided=accepted]').length"), 3)
         self.assertEqual(self.glibra("test", "s.toml", "--only", "ball"), 0)
 
-    def test_scenes_that_share_a_shader_are_one_group(self):
-        for name, shaders in (("ball", "Fragment one.frag"), ("other", 'Fragment "one.frag"'), ("broken", "")):
-            self.write(name + ".glib", shaders + "\n" + SCENE.replace("RADIUS", ".5"))
-        groups = self.open().run("return [...document.querySelectorAll('#list h2')].map((each) => each.textContent)")
-        self.assertEqual(groups, ["one.frag: differences (4)", "broken.glib: failed (1)"])
+    def test_a_group_is_small_pictures_with_their_goldens_and_alike_ones_together(self):
+        browser = self.open()
+        self.key(browser, "g")
+        browser.wait("return document.body.dataset.ready === '0' && document.querySelectorAll('#pictures img').length === 6")
+        kinds = "return [...document.querySelectorAll('#pictures img')].map((each) => each.src.split('what=')[1])"
+        self.assertEqual(browser.run(kinds), ["expected", "got"] * 3)
+        self.assertEqual(browser.run("return [...document.querySelectorAll('#pictures img')].map((each) => each.clientWidth)"), [48] * 6)
+        heads = browser.run("return [...document.querySelectorAll('#pictures h2')].map((each) => each.textContent)")
+        self.assertEqual(len(heads), 1, heads)
+        self.assertRegex(heads[0], r"^3 × .* of 255 .* % of the pixels Accept these 3$")
+        self.key(browser, "x")
+        browser.wait("return document.body.dataset.ready === '0'")
+        self.assertEqual(browser.run(kinds), ["got", "expected"] * 3)
+        self.key(browser, "d")
+        browser.wait("return document.body.dataset.ready === '0'")
+        self.assertEqual(browser.run(kinds), ["got", "difference"] * 3, "the group stays")
+        browser.wait("return document.body.dataset.seen.split(' ').length === 3")
+        browser.run("document.querySelector('#pictures h2 button').click()")
+        self.said(browser, "3 accepted")
+        self.assertEqual(self.glibra("test", "s.toml", "--only", "ball"), 0)
+
+    VERTEX = "#version 330\nin vec4 aVertex;\nvoid main() { gl_Position = vec4(aVertex.xy, 0., 1.); }\n"
+    FRAGMENT = '#version 330\n#include "common.glsl"\nout vec4 o;\nvoid main() { o = vec4(shade() * PART, gl_FragCoord.x / 64., 0., 1.); }\n'
+
+    def shaded(self):
+        """Four scenes of one vertex shader, two of each fragment shader, and what both include."""
+        self.write("all.vert", self.VERTEX)
+        self.write("common.glsl", "float shade() { return .5; }\n")
+        for part in ("1", "2"):
+            self.write("f%s.frag" % part, self.FRAGMENT.replace("PART", "." + part))
+            for name in ("a", "b"):
+                self.write(name + part + ".glib", "WindowSize 48 48\nVertex all.vert\nFragment f%s.frag\nProgram P\nQuadXY 0 1\n" % part)
+        self.write("s.toml", 'goldens = "golden"\n[[shot]]\nscript = "[ab]*.glib"\nexcept = "b*n.glib"\n')
+        os.remove(os.path.join(self.folder, "ball.glib"))
+        self.assertEqual(self.glibra("test", "s.toml", "--update"), 0)
+
+    def causes(self):
+        self.glibra("test", "s.toml")
+        listed = subprocess.run([PROGRAM, "review", "glibra-results"], cwd=self.folder, capture_output=True, text=True, check=False)
+        return [line for line in listed.stdout.splitlines() if not line.startswith(" ")]
+
+    def test_files_that_have_changed_since_the_golden_are_the_cause(self):
+        self.shaded()
+        self.write("common.glsl", "float shade() { return .9; }\n")
+        self.assertEqual(self.causes(), ["common.glsl: differences (4)"])
+        self.assertEqual(self.glibra("test", "s.toml", "--update"), 0)
+        for part in ("1", "2"):
+            self.write("f%s.frag" % part, self.FRAGMENT.replace("PART", ".6"))
+        self.assertEqual(sorted(self.causes()), ["f1.frag: differences (2)", "f2.frag: differences (2)"])
+
+    def test_git_knows_what_has_changed_since_the_commit_of_the_golden(self):
+        if not shutil.which("git"):
+            self.skipTest("git is missing")
+        self.shaded()
+        git = lambda *words: subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *words], cwd=self.folder, check=True,
+                                            capture_output=True)
+        git("init", "-q")
+        git("add", ".")
+        git("commit", "-qm", "goldens")
+        self.write("f1.frag", self.FRAGMENT.replace("PART", ".6"))
+        git("commit", "-qam", "a shader")
+        # As in a fresh clone, all files are of one time, or of any.
+        for name in os.listdir(self.folder):
+            os.utime(os.path.join(self.folder, name))
+        self.write("f2.frag", self.FRAGMENT.replace("PART", ".7"))
+        self.assertEqual(sorted(self.causes()), ["f1.frag: differences (2)", "f2.frag: differences (2)"])
+
+    def test_without_a_file_that_has_changed_all_that_is_shared_is_named(self):
+        self.shaded()
+        self.write("common.glsl", "float shade() { return .9; }\n")
+        for folder, _, names in os.walk(os.path.join(self.folder, "golden")):
+            for name in names:
+                os.utime(os.path.join(folder, name))
+        self.assertEqual(self.causes(), ["all.vert, common.glsl: differences (4)"])
+
+    def test_a_changed_pass_can_be_looked_at(self):
+        self.scene(".5")
+        path = os.path.join(self.folder, "golden", "s.hashes")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        line = next(each for each in text.splitlines() if each.startswith("other "))
+        words = line.split(" ")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text.replace(line, " ".join([*words[:3], "0" * 32, *words[4:]])))
+        self.assertEqual(self.glibra("test", "s.toml", "--report", "report"), 0)
+        self.assertEqual(self.glibra("review", "glibra-results"), 0, "it is no failure")
+        self.restart()
+        browser = self.open()
+        groups = browser.run("return [...document.querySelectorAll('#list h2')].map((each) => each.textContent)")
+        self.assertEqual(groups, ["other.glib: changed within the tolerance (1)"])
+        self.assertEqual(browser.run("return document.querySelectorAll('#pictures img').length"), 2)
+        with open(os.path.join(self.folder, "report", "index.html"), encoding="utf-8") as file:
+            self.assertRegex(file.read(), r'"shot":"other"[^}]*"got":"pictures/')
 
     def post(self, path, body, **headers):
         request = urllib.request.Request(self.address + path, body.encode(), {"Content-Type": "application/json", **headers})

@@ -137,9 +137,79 @@ TEST_F(Noisy, PixelsThatWereAcceptedUnderAnIgnoredRectangleAreNotAcceptedWithout
     ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
     shot.ignored = {{10, 5, 20, 1, ""}};
     EXPECT_EQ(accept(withLine(10, 5)).verdict, Verdict::passed);
-    EXPECT_TRUE(decide(withLine(10, 5)).exact) << "by its hash";
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::passed);
     shot.ignored.clear();
     EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::failed);
+}
+
+/// Whatever covers the picture, alone or together: nothing passes that is compared with nothing.
+TEST_F(Noisy, APictureOfWhichNothingIsComparedFails) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    const std::filesystem::path mask = folder / "mask.png";
+    const auto write = [&](const std::function<int(int, int, int)>& value) {
+        ASSERT_TRUE(image::writeImage(picture(32, 32, value), mask).empty());
+    };
+    const auto expectNothing = [&](const char* which) {
+        for (const image::Image& drawn : {gradient(), oneColor(7)}) {
+            const Judged judged = decide(drawn, drawn);
+            EXPECT_EQ(judged.result.verdict, Verdict::failed) << which;
+            ASSERT_FALSE(judged.result.diagnostics.empty()) << which;
+            EXPECT_EQ(judged.result.diagnostics.back().id, "suite-E21") << which;
+            EXPECT_EQ(judged.result.diagnostics.back().place.line, 4) << which;
+            EXPECT_TRUE(judged.result.accept.empty()) << which;
+        }
+        EXPECT_EQ(accept(gradient(40)).verdict, Verdict::failed) << which << ": no golden is made of it";
+    };
+    const Place place{"s.toml", 4, 1};
+    shot.ignored = {{0, 0, 32, 32, "", place}};
+    expectNothing("one rectangle");
+    shot.ignored = {{0, 0, 32, 20, "", place}, {0, 20, 32, 12, "2999-12-31", place}};
+    expectNothing("two halves");
+    shot.ignored[1].until = "2020-01-31";
+    EXPECT_EQ(decide(gradient()).verdict, Verdict::passed) << "one of them counts again";
+    shot.ignored.clear();
+    shot.mask = mask;
+    shot.maskPlace = place;
+    write([](int, int, int) { return 255; });
+    expectNothing("a mask of white");
+    write([](int x, int, int) { return x < 30 ? 128 : 0; });
+    shot.ignored = {{30, 0, 2, 32, "", place}};
+    expectNothing("a mask and a rectangle");
+}
+
+/// Black in a browser, and white for the comparison: who has looked at it has not seen what it hides.
+TEST_F(Noisy, AMaskIsWhatIsShown) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    shot.mask = folder / "mask.png";
+    std::vector<std::byte> animated =
+        image::encodePng(picture(32, 32, [](int, int y, int) { return y < 9 ? 255 : 0; }));
+    animated.resize(animated.size() - 12);  // without its end
+    image::putPngChunk(animated, "acTL", std::vector<std::byte>(8));
+    image::putPngChunk(animated, "IEND", {});
+    writeText(shot.mask, {reinterpret_cast<const char*>(animated.data()), animated.size()});
+    const ShotResult result = decide(gradient());
+    EXPECT_EQ(result.verdict, Verdict::failed);
+    ASSERT_FALSE(result.diagnostics.empty());
+    EXPECT_EQ(result.diagnostics.back().id, "suite-E32");
+    EXPECT_NE(result.reason.find("the mask 'mask.png'"), std::string::npos) << result.reason;
+}
+
+TEST_F(Noisy, ResultsSayHowMuchIsCompared) {
+    ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
+    EXPECT_EQ(decide(gradient()).compared, 1);
+    shot.ignored = {{0, 0, 32, 16, ""}};
+    ShotResult half = decide(gradient());
+    EXPECT_EQ(half.compared, .5);
+    ASSERT_FALSE(figures(half).empty());
+    EXPECT_EQ(figures(half).front().name, "pixels compared");
+    EXPECT_EQ(figures(half).front().value, "512 (50 %)");
+    EXPECT_TRUE(half.diagnostics.empty());
+    shot.ignored = {{0, 0, 32, 31, ""}, {2, 31, 30, 1, ""}};
+    const ShotResult little = decide(gradient());
+    EXPECT_EQ(little.verdict, Verdict::passed);
+    ASSERT_FALSE(little.diagnostics.empty());
+    EXPECT_EQ(little.diagnostics.back().id, "suite-W04");
+    EXPECT_EQ(decide(gradient(40)).verdict, Verdict::failed) << "two pixels are compared";
 }
 
 TEST_F(Noisy, AnIgnoredRectangleExpires) {

@@ -11,9 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Orphans : public testing::Test {
+class GoldensOfNoShot : public testing::Test {
   protected:
-    Orphans() {
+    GoldensOfNoShot() {
         suite.name = "s";
         suite.goldens = folder / "golden";
         for (const char* each : {"a", "deep/b", "c@t=0.5"}) suite.shots.push_back(shotNamed(each));
@@ -32,23 +32,23 @@ class Orphans : public testing::Test {
     Suite suite;
 };
 
-TEST_F(Orphans, GoldensOfShotsAndTheirVariantsAreNone) {
+TEST_F(GoldensOfNoShot, GoldensOfShotsAndTheirVariantsAreNone) {
     EXPECT_EQ(found(), "");
 }
 
-TEST_F(Orphans, PicturesOfNoShotAreListedSorted) {
+TEST_F(GoldensOfNoShot, PicturesOfNoShotAreListedSorted) {
     for (const char* each : {"z.png", "deep/a.png", "c@t=1.png", "b.exr", ".hidden.png", "README.md"})
         put(each);
     EXPECT_EQ(found(), "b.exr c@t=1.png deep/a.png z.png ");
 }
 
-TEST_F(Orphans, AFolderOfTwoSuitesIsLeftAlone) {
+TEST_F(GoldensOfNoShot, AFolderOfTwoSuitesIsLeftAlone) {
     put("z.png");
     put("other.hashes");
     EXPECT_EQ(found(), "");
 }
 
-TEST_F(Orphans, AmongOtherFilesOnlyListedPicturesCount) {
+TEST_F(GoldensOfNoShot, AmongOtherFilesOnlyListedPicturesCount) {
     put("texture.png");
     put("z.png");
     put("scene.glib");
@@ -59,7 +59,7 @@ TEST_F(Orphans, AmongOtherFilesOnlyListedPicturesCount) {
     EXPECT_EQ(found(), "z.png ");
 }
 
-TEST_F(Orphans, GoldensOfAnotherSuiteInTheFolderAreNone) {
+TEST_F(GoldensOfNoShot, GoldensOfAnotherSuiteInTheFolderAreNone) {
     put("z.png");
     put("other/y.llvmpipe.png");
     put("x.png");
@@ -76,7 +76,7 @@ TEST_F(Orphans, GoldensOfAnotherSuiteInTheFolderAreNone) {
 }
 
 /// Only the suite itself is on the command line.
-TEST_F(Orphans, SuitesBesideTheSuiteCount) {
+TEST_F(GoldensOfNoShot, SuitesBesideTheSuiteCount) {
     put("z.png");
     put("x.png");
     writeText(folder / "a.glib", "Sphere 1\n");
@@ -92,7 +92,7 @@ TEST_F(Orphans, SuitesBesideTheSuiteCount) {
     EXPECT_EQ(found(), "x.png ");
 }
 
-TEST_F(Orphans, LinksAreNotFollowed) {
+TEST_F(GoldensOfNoShot, LinksAreNotFollowed) {
     fs::create_directories(folder / "elsewhere");
     writeText(folder / "elsewhere/mine.png", "mine");
     fs::create_directory_symlink(folder / "elsewhere", folder / "golden/link");
@@ -100,7 +100,7 @@ TEST_F(Orphans, LinksAreNotFollowed) {
     EXPECT_EQ(found(), "");
 }
 
-TEST_F(Orphans, RemovingThemLeavesTheOthers) {
+TEST_F(GoldensOfNoShot, RemovingThemLeavesTheOthers) {
     put("z.png");
     put("gone/x.png");
     EXPECT_TRUE(removeOrphans(orphanGoldens(suite)).empty());

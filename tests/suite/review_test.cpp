@@ -38,7 +38,7 @@ class Reviews : public testing::Test {
         const GoldenStore store = *GoldenStore::open(suite);
         const Result<Golden> made = store.replace(suite.shots[0], "", golden);
         ASSERT_TRUE(made);
-        const AcceptedHash line{"a", "", made->identity, hashOf(golden), "another driver"};
+        const AcceptedHash line{"a", "", made->identity, hashOf(golden), "llvmpipe; another version"};
         ASSERT_TRUE(acceptHashes(store.hashFile(), {&line, 1}).empty());
     }
     void begin() { review.emplace(run, std::vector{suite}, ReviewOptions{.results = folder / "results"}); }
@@ -119,6 +119,28 @@ TEST_F(Reviews, WhatIsNotAcceptedIsRejected) {
     EXPECT_EQ(reject(), kRejected);
     EXPECT_EQ(golden(), oldGolden);
     EXPECT_EQ(review->reject({{}, "{\"shots\": [1]}"}).status, 400);
+}
+
+TEST_F(Reviews, ARepetitionCountsOnce) {
+    begin();
+    EXPECT_EQ(review->reject({{}, "{\"shots\": [0,0,0,0]}"}).body, kRejected);
+}
+
+/// Nobody has accepted that a golden goes of which the run has not seen the picture.
+TEST_F(Reviews, AGoldenThatCannotBeReadOrIsAnotherDriversNeedsForce) {
+    put(gradient());
+    writeText(folder / "goldens/a.png", "version https://git-lfs.github.com/spec/v1\n");
+    begin();
+    EXPECT_NE(accept().find("git lfs pull"), std::string::npos);
+    EXPECT_NE(golden().find("git-lfs"), std::string::npos) << "it is kept";
+    put(gradient());
+    run.shots[0].acceptKey = "NVIDIA GeForce RTX 3080/PCIe/SSE2; 4.6.0 NVIDIA 535.54";
+    begin();
+    const std::string refused = accept();
+    EXPECT_NE(refused.find("drawn by llvmpipe, and this picture by nvidia; force accepts it"),
+              std::string::npos)
+        << refused;
+    EXPECT_EQ(accept(", \"force\": true"), kAccepted);
 }
 
 TEST_F(Reviews, SaysThatItsFileIsDamaged) {

@@ -26,13 +26,12 @@ struct Case {
     ListHas list{};
     Checks checks{};
     Pair pair{};
-    bool wantsGolden = true, update = false, trustsHashes = true, otherShotHas = false;
+    bool wantsGolden = true, update = false, otherShotHas = false;
 
     [[nodiscard]] std::string text() const {
-        return fmt::format(
-            "golden {}, list {}, checks {}, pair {}, wants golden {}, update {}, trusts {}, other {}",
-            static_cast<int>(golden), static_cast<int>(list), static_cast<int>(checks),
-            static_cast<int>(pair), wantsGolden, update, trustsHashes, otherShotHas);
+        return fmt::format("golden {}, list {}, checks {}, pair {}, wants golden {}, update {}, other {}",
+                           static_cast<int>(golden), static_cast<int>(list), static_cast<int>(checks),
+                           static_cast<int>(pair), wantsGolden, update, otherShotHas);
     }
 };
 
@@ -50,10 +49,8 @@ Verdict expected(const Case& each) {
         if (each.checks == Checks::none || suiteHasSome) return Verdict::missing;
         return pairHolds ? Verdict::passed : Verdict::failed;
     }
-    // The list says that these pixels were accepted for this golden. With --untrusted it says nothing.
-    const bool isAccepted = each.list == ListHas::goldenAndPixels && each.trustsHashes;
-    const bool holds = each.golden == GoldenIs::same || isAccepted;
-    if (!holds) return each.update && pairHolds ? Verdict::updated : Verdict::failed;
+    // Whatever the list says, the golden decides.
+    if (each.golden != GoldenIs::same) return each.update && pairHolds ? Verdict::updated : Verdict::failed;
     return pairHolds ? Verdict::passed : Verdict::failed;
 }
 
@@ -91,9 +88,8 @@ class VerdictMatrix : public testing::Test {
         EXPECT_TRUE(acceptHashes(store.hashFile(), lines).empty());
 
         const GoldenStore opened = *GoldenStore::open(suite);
-        const ShotJudge judge(
-            suite, opened, "llvmpipe", "key",
-            {.update = each.update, .trustsHashes = each.trustsHashes, .results = folder / "results"});
+        const ShotJudge judge(suite, opened, "llvmpipe", "key",
+                              {.update = each.update, .results = folder / "results"});
         Attempt attempt = attemptAt(suite.shots.front(), got);
         attempt.own.hasChecks = each.checks != Checks::none;
         if (each.checks == Checks::fail) attempt.own.failedChecks.push_back(diagnose("check-E01", "5 == 7"));
@@ -112,11 +108,9 @@ TEST_F(VerdictMatrix, EveryCombinationIsJudgedByTheRules) {
              {ListHas::nothing, ListHas::goldenAndPixels, ListHas::otherGolden, ListHas::otherVariant})
             for (const Checks checks : {Checks::none, Checks::hold, Checks::fail})
                 for (const Pair pair : {Pair::none, Pair::matches, Pair::matchFails, Pair::isPartner})
-                    for (int bits = 0; bits < 16; ++bits) {
-                        const Case each{
-                            golden,          list,           checks, pair, (bits & 1) != 0, (bits & 2) != 0,
-                            (bits & 4) != 0, (bits & 8) != 0};
-                        if (each.update && !each.trustsHashes) continue;  // --untrusted updates nothing
+                    for (int bits = 0; bits < 8; ++bits) {
+                        const Case each{golden,          list,           checks, pair, (bits & 1) != 0,
+                                        (bits & 2) != 0, (bits & 4) != 0};
                         // Where there is a golden, those of others do not matter.
                         if (each.otherShotHas && golden != GoldenIs::missing) continue;
                         const ShotResult result = decide(each);
@@ -129,7 +123,7 @@ TEST_F(VerdictMatrix, EveryCombinationIsJudgedByTheRules) {
                         ++seen[result.verdict];
                         ++count;
                     }
-    EXPECT_EQ(count, 4 * 4 * 3 * 4 * 6);
+    EXPECT_EQ(count, 4 * 3 * 4 * (8 + 4 + 4));
     EXPECT_GT(seen[Verdict::passed], 50);
     EXPECT_GT(seen[Verdict::missing], 20);
     EXPECT_GT(seen[Verdict::updated], 20);

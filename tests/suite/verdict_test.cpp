@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "folder.h"
+#include "image/png/png_writer.h"
 #include "pictures.h"
 
 namespace glibra::suite {
@@ -22,7 +23,7 @@ class Verdicts : public testing::Test {
     ShotJudge judge(JudgeOptions options = {}, const std::string& family = "llvmpipe") {
         options.results = folder / "results";
         store = *GoldenStore::open(suite);
-        return {suite, store, family, "key", options};
+        return {suite, store, family, key, options};
     }
     /// The verdict of a run on the picture: first() and, if necessary, second() with `again`.
     Judged decide(const Shot& which, const image::Image& image, JudgeOptions options = {},
@@ -48,6 +49,7 @@ class Verdicts : public testing::Test {
     Suite suite;
     GoldenStore store = *GoldenStore::open(suite);
     Shot shot = shotNamed("a");
+    std::string key = "key";
 };
 
 TEST_F(Verdicts, WithoutAGoldenItIsMissingAndThePictureIsThere) {
@@ -57,7 +59,7 @@ TEST_F(Verdicts, WithoutAGoldenItIsMissingAndThePictureIsThere) {
     EXPECT_EQ(result.accept, "glibra test s.toml --only a --update --allow-outside");
 }
 
-TEST_F(Verdicts, UpdateMakesTheGoldenAndTheNextRunIsDecidedByTheHash) {
+TEST_F(Verdicts, UpdateMakesTheGoldenAndTheNextRunIsExact) {
     const ShotResult made = accept(shot, gradient());
     EXPECT_EQ(made.verdict, Verdict::updated);
     EXPECT_TRUE(exists("goldens/a.png"));
@@ -69,17 +71,23 @@ TEST_F(Verdicts, UpdateMakesTheGoldenAndTheNextRunIsDecidedByTheHash) {
     EXPECT_TRUE(next.got.empty());
 }
 
-TEST_F(Verdicts, TheHashSavesOpeningTheGolden) {
-    // A golden that is not a picture, with accepted pixels for exactly these bytes.
-    writeText(folder / "goldens/a.png", "no picture");
-    const Golden broken = *GoldenStore::open(suite)->find(shot, "llvmpipe");
-    ASSERT_TRUE(acceptHashes(GoldenStore::open(suite)->hashFile(),
-                             std::vector{AcceptedHash{"a", "", broken.identity, hashOf(gradient()), "key"}})
-                    .empty());
+/// A line of the list for a wrong picture, or for a golden that is no picture, passes nothing.
+TEST_F(Verdicts, NoLineOfTheListPassesAWrongPicture) {
+    accept(shot, gradient());
+    const auto forge = [&](const image::Image& pixels) {
+        const Golden golden = *GoldenStore::open(suite)->find(shot, "llvmpipe");
+        ASSERT_TRUE(acceptHashes(GoldenStore::open(suite)->hashFile(),
+                                 std::vector{AcceptedHash{"a", "", golden.identity, hashOf(pixels), "key"}})
+                        .empty());
+    };
+    forge(gradient(40));
+    EXPECT_EQ(decide(shot, gradient(40)).result.verdict, Verdict::failed);
     EXPECT_EQ(decide(shot, gradient()).result.verdict, Verdict::passed);
-    const ShotResult other = decide(shot, gradient(1)).result;
-    EXPECT_EQ(other.verdict, Verdict::failed);
-    EXPECT_NE(other.reason.find("--update"), std::string::npos) << other.reason;
+    writeText(folder / "goldens/a.png", "no picture");
+    forge(gradient());
+    const ShotResult unreadable = decide(shot, gradient()).result;
+    EXPECT_EQ(unreadable.verdict, Verdict::failed);
+    EXPECT_NE(unreadable.reason.find("--update"), std::string::npos) << unreadable.reason;
 }
 
 TEST_F(Verdicts, WithinTheToleranceOfTheGoldenButOtherThanBeforeIsChanged) {
@@ -90,6 +98,9 @@ TEST_F(Verdicts, WithinTheToleranceOfTheGoldenButOtherThanBeforeIsChanged) {
     EXPECT_EQ(result.verdict, Verdict::passed);
     EXPECT_FALSE(result.exact);
     EXPECT_TRUE(result.changed);
+    for (const auto& each : {result.got, result.expected, result.difference})
+        EXPECT_TRUE(exists("results" / each)) << "the new picture can be looked at: " << each;
+    EXPECT_EQ(result.acceptKey, "key");
 }
 
 TEST_F(Verdicts, UpdateKeepsAGoldenThatStillFitsAndAcceptsTheNewPixels) {
@@ -100,7 +111,7 @@ TEST_F(Verdicts, UpdateKeepsAGoldenThatStillFitsAndAcceptsTheNewPixels) {
     EXPECT_EQ(accept(shot, other).verdict, Verdict::passed);
     EXPECT_EQ(textOf(folder / "goldens/a.png"), before);
     const ShotResult next = decide(shot, other).result;
-    EXPECT_TRUE(next.exact);
+    EXPECT_EQ(next.verdict, Verdict::passed);
     EXPECT_FALSE(next.changed);
 }
 
@@ -180,11 +191,157 @@ TEST_F(Verdicts, NanTransparencyAndOneColourAreNoGoldens) {
     EXPECT_EQ(whyNoGolden(gradient()), "");
 }
 
-TEST_F(Verdicts, ADamagedGoldenIsReplacedByUpdate) {
-    writeText(folder / "goldens/a.png", "\x89PNG\r\n\x1a\nand no more");
-    EXPECT_EQ(decide(shot, gradient()).result.verdict, Verdict::failed);
-    EXPECT_EQ(accept(shot, gradient()).verdict, Verdict::updated);
+/// Nobody has accepted that such a golden goes: what stands in its place is kept, and the message says what
+/// to do.
+TEST_F(Verdicts, AGoldenThatCannotBeReadIsReplacedOnlyOnRequest) {
+    std::vector<std::byte> animated = image::encodePng(gradient());
+    animated.resize(animated.size() - 12);  // without its end
+    image::putPngChunk(animated, "acTL", std::vector<std::byte>(8));
+    image::putPngChunk(animated, "IEND", {});
+    const std::pair<std::string, const char*> kinds[] = {
+        {"\x89PNG\r\n\x1a\nand no more", "damaged"},
+        {"", "empty"},
+        {"version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 9\n", "git lfs pull"},
+        {"<<<<<<< HEAD\nversion https://git-lfs.github.com/spec/v1\n", "merge conflict"},
+        {"\n<!DOCTYPE html><title>404</title>", "web page"},
+        {"some text", "neither a picture"},
+        {std::string(reinterpret_cast<const char*>(animated.data()), animated.size()), "animation"},
+        {"GIF89a", "GIF"},
+    };
+    for (const auto& [content, word] : kinds) {
+        writeText(folder / "goldens/a.png", content);
+        const ShotResult failed = decide(shot, gradient()).result;
+        EXPECT_EQ(failed.verdict, Verdict::failed) << word;
+        EXPECT_NE(failed.reason.find(word), std::string::npos) << failed.reason;
+        for (const JudgeOptions& options :
+             {JudgeOptions{}, JudgeOptions{.force = true}, JudgeOptions{.also = true},
+              JudgeOptions{.variant = true}, JudgeOptions{.onlyMissing = true}}) {
+            const ShotResult kept = accept(shot, gradient(), options);
+            EXPECT_TRUE(isFailure(kept.verdict)) << word << ": " << name(kept.verdict);
+            EXPECT_NE(kept.reason.find(word), std::string::npos) << kept.reason;
+            EXPECT_EQ(textOf(folder / "goldens/a.png"), content) << word;
+        }
+        EXPECT_EQ(accept(shot, gradient(), {.replaceUnreadable = true}).verdict, Verdict::updated) << word;
+        EXPECT_EQ(decide(shot, gradient()).result.verdict, Verdict::passed) << word;
+    }
+    std::filesystem::remove(folder / "goldens/a.png");
+    std::filesystem::create_directories(folder / "goldens/a.png");
+    EXPECT_EQ(accept(shot, gradient()).verdict, Verdict::refused) << "a folder in its place";
+}
+
+/// A picture that is accepted besides is a golden, too.
+TEST_F(Verdicts, AFurtherPictureThatCannotBeReadIsNamed) {
+    accept(shot, gradient());
+    writeText(folder / "goldens/a.also1.png", "version https://git-lfs.github.com/spec/v1\n");
+    const ShotResult failed = decide(shot, gradient(40)).result;
+    EXPECT_NE(failed.reason.find("Git LFS"), std::string::npos) << failed.reason;
     EXPECT_EQ(decide(shot, gradient()).result.verdict, Verdict::passed);
+}
+
+TEST_F(Verdicts, UpdateOfOnlyWhatIsMissingLeavesTheOthers) {
+    accept(shot, gradient());
+    const JudgeOptions missing{.onlyMissing = true};
+    EXPECT_EQ(accept(shot, gradient(40), missing).verdict, Verdict::failed);
+    EXPECT_TRUE(image::compare(golden(shot), gradient()).identical);
+    EXPECT_EQ(accept(shotNamed("b"), gradient(40), missing).verdict, Verdict::updated);
+}
+
+class Drivers : public Verdicts {
+  protected:
+    ShotResult acceptBy(const std::string& drawnBy, const Shot& which, const image::Image& image,
+                        JudgeOptions options = {}) {
+        key = drawnBy;
+        return accept(which, image, std::move(options));
+    }
+    static constexpr const char* kMesa =
+        "llvmpipe (LLVM 15.0.6, 256 bits); 4.5 Mesa 22.3.6; AuthenticAMD avx2";
+    static constexpr const char* kNewMesa =
+        "llvmpipe (LLVM 19.1.7, 256 bits); 4.6 Mesa 25.0; GenuineIntel avx2";
+    static constexpr const char* kCard = "NVIDIA GeForce RTX 3080/PCIe/SSE2; 4.6.0 NVIDIA 535.54";
+};
+
+TEST_F(Drivers, UpdateKeepsAGoldenForAllDriversThatAnotherFamilyDrew) {
+    EXPECT_EQ(acceptBy(kMesa, shot, gradient()).verdict, Verdict::updated);
+    const ShotResult kept = acceptBy(kCard, shot, gradient(40));
+    EXPECT_EQ(kept.verdict, Verdict::refused);
+    for (const char* word : {"llvmpipe", "nvidia", "--variant", "--any-driver"})
+        EXPECT_NE(kept.reason.find(word), std::string::npos) << kept.reason;
+    EXPECT_TRUE(image::compare(golden(shot), gradient()).identical);
+    // A golden that is new stands among those of the suite.
+    EXPECT_EQ(acceptBy(kCard, shotNamed("b"), gradient(40)).verdict, Verdict::refused);
+    EXPECT_FALSE(exists("goldens/b.png"));
+    const ShotResult beside = acceptBy(kCard, shot, gradient(40), {.variant = true});
+    EXPECT_EQ(beside.verdict, Verdict::updated);
+    EXPECT_NE(beside.reason.find("golden for llvmpipe added"), std::string::npos) << beside.reason;
+    std::filesystem::remove(folder / "goldens/a.llvmpipe.png");
+    EXPECT_EQ(acceptBy(kNewMesa, shot, gradient(20)).verdict, Verdict::updated) << "the same family";
+    EXPECT_EQ(acceptBy(kCard, shot, gradient(40), {.anyDriver = true}).verdict, Verdict::updated);
+    EXPECT_EQ(acceptBy(kCard, shot, gradient(60)).verdict, Verdict::updated) << "it is its own now";
+}
+
+TEST_F(Drivers, ADriverThatOnlyPassesHasNotDrawnTheGolden) {
+    acceptBy(kMesa, shot, gradient());
+    image::Image near = gradient();
+    near.data[40] ^= std::byte{1};
+    EXPECT_EQ(acceptBy(kCard, shot, near).verdict, Verdict::passed);
+    EXPECT_EQ(acceptBy(kCard, shot, gradient(40)).verdict, Verdict::refused);
+    EXPECT_EQ(acceptBy(kCard, shot, gradient()).verdict, Verdict::passed);
+    EXPECT_EQ(acceptBy(kCard, shot, gradient(40)).verdict, Verdict::updated)
+        << "it has drawn exactly this picture";
+}
+
+TEST_F(Drivers, WithoutLinesNothingIsKnown) {
+    acceptBy(kMesa, shot, gradient());
+    std::filesystem::remove(folder / "goldens/s.hashes");
+    EXPECT_EQ(acceptBy(kCard, shot, gradient(40)).verdict, Verdict::updated);
+}
+
+class Renamed : public Verdicts {
+  protected:
+    Renamed() {
+        accept(shotNamed("old"), gradient());
+        orphans = std::make_shared<const Orphans>(std::vector{folder / "goldens/old.png"});
+    }
+    std::shared_ptr<const Orphans> orphans;
+};
+
+TEST_F(Renamed, AMissingGoldenIsThatOfNoShotWithTheSamePicture) {
+    const ShotResult same = decide(shot, gradient(), {.orphans = orphans}).result;
+    EXPECT_EQ(same.verdict, Verdict::missing);
+    EXPECT_EQ(same.renamedFrom, folder / "goldens/old.png");
+    EXPECT_NE(same.reason.find("renamed"), std::string::npos) << same.reason;
+    EXPECT_EQ(same.accept, "glibra test s.toml --only a --rename --allow-outside");
+    const ShotResult other = decide(shot, gradient(1), {.orphans = orphans}).result;
+    EXPECT_TRUE(other.renamedFrom.empty());
+}
+
+TEST_F(Renamed, UpdateWithPruneTakesNoChangedPicture) {
+    const JudgeOptions options{.prune = true, .orphans = orphans};
+    const ShotResult changed = accept(shot, gradient(40), options);
+    EXPECT_EQ(changed.verdict, Verdict::refused);
+    EXPECT_NE(changed.reason.find("renamed"), std::string::npos) << changed.reason;
+    EXPECT_FALSE(exists("goldens/a.png"));
+    EXPECT_EQ(accept(shot, gradient(), options).verdict, Verdict::updated);
+    EXPECT_EQ(accept(shotNamed("b"), gradient(40), {.prune = true}).verdict, Verdict::updated)
+        << "nothing is lost";
+}
+
+TEST_F(Renamed, TheGoldenItsVariantsAndItsLinesTakeTheNewName) {
+    store = *GoldenStore::open(suite);
+    ASSERT_TRUE(store.replace(shotNamed("old"), "nvidia", gradient(9)));
+    ASSERT_TRUE(store.replace(shotNamed("older"), "", gradient(8)));
+    const std::vector files{folder / "goldens/old.nvidia.png", folder / "goldens/old.png",
+                            folder / "goldens/older.png"};
+    EXPECT_TRUE(store.rename(files[1], shotNamed("sub/new"), files).empty());
+    for (const char* each : {"goldens/sub/new.png", "goldens/sub/new.nvidia.png", "goldens/older.png"})
+        EXPECT_TRUE(exists(each)) << each;
+    EXPECT_FALSE(exists("goldens/old.png"));
+    const std::string list = textOf(folder / "goldens/s.hashes");
+    EXPECT_NE(list.find("\nsub/new - "), std::string::npos) << list;
+    EXPECT_EQ(list.find("\nold - "), std::string::npos) << list;
+    const Diagnostics taken = store.rename(files[2], shotNamed("sub/new"), files);
+    ASSERT_FALSE(taken.empty());
+    EXPECT_EQ(taken.front().id, "file-E10");
 }
 
 TEST_F(Verdicts, AVariantIsForOneFamilyOnly) {

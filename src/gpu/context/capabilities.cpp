@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-#include "base/text.h"
+#include "gpu/context/family.h"
 
 namespace glibra::gpu {
 namespace {
@@ -31,26 +31,6 @@ int glslNumber(std::string_view words) {
     if (failed != std::errc{} || dot == end || *dot != '.') return 410;
     std::from_chars(dot + 1, end, minor);
     return major * 100 + (minor < 10 ? minor * 10 : minor);
-}
-
-std::string familyOf(const Capabilities& driver, bool throughOsmesa) {
-    const std::string renderer = base::lower(driver.renderer);
-    const std::string vendor = base::lower(driver.vendor);
-    const auto in = [](const std::string& words, std::string_view word) {
-        return words.find(word) != std::string::npos;
-    };
-    const std::string prefix = throughOsmesa ? "osmesa-" : "";
-    // Layered drivers name the device below them too, so they come first.
-    if (in(renderer, "zink")) return "zink";
-    if (in(renderer, "d3d12")) return "d3d12";
-    if (in(renderer, "llvmpipe")) return prefix + "llvmpipe";
-    if (in(renderer, "softpipe")) return prefix + "softpipe";
-    if (in(vendor, "nvidia") || in(renderer, "nvidia")) return "nvidia";
-    if (in(vendor, "apple")) return "apple";
-    if (in(vendor, "intel") || in(renderer, "intel")) return "intel";
-    if (in(vendor, "amd") || in(vendor, "ati ") || in(renderer, "amd") || in(renderer, "radeon"))
-        return "amd";
-    return "other";
 }
 
 void readExtensions(Capabilities& driver) {
@@ -121,7 +101,8 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.minor = integerOf(GL_MINOR_VERSION);
     // Mesa with a lowered version of OpenGL still reports its own version of GLSL.
     driver.glslVersion = std::min(glslNumber(driver.shadingLanguage), 100 * driver.major + 10 * driver.minor);
-    driver.family = familyOf(driver, throughOsmesa);
+    driver.family = familyOf(driver.vendor + " " + driver.renderer);
+    if (throughOsmesa && driver.family.ends_with("pipe")) driver.family.insert(0, "osmesa-");
     driver.isSoftware = driver.family.ends_with("llvmpipe") || driver.family.ends_with("softpipe");
     driver.tessellatesInSoftware = driver.isSoftware || driver.renderer.find("llvmpipe") != std::string::npos;
     driver.defersClears = driver.family == "zink";

@@ -29,7 +29,9 @@ bool add(std::string_view type, std::span<const std::byte> content, PngChunks& c
         chunks.data.push_back(content);
         return true;
     }
-    return type == "PLTE" || type == "IEND" || type[0] >= 'a';  // lower case marks ancillary chunks
+    if (type == "IEND") return true;
+    chunks.others.push_back({type, content, dataEnded});
+    return type == "PLTE" || type[0] >= 'a';  // lower case marks ancillary chunks
 }
 
 }  // namespace

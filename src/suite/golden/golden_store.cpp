@@ -9,10 +9,14 @@
 
 #include "base/contained.h"
 #include "base/folder_entries.h"
+#include "gpu/context/family.h"
+#include "image/convert.h"
 #include "image/file.h"
+#include "image/format.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
+#include "suite/golden/appearance.h"
 #include "suite/golden/hash_key.h"
 #include "suite/golden/ignored.h"
 #include "suite/write_below.h"
@@ -191,6 +195,24 @@ const Hash* GoldenStore::acceptedPixels(const Shot& shot, const Golden& golden,
     return accepted_.find(shot.name, golden.variant, golden.identity, key);
 }
 
+std::set<std::string> GoldenStore::familiesOf(const Shot& shot,
+                                              const std::optional<image::Image>& picture) const {
+    std::set<std::string> all, exact;
+    const auto add = [&](const std::string& name, const std::optional<Hash>& pixels) {
+        for (const AcceptedHash& line : accepted_.linesOf(name)) {
+            if (!line.variant.empty()) continue;
+            all.insert(gpu::familyOf(line.key));
+            if (pixels && line.pixels == *pixels) exact.insert(gpu::familyOf(line.key));
+        }
+    };
+    if (!picture)
+        for (const std::string& name : accepted_.shots()) add(name, {});
+    else  // a file that was read has an alpha, which a rendering need not have
+        for (const int components : {3, 4})
+            add(shot.name, hashOf(image::withComponents(*picture, components)));
+    return exact.empty() ? all : exact;
+}
+
 Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
                                     const image::Image& picture) const {
     const fs::path path = file(shot, variant);
@@ -222,6 +244,30 @@ Diagnostics GoldenStore::restore(const Shot& shot, std::string_view variant,
     return {cannotWrite(path, problem)};
 }
 
+Diagnostics GoldenStore::rename(const fs::path& orphan, const Shot& shot,
+                                std::span<const fs::path> orphans) const {
+    const auto nameOf = [&](const fs::path& file) {
+        return file.lexically_relative(folder_).replace_extension().generic_string();
+    };
+    // "a.llvmpipe" is a variant of "a" if that is there, too.
+    std::string former = nameOf(orphan);
+    if (const std::string of(shotOfVariant(former));
+        !of.empty() && std::ranges::find(orphans, of, nameOf) != orphans.end())
+        former = of;
+    for (const fs::path& each : orphans) {
+        const std::string name = nameOf(each);
+        if (name != former && shotOfVariant(name) != former) continue;
+        const fs::path to = folder_ / (shot.name + name.substr(former.size()) + each.extension().string());
+        std::error_code failure;
+        fs::create_directories(to.parent_path(), failure);
+        if (const std::string why = whyNotWritten(to); !why.empty()) return {image::cannotWrite(to, why)};
+        if (fs::exists(to, failure)) return {image::cannotWrite(to, "it is there already")};
+        if (const int problem = base::renameDurably(each, to); problem != 0)
+            return {cannotWrite(to, problem)};
+    }
+    return renameHashes(hashFile(), former, shot.name);
+}
+
 std::string GoldenStore::whyNotWritten(const fs::path& path) const {
     std::error_code ignored;
     if (fs::is_symlink(path, ignored))
@@ -234,9 +280,14 @@ std::string GoldenStore::whyNotWritten(const fs::path& path) const {
 Result<image::Image> decode(const Golden& golden) {
     const Place place{golden.file.string(), 1, 1};
     Result<image::Image> picture = image::decodeImage(golden.bytes, golden.file, place);
-    if (!picture)
+    if (picture)
+        if (std::optional<Diagnostic> why = shownOtherwise("golden", golden.file, golden.bytes, place))
+            picture = *std::move(why);
+    if (!picture && image::placeholderOf(golden.bytes).empty())
         for (Diagnostic& each : picture.diagnostics)
-            each.text += "; restore the golden from version control, or make it anew with --update";
+            each.text +=
+                "; restore the golden from version control, or replace it with --update "
+                "--replace-unreadable";
     return picture;
 }
 

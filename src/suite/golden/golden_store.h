@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +73,12 @@ class GoldenStore {
     [[nodiscard]] const Hash* acceptedPixels(const Shot& shot, const Golden& golden,
                                              const std::string& key) const;
 
+    /// The families of the drivers that drew the golden for all drivers, as the list of accepted pixels has
+    /// them: those that gave exactly `picture`, or else all that were accepted with it. Without a picture,
+    /// for a golden that is new, the families of all goldens for all drivers. Empty if the list does not say.
+    [[nodiscard]] std::set<std::string> familiesOf(const Shot& shot,
+                                                   const std::optional<image::Image>& picture) const;
+
     /// Makes the picture the golden of that variant and returns the new golden. The file is replaced when the
     /// new one is whole and on the disk; an error leaves everything as it was. Error: file-E10, also for a
     /// golden that is a link or is reached through one that leads out of the golden folder.
@@ -80,6 +88,12 @@ class GoldenStore {
     /// as for replace().
     [[nodiscard]] Diagnostics restore(const Shot& shot, std::string_view variant,
                                       const std::optional<std::vector<std::byte>>& bytes) const;
+
+    /// Makes a golden of no shot, with its variants among `orphans` and its lines in the list of accepted
+    /// pixels, that of the shot, which has none. Error: file-E10, as for replace(), also if the golden is
+    /// gone.
+    [[nodiscard]] Diagnostics rename(const std::filesystem::path& orphan, const Shot& shot,
+                                     std::span<const std::filesystem::path> orphans) const;
 
   private:
     /// Why the file of a golden is not written; empty if it may be.
@@ -94,7 +108,8 @@ class GoldenStore {
 /// its own (links resolved). A suite of somebody else could overwrite any picture of the user otherwise.
 Diagnostics checkGoldenFolder(const Suite& suite);
 
-/// The pixels of a golden. Errors name its file and say what to do.
+/// The pixels of a golden. Errors name its file and say what to do; suite-E32: other programs may show
+/// another picture, so nobody can have accepted this one by looking at it.
 Result<image::Image> decode(const Golden& golden);
 
 }  // namespace glibra::suite

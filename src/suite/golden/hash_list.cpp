@@ -149,6 +149,13 @@ void HashList::restore(const std::string& shot, const std::string& variant,
     if (all.empty()) ofShot_.erase(shot);
 }
 
+void HashList::rename(const std::string& shot, const std::string& to) {
+    std::vector<AcceptedHash> lines = linesOf(shot);
+    ofShot_.erase(shot);
+    for (AcceptedHash& each : lines) each.shot = to;
+    accept(lines);
+}
+
 std::string HashList::toText() const {
     std::string text(kHeading);
     for (const auto& [shot, lines] : ofShot_)
@@ -164,6 +171,10 @@ Diagnostics acceptHashes(const fs::path& file, std::span<const AcceptedHash> acc
 Diagnostics restoreHashes(const fs::path& file, const std::string& shot, const std::string& variant,
                           std::span<const AcceptedHash> lines) {
     return changeList(file, [&](HashList& list) { list.restore(shot, variant, lines); });
+}
+
+Diagnostics renameHashes(const fs::path& file, const std::string& shot, const std::string& to) {
+    return changeList(file, [&](HashList& list) { list.rename(shot, to); });
 }
 
 }  // namespace glibra::suite

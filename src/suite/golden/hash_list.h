@@ -57,6 +57,8 @@ class HashList {
     void accept(std::span<const AcceptedHash> accepted);
     /// Replaces the lines of one golden of a shot.
     void restore(const std::string& shot, const std::string& variant, std::span<const AcceptedHash> lines);
+    /// Makes the lines of a shot those of another one.
+    void rename(const std::string& shot, const std::string& to);
     [[nodiscard]] std::string toText() const;
 
   private:
@@ -70,5 +72,7 @@ Diagnostics acceptHashes(const std::filesystem::path& file, std::span<const Acce
 /// Replaces the lines of one golden of a shot in the file; otherwise as acceptHashes.
 Diagnostics restoreHashes(const std::filesystem::path& file, const std::string& shot,
                           const std::string& variant, std::span<const AcceptedHash> lines);
+/// Makes the lines of a shot in the file those of another one; otherwise as acceptHashes.
+Diagnostics renameHashes(const std::filesystem::path& file, const std::string& shot, const std::string& to);
 
 }  // namespace glibra::suite

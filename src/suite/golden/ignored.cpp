@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "image/convert.h"
+#include "image/file.h"
 #include "image/read.h"
 #include "suite/day.h"
+#include "suite/golden/appearance.h"
 #include "suite/golden/hash.h"
 
 namespace glibra::suite {
@@ -38,7 +40,12 @@ std::optional<Diagnostic> reachesOut(const IgnoredRegion& region, int width, int
 }
 
 Result<image::Image> readMask(const Shot& shot, int width, int height) {
-    Result<image::Image> mask = image::readImage(shot.mask, shot.maskPlace);
+    const auto bytes = image::readFile(shot.mask, {shot.mask.filename().string(), shot.maskPlace});
+    if (!bytes) return bytes.diagnostics;
+    Result<image::Image> mask = image::decodeImage(*bytes, shot.mask, shot.maskPlace);
+    if (mask)
+        if (std::optional<Diagnostic> why = shownOtherwise("mask", shot.mask, *bytes, shot.maskPlace))
+            return *std::move(why);
     if (mask && (mask->width != width || mask->height != height))
         return diagnose("suite-E29",
                         fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}", shot.mask.string(),
@@ -54,7 +61,28 @@ Diagnostics wrongIgnored(const Shot& shot, int width, int height) {
     for (const IgnoredRegion& each : activeRegions(shot))
         if (const auto problem = reachesOut(each, width, height)) problems.push_back(*problem);
     if (!shot.mask.empty()) append(problems, readMask(shot, width, height).diagnostics);
+    if (!hasError(problems) && ignoresSomething(shot) && comparedPart(shot, width, height) == 0)
+        problems.push_back(diagnose(
+            "suite-E21",
+            fmt::format("nothing of the picture of '{}' is compared: {} all of its {} x {} pixels", shot.name,
+                        shot.mask.empty()      ? "`ignore` covers"
+                        : shot.ignored.empty() ? "the white of `mask` covers"
+                                               : "`ignore` and the white of `mask` cover",
+                        width, height),
+            shot.ignored.empty() ? shot.maskPlace : shot.ignored.front().place));
     return problems;
+}
+
+double comparedPart(const Shot& shot, int width, int height) {
+    const image::Image zeros{
+        width, height, 1, image::Component::u8,
+        std::vector<std::byte>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+    image::Image ones = zeros;
+    std::ranges::fill(ones.data, std::byte{1});
+    const Result<image::Image> seen = withoutIgnored(shot, zeros, ones);
+    if (!seen || seen->data.empty()) return 0;
+    return static_cast<double>(std::ranges::count(seen->data, std::byte{1})) /
+           static_cast<double>(seen->data.size());
 }
 
 bool ignoresSomething(const Shot& shot) {

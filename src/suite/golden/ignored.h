@@ -22,9 +22,12 @@ bool drawingsAgree(const Shot& shot, const image::Image& first, const image::Ima
 /// retries, whether it is in quarantine today. Empty for a shot that states nothing of this.
 std::string judgedBy(const Shot& shot);
 /// What is wrong with the shot's `ignore` and `mask` for a picture of this size, each at its place in the
-/// suite: suite-E29 a rectangle outside of the picture, or a mask of another size; those of image::readImage
-/// for the mask.
+/// suite: suite-E29 a rectangle outside of the picture, or a mask of another size; suite-E21 they leave
+/// nothing that is compared; suite-E32 a mask that other programs may show otherwise; those of
+/// image::readImage for the mask.
 Diagnostics wrongIgnored(const Shot& shot, int width, int height);
+/// The part of a picture of this size that is compared, 0 to 1; 0 if wrongIgnored() has an error.
+double comparedPart(const Shot& shot, int width, int height);
 /// `got` with the pixels of `expected` where the shot does not look, so that a comparison of the two sees no
 /// difference there. Of pictures with different sizes or types `got` is returned: they differ anyway. Errors:
 /// those of wrongIgnored().

@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "base/folder_entries.h"
+#include "image/convert.h"
+#include "image/read.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/golden_store.h"
+#include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
 
 namespace glibra::suite {
@@ -103,6 +106,21 @@ std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder,
     for (auto& [file, name] : found) orphans.push_back(std::move(file));
     std::ranges::sort(orphans);
     return orphans;
+}
+
+fs::path Orphans::find(const image::Image& picture) const {
+    if (isEmpty()) return {};
+    // A golden that was read has an alpha, which a rendering need not have.
+    const auto keyOf = [](const image::Image& each) {
+        return toText(hashOf(image::withComponents(each, 4)));
+    };
+    std::call_once(isRead_, [&] {
+        for (const fs::path& file : files_)
+            if (const Result<image::Image> golden = image::readImage(file))
+                ofPixels_.emplace(keyOf(*golden), file);
+    });
+    const auto found = ofPixels_.find(keyOf(picture));
+    return found == ofPixels_.end() ? fs::path() : found->second;
 }
 
 Diagnostics removeOrphans(const std::vector<fs::path>& orphans) {

@@ -4,9 +4,14 @@
 #include <glibra/result.h>
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "image/image.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {
@@ -19,6 +24,22 @@ namespace glibra::suite {
 /// are not followed.
 std::vector<std::filesystem::path> orphanGoldens(const Suite& suite, const std::filesystem::path& folder = {},
                                                  std::span<const Suite> others = {});
+
+/// The goldens of no shot, and their pixels, which are read when they are asked for first. Threads may share
+/// it.
+class Orphans {
+  public:
+    explicit Orphans(std::vector<std::filesystem::path> files) : files_(std::move(files)) {}
+    [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+    [[nodiscard]] bool isEmpty() const { return files_.empty(); }
+    /// The file whose pixels are exactly those of the picture; empty if there is none.
+    [[nodiscard]] std::filesystem::path find(const image::Image& picture) const;
+
+  private:
+    std::vector<std::filesystem::path> files_;
+    mutable std::once_flag isRead_;
+    mutable std::map<std::string, std::filesystem::path> ofPixels_;
+};
 
 /// Removes them, and folders that are empty afterwards. Errors have the id file-E10.
 Diagnostics removeOrphans(const std::vector<std::filesystem::path>& orphans);

@@ -9,6 +9,7 @@
 
 #include "base/escape_xml.h"
 #include "base/page_template.h"
+#include "base/text.h"
 #include "embedded/report_page.h"
 #include "image/file.h"
 #include "suite/report/plain_page.h"
@@ -91,7 +92,18 @@ std::string headline(const RunResult& run) {
     if (const std::size_t missing = missingShots(run).size(); missing > 0)
         text += fmt::format(", {} of {} planned shots have no verdict", missing, plannedCount(run));
     if (!run.missingShards.empty()) text += ", " + base::escapeXml(run.missingShards);
+    if (!run.orphans.empty())
+        text += fmt::format(", {} of no shot", base::counted(run.orphans.size(), "golden"));
     return text;
+}
+
+/// The goldens of no shot, of which no shot of the list speaks.
+std::string orphanList(const RunResult& run) {
+    constexpr std::size_t kMost = 100;
+    std::string html;
+    for (const std::string& line : orphanLines(run, kMost))
+        html += fmt::format("<p class=\"orphans\">{}</p>", base::escapeXml(line));
+    return html;
 }
 
 std::string runDetails(const RunResult& run) {
@@ -127,6 +139,7 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
         {"headline", headline(run)},
         {"run", fmt::format("About this run ({})", readableTime(run.seconds))},
         {"runDetails", runDetails(run)},
+        {"orphans", orphanList(run)},
         {"style", std::string(report_page::report_css())},
         {"script", std::move(script)},
         {"static", plainPage(run, shown, files.sources())},

@@ -86,6 +86,21 @@ void putShot(std::string& xml, const ShotResult& shot) {
     xml += inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n";
 }
 
+/// A suite with one test about the whole run: an error, a failure, or only an output.
+std::string ofRun(std::string_view test, std::string_view element, std::string_view type,
+                  const std::string& text) {
+    const std::string attributes =
+        element == "system-out" ? ""
+                                : fmt::format(" message=\"{}\" type=\"{}\"", base::escapeXml(text), type);
+    return fmt::format(
+        "  <testsuite name=\"glibra\" tests=\"1\" failures=\"{}\" errors=\"{}\" skipped=\"0\" "
+        "time=\"0.000\">\n"
+        "    <testcase name=\"{}\" classname=\"glibra\" time=\"0.000\">\n"
+        "      <{}{}>{}</{}>\n    </testcase>\n  </testsuite>\n",
+        element == "failure" ? 1 : 0, element == "error" ? 1 : 0, test, element, attributes,
+        base::escapeXml(text), element);
+}
+
 }  // namespace
 
 std::string toJunit(const RunResult& run) {
@@ -122,12 +137,16 @@ std::string toJunit(const RunResult& run) {
     if (const std::string missing = shortfall(run); !missing.empty()) {
         ++all.tests;
         ++all.errors;
-        inside += fmt::format(
-            "  <testsuite name=\"glibra\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" "
-            "time=\"0.000\">\n"
-            "    <testcase name=\"every planned shot has a verdict\" classname=\"glibra\" time=\"0.000\">\n"
-            "      <error message=\"{0}\" type=\"incomplete\">{0}</error>\n    </testcase>\n  </testsuite>\n",
-            base::escapeXml(missing));
+        inside += ofRun("every planned shot has a verdict", "error", "incomplete", missing);
+    }
+    if (!run.orphans.empty()) {
+        ++all.tests;
+        all.failures += run.orphansFail ? 1 : 0;
+        constexpr std::size_t kMost = 100;
+        std::string text;
+        for (const std::string& line : orphanLines(run, kMost)) text += (text.empty() ? "" : "\n") + line;
+        inside += ofRun("every golden belongs to a shot", run.orphansFail ? "failure" : "system-out",
+                        "orphans", text);
     }
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

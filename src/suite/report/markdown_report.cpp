@@ -48,6 +48,8 @@ std::string toMarkdown(const RunResult& run, const MarkdownOptions& options) {
     std::string text = fmt::format("### Pictures: {}\n\n", cell(counts(run)));
     if (const std::string missing = shortfall(run); !missing.empty())
         text += fmt::format("**Incomplete:** {}\n\n", cell(missing));
+    constexpr std::size_t kMostOrphans = 20;
+    for (const std::string& line : orphanLines(run, kMostOrphans)) text += cell(line) + "\n\n";
     std::vector<const ShotResult*> shots;
     for (const Verdict verdict : kVerdictsByConcern)
         for (const ShotResult& each : run.shots)
@@ -58,8 +60,8 @@ std::string toMarkdown(const RunResult& run, const MarkdownOptions& options) {
                         : "| shot | | why |\n|---|---|---|\n";
     for (std::size_t i = 0; i < shots.size() && i < kMostListed; ++i) {
         const ShotResult& shot = *shots[i];
-        text += fmt::format("| {} | {} | {} |", cell(shot.suite + "/" + shot.shot), name(shot.verdict),
-                            cell(reasonOf(shot)));
+        text += fmt::format("| {} | {} | {} |", cell(shot.suite + "/" + shot.shot),
+                            isChangedPass(shot) ? "changed" : name(shot.verdict), cell(reasonOf(shot)));
         if (hasPictures)
             for (const auto* each : {&shot.expected, &shot.got, &shot.difference})
                 text += fmt::format(" {} |", imageTag(*each, options.picturesAt));

@@ -13,6 +13,7 @@
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
+#include "image/png/png_appearance.h"
 #include "image/png/png_chunks.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
@@ -134,7 +135,9 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
         remark(shown, shot, fmt::format("'{}' is a damaged PNG picture", picture.string()));
         return {};
     }
-    if (wantsPixels || !isPng) {
+    // The page shows what was compared.
+    const bool isCopied = isPng && image::shownOtherwise(*bytes).empty();
+    if (wantsPixels || !isCopied) {
         image::ReadOptions options;
         options.decoder = roots_.decoder;
         Result<image::Image> decoded = image::decodeImage(*bytes, foundAt(picture), {}, options);
@@ -142,7 +145,7 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
             remark(shown, shot, decoded.diagnostics.front().text);
             return {};
         }
-        if (!isPng) *bytes = image::encodePng(image::withType(*decoded, image::Component::u8));
+        if (!isCopied) *bytes = image::encodePng(image::withType(*decoded, image::Component::u8));
         copy.pixels = std::move(*decoded);
     }
     const std::string to = fmt::format("pictures/{}.{}.png", nameOf(number, *bytes), ending);

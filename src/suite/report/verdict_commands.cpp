@@ -25,6 +25,11 @@ std::string checkCommand(const Shot& shot) {
     return "glibra check --run " + shellWord(shot.script.string()) + optionArguments(shot);
 }
 
+std::string renameCommand(const Suite& suite, const Shot& shot) {
+    return fmt::format("glibra test {} --only {} --rename", shellWord(suite.file.string()),
+                       shellWord(shot.name));
+}
+
 std::string acceptCommand(const Suite& suite, const Shot& shot) {
     return fmt::format("glibra test {} --only {} --update", shellWord(suite.file.string()),
                        shellWord(shot.name));

@@ -18,6 +18,8 @@ inline constexpr std::array<std::string_view, 13> kCheckOptions{
 /// The command that answers the checks of the shot's scene; empty if the shot has options that `glibra check`
 /// lacks.
 std::string checkCommand(const Shot& shot);
+/// The command that moves the golden of the shot's former name.
+std::string renameCommand(const Suite& suite, const Shot& shot);
 /// The command that makes the shot's picture the new golden.
 std::string acceptCommand(const Suite& suite, const Shot& shot);
 

@@ -60,9 +60,13 @@ Figure perceptual(const char* title, double value, std::optional<double> limit) 
 
 std::vector<Figure> figures(const ShotResult& shot) {
     const image::Judgement& judgement = shot.judgement;
-    if (judgement.decidedBy == image::Rung::bytes || judgement.decidedBy == image::Rung::size) return {};
     const double pixels = static_cast<double>(shot.width) * shot.height;
     std::vector<Figure> list;
+    if (shot.compared < 1)
+        list.push_back({"pixels compared",
+                        share(static_cast<std::uint64_t>(std::llround(shot.compared * pixels)), pixels), "",
+                        false});
+    if (judgement.decidedBy == image::Rung::bytes || judgement.decidedBy == image::Rung::size) return list;
     list.push_back(largest(shot));
     list.push_back({"pixels beyond it", share(judgement.beyond, pixels),
                     fmt::format("{:.3g} %", 100 * shot.tolerance.fraction),

@@ -15,8 +15,8 @@ struct Figure {
     bool beyond = false;
 };
 
-/// The figures of a shot. Empty if no pictures were compared: equal bytes, different sizes, a shot without a
-/// picture.
+/// The figures of a shot: how much of its picture is compared, unless it is all, and those of the comparison,
+/// unless no pictures were compared (equal bytes, different sizes, a shot without a picture).
 std::vector<Figure> figures(const ShotResult& shot);
 
 /// What decided: "equal bytes", "largest difference", ...; empty if nothing was compared.

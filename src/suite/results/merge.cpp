@@ -14,8 +14,9 @@
 #include <utility>
 
 #include "base/contained.h"
+#include "base/text.h"
 #include "image/format.h"
-#include "image/png/png_chunks.h"
+#include "image/png/png_appearance.h"
 #include "suite/golden/hash.h"
 #include "suite/number_of.h"
 #include "suite/results/results_file.h"
@@ -134,6 +135,18 @@ Diagnostics checkPlans(const std::vector<MergedRun>& runs) {
     return problems;
 }
 
+/// result-E03 if runs that are the whole run plan other shots than the plan says, or none: somebody has taken
+/// some away.
+Diagnostics checkCount(const RunResult& merged) {
+    const std::size_t planned = plannedCount(merged);
+    const auto count =
+        numberOf<std::size_t>(std::string_view(merged.plan).substr(merged.plan.rfind('-') + 1));
+    if (planned == 0) return {diagnose("result-E03", "these results planned no shot, so nothing was tested")};
+    if (!count || *count == planned) return {};
+    return {diagnose("result-E03", fmt::format("the run has {}, and the plans of these results name {}",
+                                               base::counted(*count, "shot"), planned))};
+}
+
 /// All that the runs planned, each shot once.
 std::vector<PlannedShots> joinedPlans(std::span<const MergedRun> runs) {
     std::map<std::string, std::set<std::string>> bySuite;
@@ -206,7 +219,8 @@ class PictureCopier {
   private:
     /// The ending for a picture of the kinds that runs write, by its first bytes; null if it is another file.
     static const char* endingOf(std::span<const std::byte> bytes) {
-        if (image::pngChunks(bytes)) return ".png";
+        if (image::formatOf(bytes) == image::Format::png && image::shownOtherwise(bytes).empty())
+            return ".png";
         return image::formatOf(bytes) == image::Format::openExr ? ".exr" : nullptr;
     }
 
@@ -243,11 +257,15 @@ RunResult header(std::span<const MergedRun> runs) {
     merged.command = joined(runs, &RunResult::command, "\n");
     // Parts that do not belong together have no plan, so that no later merge takes the result for one.
     if (checkSettings(runs).empty()) merged.plan = runs.front().results.plan;
+    std::set<OrphanGolden> orphans;
     for (const MergedRun& run : runs) {
+        orphans.insert(run.results.orphans.begin(), run.results.orphans.end());
         merged.seconds = std::max(merged.seconds, run.results.seconds);
         const std::string& began = run.results.began;
         if (!began.empty() && (merged.began.empty() || began < merged.began)) merged.began = began;
     }
+    merged.orphans.assign(orphans.begin(), orphans.end());
+    merged.planned = joinedPlans(runs);
     return merged;
 }
 
@@ -273,11 +291,11 @@ Result<RunResult> mergeResults(std::span<const fs::path> folders, const fs::path
     append(remarks, checkShards(runs, missing));
     append(remarks, checkSettings(runs));
     append(remarks, checkPlans(runs));
+    RunResult merged = header(runs);
+    if (!hasError(remarks)) append(remarks, checkCount(merged));
     const bool isWhole = !hasError(remarks);
     std::map<ShotKey, ShotSource> chosen;
     append(remarks, choose(runs, chosen));
-    RunResult merged = header(runs);
-    merged.planned = joinedPlans(runs);
     // Results that were merged before lack what they lacked then.
     merged.missingShards =
         missing.empty() ? joined(runs, &RunResult::missingShards, "; ") : std::move(missing);

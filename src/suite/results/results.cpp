@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
+
+#include "base/text.h"
 
 namespace glibra::suite {
 namespace {
@@ -61,8 +64,13 @@ bool wasNotDrawn(const ShotResult& shot) {
            (shot.verdict == Verdict::failed && shot.width == 0);
 }
 
+bool isChangedPass(const ShotResult& shot) {
+    return shot.verdict == Verdict::passed && shot.changed;
+}
+
 bool needsALook(const ShotResult& shot) {
-    return isFailure(shot.verdict) || shot.verdict == Verdict::flaky || shot.verdict == Verdict::quarantined;
+    return isFailure(shot.verdict) || shot.verdict == Verdict::flaky ||
+           shot.verdict == Verdict::quarantined || isChangedPass(shot);
 }
 
 void makeFlaky(ShotResult& shot, int drawing, const ShotResult& before) {
@@ -101,6 +109,20 @@ std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned) 
         names += fmt::format("{}{}/{}", i == 0 ? "" : ", ", missing[i].first, missing[i].second);
     return fmt::format("{} of {} planned shots have no verdict: {}{}", missing.size(), planned, names,
                        missing.size() > kMostNames ? ", ..." : "");
+}
+
+std::vector<std::string> orphanLines(const RunResult& run, std::size_t most) {
+    std::map<std::string, std::vector<std::string>> bySuite;
+    for (const OrphanGolden& each : run.orphans) bySuite[each.suite].push_back(each.file);
+    std::vector<std::string> lines;
+    for (const auto& [suite, files] : bySuite) {
+        std::string line = fmt::format(
+            "{} of no shot of '{}' (--prune removes them):", base::counted(files.size(), "golden"), suite);
+        for (std::size_t i = 0; i < std::min(files.size(), most); ++i) line += " " + files[i];
+        if (files.size() > most) line += fmt::format(" and {} more", files.size() - most);
+        lines.push_back(std::move(line));
+    }
+    return lines;
 }
 
 std::size_t plannedCount(const RunResult& run) {

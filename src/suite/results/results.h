@@ -4,6 +4,8 @@
 #include <glibra/diagnostic.h>
 #include <glibra/result.h>
 
+#include <compare>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -53,8 +55,10 @@ struct ShotResult {
     std::filesystem::path script;
     std::filesystem::path got, expected, difference;  ///< pictures; empty if there is none
     std::string goldenVariant;  ///< "llvmpipe", "nvidia"; empty for the golden for all drivers
-    bool exact = false;         ///< decided by equal hashes or equal bytes
+    bool exact = false;         ///< all pixels are equal to those of the golden
     bool changed = false;       ///< passed, but the same driver and processor gave other bytes before
+    double compared = 1;        ///< the part of the picture that `ignore` and `mask` leave to be compared
+    std::filesystem::path renamedFrom{};  ///< a golden of no shot with the same pixels, for a missing one
     int width = 0, height = 0;
     image::Judgement judgement;  ///< set if pictures were compared
     Diagnostics diagnostics;     ///< messages about the scene
@@ -65,13 +69,17 @@ struct ShotResult {
     std::string fingerprint{};   ///< of what the verdict depends on (fingerprint.h); empty if unknown
     std::string driverKey{};     ///< hash of the driverKey() of the driver that drew it; empty if unknown
     std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
+    std::vector<std::filesystem::path> reads{};  ///< the files that its scene reads, if it needs a look
     /// The driverKey() itself, if `got` may become a golden, for its line in the list of hashes.
     std::string acceptKey{};
 };
 
 /// True for a shot that failed without a picture: its scene has errors, or the process that drew it ended.
 bool wasNotDrawn(const ShotResult& shot);
-/// True for a shot that somebody should look at: a failure, and one that does not count as such.
+/// True for a pass whose picture is not the one that this driver and processor gave before.
+bool isChangedPass(const ShotResult& shot);
+/// True for a shot that somebody should look at: a failure, one that does not count as such, and a changed
+/// pass.
 bool needsALook(const ShotResult& shot);
 /// Makes the result that of a flaky shot: drawing number `drawing` is right, and one before had the verdict
 /// of `before`, which may be the result itself.
@@ -87,6 +95,12 @@ struct PlannedShots {
     friend bool operator==(const PlannedShots&, const PlannedShots&) = default;
 };
 
+/// A golden that belongs to no shot of its suite.
+struct OrphanGolden {
+    std::string suite, file;
+    friend auto operator<=>(const OrphanGolden&, const OrphanGolden&) = default;
+};
+
 struct RunResult {
     std::string driver;             ///< GL_RENDERER and GL_VERSION
     std::string machine;            ///< processor model and system
@@ -100,7 +114,9 @@ struct RunResult {
     std::optional<std::vector<PlannedShots>> planned{};
     /// "2 of 4 shards are missing: 2/4, 4/4", or what else makes a merged run no whole; empty if it is one.
     std::string missingShards{};
-    bool complete = false;  ///< the run reached its end, with a verdict on every planned shot
+    std::vector<OrphanGolden> orphans{};  ///< that the run has left, sorted
+    bool orphansFail = false;             ///< they make the run fail; no part of the results
+    bool complete = false;                ///< the run reached its end, with a verdict on every planned shot
 };
 
 /// A shot's suite and name.
@@ -112,6 +128,9 @@ std::vector<ShotKey> missingShots(const RunResult& run);
 std::string shortfall(const RunResult& run);
 /// The same sentence for shots that were found to be missing.
 std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned);
+/// "2 goldens of no shot of 's' (--prune removes them): golden/a.png golden/b.png": a line for each suite
+/// that has some, with the first `most` names.
+std::vector<std::string> orphanLines(const RunResult& run, std::size_t most);
 /// The number of planned shots.
 std::size_t plannedCount(const RunResult& run);
 

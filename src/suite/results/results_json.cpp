@@ -296,6 +296,8 @@ void members(Archive& archive, Value& value) {
         archive("goldenVariant", value.goldenVariant);
         archive("exact", value.exact);
         archive("changed", value.changed);
+        archive.within("compared", value.compared, 1.);
+        archive("renamedFrom", value.renamedFrom);
         archive.within("width", value.width, kLargestSide);
         archive.within("height", value.height, kLargestSide);
         archive("judgement", value.judgement);
@@ -308,10 +310,14 @@ void members(Archive& archive, Value& value) {
         archive("reproduce", value.reproduce);
         archive("accept", value.accept);
         archive("acceptKey", value.acceptKey);
+        archive("reads", value.reads);
     } else if constexpr (std::is_same_v<Type, PlannedShots>) {
         archive.needed("suite", value.suite);
         archive.needed("shots", value.shots);
         archive("file", value.file);
+    } else if constexpr (std::is_same_v<Type, OrphanGolden>) {
+        archive.needed("suite", value.suite);
+        archive.needed("file", value.file);
     } else {
         static_assert(std::is_same_v<Type, RunResult>);
         archive("driver", value.driver);
@@ -323,6 +329,7 @@ void members(Archive& archive, Value& value) {
         archive("began", value.began);
         archive("planned", value.planned);
         archive("missingShards", value.missingShards);
+        archive("orphans", value.orphans);
     }
 }
 

@@ -106,7 +106,9 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   const ShotInputs& inputs, const RunOptions& options) {
     const std::string ofRun = fmt::format(
         "{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf("/proc/self/exe"), static_cast<int>(options.driver),
-        options.skip + 2 * options.checkUndefined, options.update, options.force + 2 * options.also,
+        options.skip + 2 * options.checkUndefined, options.update,
+        options.force + 2 * options.also + 4 * options.onlyMissing + 8 * options.replaceUnreadable +
+            16 * options.anyDriver,
         options.variant + 2 * options.strictFlaky, options.allowOutside, options.sandbox != nullptr,
         options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     GoldenNames goldens;
@@ -143,6 +145,12 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
         all.emplace(each, isKnown ? toText(hashOf(std::as_bytes(std::span(text)))) : std::string());
     }
     return all;
+}
+
+std::string sealed(const std::string& fingerprint, Verdict verdict) {
+    if (fingerprint.empty()) return {};
+    const std::string text = fingerprint + " " + name(verdict);
+    return toText(hashOf(std::as_bytes(std::span(text))));
 }
 
 }  // namespace glibra::suite

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/workers.h"
+#include "suite/results/results.h"
 #include "suite/run/read_inputs.h"
 #include "suite/run/run_options.h"
 #include "suite/suite.h"
@@ -29,5 +30,9 @@ std::string keyOfDriver(Driver driver, const base::WorkerOptions& workers);
 std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   std::span<const ShotReference> shots,
                                                   const ShotInputs& inputs, const RunOptions& options);
+
+/// The fingerprint of a shot with its verdict, so that a verdict that somebody has edited does not hold.
+/// Empty if the fingerprint is.
+std::string sealed(const std::string& fingerprint, Verdict verdict);
 
 }  // namespace glibra::suite

@@ -45,10 +45,12 @@ std::string portableSettingsOf(const Shot& shot) {
 
 std::string planDigest(std::span<const Suite> suites, std::span<const ShotReference> undivided,
                        const RunOptions& options) {
-    std::string text = fmt::format(
-        "{} {} {} {} {} {}\n{} {}", options.skip + 2 * options.checkUndefined, options.update,
-        options.force + 2 * options.also, options.variant, options.allowOutside, options.sandbox != nullptr,
-        options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
+    std::string text =
+        fmt::format("{} {} {} {} {} {}\n{} {}", options.skip + 2 * options.checkUndefined, options.update,
+                    options.force + 2 * options.also + 4 * options.onlyMissing +
+                        8 * options.replaceUnreadable + 16 * options.anyDriver,
+                    options.variant, options.allowOutside, options.sandbox != nullptr,
+                    options.timeout.value_or(-1), options.memory ? std::to_string(*options.memory) : "-");
     for (const Suite& suite : suites) text += "\n" + suite.name;
     std::map<fs::path, std::string> contents;
     for (const ShotReference& each : undivided) {
@@ -59,7 +61,7 @@ std::string planDigest(std::span<const Suite> suites, std::span<const ShotRefere
         text += fmt::format("\n\n{}\n{}\n{}\n{}", suite.name, portablePathOf(folderOf(suite), shot.script),
                             known->second, portableSettingsOf(shot));
     }
-    return toText(hashOf(std::as_bytes(std::span(text))));
+    return fmt::format("{}-{}", toText(hashOf(std::as_bytes(std::span(text)))), undivided.size());
 }
 
 }  // namespace glibra::suite

@@ -13,7 +13,7 @@ namespace glibra::suite {
 /// scenes, options, tolerances and pairs, and the settings of the run that decide verdicts. It is the same on
 /// every machine: files count by their path from the suite's folder, scenes by their content too. What may
 /// differ from machine to machine does not count: the driver, the number of workers, the folders of goldens,
-/// results and libraries.
+/// results and libraries. The number of shots follows, as in "0f3c...-300".
 std::string planDigest(std::span<const Suite> suites, std::span<const ShotReference> undivided,
                        const RunOptions& options);
 

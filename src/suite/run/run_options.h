@@ -7,13 +7,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/sandbox.h"
 #include "base/workers.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {
+
+class Orphans;
 
 struct RunOptions {
     Driver driver = Driver::automatic;
@@ -24,12 +28,17 @@ struct RunOptions {
     bool force = false;                   ///< ... even pictures of one colour or with NaN
     bool checkUndefined = false;          ///< RenderOptions::checkUndefined of all shots
     bool skip = true;                     ///< false: also makes and draws what the pictures do not need
+    bool onlyMissing = false;             ///< ... only where there is no golden
     bool variant = false;                 ///< ... for this family of drivers alone
     bool also = false;                    ///< ... and are accepted beside them instead
-    bool strictFlaky = false;             ///< flaky shots are unstable
-    bool allowOutside = false;            ///< goldens may be links to places outside of their folder
-    std::filesystem::path goldens{};      ///< folder with one folder per suite, instead of the suites' own
-    std::filesystem::path results{};      ///< folder for the pictures of failures
+    bool replaceUnreadable = false;       ///< ... even of goldens that cannot be read
+    bool anyDriver = false;  ///< ... even of goldens for all drivers that another family of drivers drew
+    bool prune = false;      ///< goldens of no shot are removed after the run
+    std::vector<std::shared_ptr<const Orphans>> orphans{};  ///< one per suite, or none
+    bool strictFlaky = false;                               ///< flaky shots are unstable
+    bool allowOutside = false;        ///< goldens may be links to places outside of their folder
+    std::filesystem::path goldens{};  ///< folder with one folder per suite, instead of the suites' own
+    std::filesystem::path results{};  ///< folder for the pictures of failures
     bool refusesMisspelt = false;  ///< with `onlyRender`: misspelt names are errors (render/consequences.h)
     std::filesystem::path onlyRender{};      ///< if not empty: no goldens, pictures are written here by name
     const base::Sandbox* sandbox = nullptr;  ///< if given, what confines the workers; excludes `update`

@@ -1,10 +1,13 @@
 #include "suite/run/verdict.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "base/contained.h"
+#include "base/text.h"
+#include "gpu/context/family.h"
 #include "image/compare/heat_map.h"
 #include "image/inspect.h"
 #include "image/write.h"
@@ -31,6 +34,10 @@ bool isTransparent(const image::Image& picture) {
     for (std::size_t i = 3; i < picture.data.size(); i += 4)
         if (picture.data[i] != std::byte{0}) return false;
     return true;
+}
+
+std::string percent(double part) {
+    return fmt::format("{:.3g} %", 100 * part);
 }
 
 }  // namespace
@@ -104,6 +111,8 @@ ShotResult ShotJudge::begin(const Attempt& attempt) const {
             result.accept = acceptCommand(suite_, *attempt.shot) + acceptOptions_;
         result.width = attempt.own.picture->width;
         result.height = attempt.own.picture->height;
+        if (ignoresSomething(*attempt.shot))
+            result.compared = comparedPart(*attempt.shot, result.width, result.height);
     }
     return result;
 }
@@ -128,12 +137,8 @@ bool ShotJudge::isCompared(const Attempt& attempt) const {
 
 void ShotJudge::compare(const Attempt& attempt, bool everything, Findings& found) const {
     const Shot& shot = *attempt.shot;
-    const Hash* accepted =
-        options_.trustsHashes ? goldens_.acceptedPixels(shot, *found.golden, key_) : nullptr;
-    if (accepted && *accepted == *found.pixels) {
-        found.exact = found.goldenHolds = true;
-        return;
-    }
+    // Whoever wrote the list of accepted pixels, the golden alone decides.
+    const Hash* accepted = goldens_.acceptedPixels(shot, *found.golden, key_);
     Result<image::Image> picture = decode(*found.golden);
     append(found.problems, std::move(picture.diagnostics));
     found.picture = std::move(picture.value);
@@ -148,7 +153,7 @@ void ShotJudge::compare(const Attempt& attempt, bool everything, Findings& found
                                    shot.tolerance, everything);
     found.goldenHolds = found.judgement.same;
     found.exact = found.judgement.same && found.judgement.decidedBy == image::Rung::bytes && !ignores;
-    found.changed = accepted != nullptr;
+    found.changed = accepted && *accepted != *found.pixels;
 }
 
 ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) const {
@@ -172,13 +177,15 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         // perhaps in another version. A golden that cannot be read is an error all the same.
         // So are pictures that were accepted besides.
         const auto tryAnother = [&](Result<Golden> golden) {
-            if (found.goldenHolds || !golden) return;
+            if (found.goldenHolds) return;
+            if (!golden) return append(found.problems, std::move(golden.diagnostics));
             Findings other;
             other.golden = std::move(golden.value);
             other.pixels = found.pixels;
             compare(attempt, everything, other);
+            if (!other.goldenHolds) return append(found.problems, std::move(other.problems));
             other.problems.insert(other.problems.begin(), found.problems.begin(), found.problems.end());
-            if (other.goldenHolds) found = std::move(other);
+            found = std::move(other);
         };
         if (!found.goldenHolds && found.picture && !found.golden->variant.empty())
             if (Result<Golden> general = goldens_.find(shot, ""); general && general->variant.empty())
@@ -217,18 +224,29 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
 }
 
 Judged ShotJudge::passed(const Attempt& attempt, Findings found) const {
+    constexpr double kLittle = 0.05;
     Judged judged{begin(attempt)};
     ShotResult& result = judged.result;
     result.verdict = Verdict::passed;
+    if (result.compared < kLittle)
+        result.diagnostics.push_back(diagnose("suite-W04",
+                                              fmt::format("only {} of the picture of '{}' is compared",
+                                                          percent(result.compared), attempt.shot->name),
+                                              attempt.shot->place));
     append(result.diagnostics, std::move(found.problems));
     result.judgement = std::move(found.judgement);
     result.exact = found.exact;
     result.changed = found.changed;
     if (!found.golden) return judged;
-    result.expected = found.golden->file;
     result.goldenVariant = found.golden->variant;
-    // If no picture was decoded, the hash decided, so it is in the list already.
-    if (options_.update && found.picture)
+    if (found.changed) {
+        result.got = write(*attempt.shot, "got", *attempt.own.picture, result);
+        result.acceptKey = key_;
+        showGolden(*attempt.shot, found, *attempt.own.picture, result);
+    } else {
+        result.expected = found.golden->file;
+    }
+    if (options_.update && !options_.onlyMissing)
         judged.accepted = AcceptedHash{attempt.shot->name, found.golden->variant, found.golden->identity,
                                        *found.pixels, key_};
     return judged;
@@ -350,6 +368,7 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
     showGolden(shot, found, got, result);
     if (needsForce(found, got)) result.accept += " --force";
     if (hasError(found.problems)) {
+        result.accept += " --replace-unreadable";
         result.reason = firstError(found.problems);
         append(result.diagnostics, found.problems);
     } else if (found.picture) {
@@ -357,7 +376,14 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
     } else {
         result.verdict = Verdict::missing;
         result.reason = fmt::format("there is no golden '{}'", goldens_.file(shot, "").string());
-        if (!found.lost.empty())
+        if (options_.orphans) result.renamedFrom = options_.orphans->find(got);
+        if (!result.renamedFrom.empty()) {
+            result.reason += fmt::format(
+                "; the picture equals '{}', which belongs to no shot: if it was "
+                "renamed, --rename moves the golden",
+                result.renamedFrom.string());
+            result.accept = renameCommand(suite_, shot) + acceptOptions_;
+        } else if (!found.lost.empty())
             result.reason = fmt::format(
                 "there is no golden '{}', though '{}' names it; restore it, or write golden = false if the "
                 "Expect statements suffice",
@@ -368,16 +394,46 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
     }
 }
 
+std::string ShotJudge::whyKept(const Shot& shot, const Findings& found, const image::Image& got) const {
+    if (hasError(found.problems) && !options_.replaceUnreadable)
+        return firstError(found.problems) + "; --update keeps a golden that cannot be read";
+    if (needsForce(found, got) && !options_.force)
+        return fmt::format("not accepted as the golden: {}; --force accepts it", whyNoGolden(got));
+    const bool isForAll = !options_.variant && (!found.golden || found.golden->variant.empty());
+    if (isForAll && !options_.anyDriver && !(options_.also && found.golden)) {
+        const std::string family = gpu::familyOf(key_);
+        if (const auto known = goldens_.familiesOf(shot, found.picture);
+            !known.empty() && !known.contains(family))
+            return fmt::format(
+                "not accepted as the golden for all drivers: {} drawn by {}, and this driver is {}; "
+                "--variant "
+                "makes a golden for {} beside it, --any-driver {}",
+                found.picture ? "it was" : "the goldens of the suite were", fmt::join(known, " and "), family,
+                family, found.picture ? "replaces it" : "makes it all the same");
+    }
+    if (options_.prune && options_.orphans && !found.golden && !options_.orphans->isEmpty() &&
+        options_.orphans->find(got).empty())
+        return fmt::format(
+            "not accepted as the golden: {} of no shot {} left, which --prune would remove, and none equals "
+            "this picture; if the shot was renamed, its picture has changed: compare them, then use --update "
+            "and --prune one after the other",
+            base::counted(options_.orphans->files().size(), "golden"),
+            options_.orphans->files().size() == 1 ? "is" : "are");
+    return {};
+}
+
 void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& judged) const {
     const Shot& shot = *attempt.shot;
     const image::Image& got = *attempt.own.picture;
     ShotResult& result = judged.result;
     showGolden(shot, found, got, result);
     result.judgement = found.judgement;
-    if (needsForce(found, got) && !options_.force) {
+    if (needsForce(found, got)) result.accept += " --force";
+    if (hasError(found.problems)) result.accept += " --replace-unreadable";
+    if (std::string why = whyKept(shot, found, got); !why.empty()) {
         result.verdict = Verdict::refused;
-        result.accept += " --force";
-        result.reason = fmt::format("not accepted as the golden: {}; --force accepts it", whyNoGolden(got));
+        result.reason = std::move(why);
+        append(result.diagnostics, found.problems);
         return;
     }
     const bool isFurther = options_.also && found.golden;
@@ -404,10 +460,17 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
     }
     result.verdict = Verdict::updated;
     result.goldenVariant = variant;
+    if (options_.orphans && !found.golden) result.renamedFrom = options_.orphans->find(got);
+    const bool isBeside = isFurther || (found.golden && variant != found.golden->variant);
+    const bool isUnreadable = hasError(found.problems);
     result.reason = isFurther       ? "golden added: " + found.judgement.reason
+                    : isBeside      ? fmt::format("golden for {} added: {}", variant, found.judgement.reason)
+                    : isUnreadable  ? "golden replaced: the old one could not be read"
                     : found.picture ? "golden replaced: " + found.judgement.reason
-                    : found.golden  ? "golden replaced: the old one was damaged"
                                     : fmt::format("golden made: {} x {} pixels", got.width, got.height);
+    if (!result.renamedFrom.empty())
+        result.reason +=
+            fmt::format(", equal to '{}', which belongs to no shot", result.renamedFrom.string());
     judged.accepted = AcceptedHash{shot.name, variant, golden->identity, hashOf(got), key_};
 }
 
@@ -439,7 +502,8 @@ Judged ShotJudge::second(const Attempt& attempt, const Attempt& again) const {
     if (found.goldenHolds && found.relation.empty()) return passed(attempt, found);
     result.got = write(shot, "got", got, result);
     if (!found.goldenHolds) result.acceptKey = key_;
-    if (options_.update && !found.goldenHolds)
+    const bool isMissing = !found.golden && !hasError(found.problems);
+    if (options_.update && !found.goldenHolds && (isMissing || !options_.onlyMissing))
         update(attempt, found, judged);
     else
         fail(attempt, found, result);

@@ -2,12 +2,14 @@
 // Judges renderings: by hashes accepted before, by the golden and the tolerance, by a second rendering; and
 // replaces goldens for --update. No GL here.
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "image/image.h"
 #include "suite/golden/golden_store.h"
+#include "suite/golden/orphans.h"
 #include "suite/results/results.h"
 #include "suite/suite.h"
 
@@ -33,11 +35,15 @@ struct Attempt {
 
 struct JudgeOptions {
     bool update = false;              ///< what differs becomes the golden
+    bool onlyMissing = false;         ///< ... only where there is none
     bool force = false;               ///< ... even a picture of one colour, or with NaN
     bool variant = false;             ///< ... for this family of drivers alone
     bool also = false;                ///< ... beside the golden that there is
-    bool trustsHashes = true;         ///< false: the list of accepted pixels decides nothing
+    bool replaceUnreadable = false;   ///< ... even of a golden that cannot be read
+    bool anyDriver = false;           ///< ... even of a golden for all drivers that another family drew
+    bool prune = false;               ///< goldens of no shot are removed afterwards
     std::filesystem::path results{};  ///< folder for what a report shows
+    std::shared_ptr<const Orphans> orphans{};  ///< the goldens of no shot of the suite, or null
 };
 
 /// A verdict, and the pixels that --update accepted.
@@ -73,6 +79,8 @@ class ShotJudge {
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;
     /// True for a picture that --update refuses without --force.
     static bool needsForce(const Findings& found, const image::Image& got);
+    /// Why --update does not write the golden, and which option lets it; empty if it does.
+    [[nodiscard]] std::string whyKept(const Shot& shot, const Findings& found, const image::Image& got) const;
     void fail(const Attempt& attempt, const Findings& found, ShotResult& result) const;
     void update(const Attempt& attempt, const Findings& found, Judged& judged) const;
     /// Writes a picture into the results folder. Returns its path relative to that folder, or an empty path

@@ -1,6 +1,7 @@
 #include "suite/serve/review.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,6 +18,7 @@
 #include "base/page_template.h"
 #include "base/whole_file.h"
 #include "embedded/review_page.h"
+#include "gpu/context/family.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/png/png_writer.h"
@@ -26,6 +28,7 @@
 #include "suite/results/figures.h"
 #include "suite/results/results_file.h"
 #include "suite/run/verdict.h"
+#include "suite/serve/changed_files.h"
 
 namespace glibra::suite {
 namespace {
@@ -45,13 +48,19 @@ WebReply refuse(int status, const std::string& why) {
 
 /// The kind of a difference, so that shots that differ in the same way stand together.
 std::string kindOf(const ShotResult& shot) {
+    if (isChangedPass(shot)) return "changed within the tolerance";
     if (shot.verdict != Verdict::failed) return name(shot.verdict);
     const std::string decided = decision(shot);
     return decided.empty() ? "failed" : decided;
 }
 
-/// The shader files that a scene names: words with an ending of shaders.
-std::set<std::string> shadersOf(const fs::path& script) {
+/// The files besides its script that the scene of a shot read, or else the shader files that it names: words
+/// with an ending of shaders.
+std::set<std::string> sharedFilesOf(const ShotResult& shot, const fs::path& script) {
+    std::set<std::string> read;
+    for (const fs::path& each : shot.reads)
+        if (each != shot.script) read.insert(each.string());
+    if (!read.empty()) return read;
     constexpr std::size_t kMostBytes = std::size_t{1} << 20;
     const auto bytes = image::readFile(script, {script.string(), {script.string(), 1, 1}}, kMostBytes);
     if (!bytes) return {};
@@ -83,9 +92,10 @@ std::optional<Asked> parse(const std::string& body, std::size_t count) {
     const ReviewJson json = ReviewJson::parse(body, nullptr, false);
     if (!json.is_object() || !json.contains("shots") || !json.at("shots").is_array()) return std::nullopt;
     Asked asked;
+    std::set<std::size_t> known;  // a repetition counts once
     for (const ReviewJson& each : json.at("shots")) {
         if (!each.is_number_unsigned() || each.get<std::uint64_t>() >= count) return std::nullopt;
-        asked.shots.push_back(each.get<std::size_t>());
+        if (known.insert(each.get<std::size_t>()).second) asked.shots.push_back(each.get<std::size_t>());
     }
     const auto flag = [&](const char* name) { return json.contains(name) && json.at(name) == true; };
     asked.force = flag("force");
@@ -108,6 +118,27 @@ WebReply answer(const char* word, const std::optional<Asked>& asked,
     return {200, "application/json", textOf(json)};
 }
 
+/// Why --update would not replace a golden without being told to: it cannot be read, or another family of
+/// drivers drew it. Empty if it would.
+std::string whyKept(const GoldenStore& store, const Shot& shot, const std::string& variant,
+                    const ShotResult& result) {
+    std::error_code failure;
+    std::optional<image::Image> picture;
+    if (fs::exists(store.file(shot, variant), failure)) {
+        const Result<Golden> golden = store.read(shot, variant);
+        if (!golden) return golden.message();
+        Result<image::Image> decoded = decode(*golden);
+        if (!decoded) return decoded.message();
+        picture = std::move(decoded.value);
+    }
+    if (!variant.empty() || !isKey(result.acceptKey)) return {};
+    const std::set<std::string> families = store.familiesOf(shot, picture);
+    const std::string family = gpu::familyOf(result.acceptKey);
+    if (families.empty() || families.contains(family)) return {};
+    return fmt::format("the golden for all drivers was drawn by {}, and this picture by {}",
+                       fmt::join(families, " and "), family);
+}
+
 /// The bytes of a golden that may be replaced; nothing if there is no such file.
 std::optional<std::vector<std::byte>> bytesOf(const fs::path& golden) {
     std::error_code failure;
@@ -121,38 +152,91 @@ std::optional<std::vector<std::byte>> bytesOf(const fs::path& golden) {
 Review::Review(const RunResult& run, std::vector<Suite> suites, ReviewOptions options)
     : suites_(std::move(suites)), options_(std::move(options)) {
     std::ranges::copy_if(run.shots, std::back_inserter(shots_), needsALook);
+    groups_ = findGroups();
     readDecisions();
 }
 
-std::vector<ReviewGroup> Review::groups() const {
-    // A shader that several scenes use is a likelier cause than each of them. Scenes that only the results
-    // name are not read.
+std::vector<ReviewGroup> Review::findGroups() const {
+    // The files that have changed since the golden are the likely cause; otherwise those that most scenes
+    // share. Files that only the results name are not read.
     std::map<fs::path, std::set<std::string>> shaders;
-    std::map<std::string, std::size_t> scenesOf;
-    for (const ShotResult& each : shots_)
-        if (const Known known = find(each); known.shot && !shaders.contains(each.script))
-            for (const std::string& shader : shaders[each.script] = shadersOf(known.shot->script))
-                ++scenesOf[shader];
-    const auto causeOf = [&](const ShotResult& shot) {
-        std::string cause = shot.script.string();
+    std::vector<std::set<std::string>> candidates(shots_.size());
+    std::map<std::string, std::set<fs::path>> scenesOf;
+    ChangedFiles changed;
+    std::map<const Suite*, GoldenStore> stores;
+    for (std::size_t i = 0; i < shots_.size(); ++i) {
+        const Known known = find(shots_[i]);
+        if (!known.shot) continue;
+        if (!stores.contains(known.suite))
+            stores.emplace(known.suite,
+                           *GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside));
+        const fs::path golden = stores.at(known.suite).file(*known.shot, shots_[i].goldenVariant);
+        for (const fs::path& each : changed.since(golden, shots_[i].reads))
+            candidates[i].insert(each.string());
+        if (candidates[i].empty()) {
+            const auto [at, isNew] = shaders.try_emplace(known.shot->script);
+            if (isNew) at->second = sharedFilesOf(shots_[i], known.shot->script);
+            candidates[i] = at->second;
+        }
+        for (const std::string& each : candidates[i]) scenesOf[each].insert(shots_[i].script);
+    }
+    // All files that as many scenes have as the most common one: nothing tells which of them it is.
+    const auto causesOf = [&](std::size_t index) {
         std::size_t most = 1;
-        for (const std::string& shader : shaders[shot.script])
-            if (scenesOf[shader] > most) {
-                most = scenesOf[shader];
-                cause = shader;
-            }
-        return cause;
+        for (const std::string& each : candidates[index]) most = std::max(most, scenesOf[each].size());
+        std::vector<std::string> causes;
+        for (const std::string& each : candidates[index])
+            if (scenesOf[each].size() == most) causes.push_back(each);
+        if (causes.empty()) causes.push_back(shots_[index].script.string());
+        return causes;
     };
     std::vector<ReviewGroup> groups;
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < shots_.size(); ++i) {
-        const std::string from = causeOf(shots_[i]), kind = kindOf(shots_[i]);
-        const std::string cause = fmt::format("{}: {}", fs::path(from).filename().string(), kind);
-        const auto [at, isNew] = known.emplace(from + "\n" + kind, groups.size());
-        if (isNew) groups.push_back({cause, {}});
+        constexpr std::size_t kMostNames = 4;
+        const std::vector<std::string> causes = causesOf(i);
+        const std::string kind = kindOf(shots_[i]);
+        std::string names;
+        for (std::size_t each = 0; each < std::min(causes.size(), kMostNames); ++each)
+            names += (each > 0 ? ", " : "") + fs::path(causes[each]).filename().string();
+        if (causes.size() > kMostNames) names += fmt::format(" and {} more", causes.size() - kMostNames);
+        const auto [at, isNew] =
+            known.emplace(fmt::format("{}\n{}", fmt::join(causes, "\n"), kind), groups.size());
+        if (isNew) groups.push_back({fmt::format("{}: {}", names, kind), {}, {}});
         groups[at->second].shots.push_back(i);
     }
+    for (ReviewGroup& each : groups) each.alike = alikeOf(each.shots);
     return groups;
+}
+
+std::optional<DifferenceSign> Review::signOf(std::size_t index) const {
+    const auto decoded = [&](const fs::path& file) -> std::optional<image::Image> {
+        if (file.empty()) return std::nullopt;
+        const auto bytes = read(file);
+        return bytes ? image::decodeImage(*bytes, file).value : std::nullopt;
+    };
+    const auto expected = decoded(shots_[index].expected), got = decoded(shots_[index].got);
+    return expected && got ? differenceSign(*expected, *got) : std::nullopt;
+}
+
+std::vector<AlikeShots> Review::alikeOf(const std::vector<std::size_t>& shots) const {
+    std::vector<AlikeShots> parts;
+    std::vector<std::optional<DifferenceSign>> signs;  // of the first shot of each part
+    for (const std::size_t each : shots) {
+        const std::optional<DifferenceSign> sign = signOf(each);
+        const auto same = std::ranges::find_if(signs, [&](const auto& other) {
+            return sign && other ? areAlike(*sign, *other) : !sign && !other;
+        });
+        const auto at = static_cast<std::size_t>(same - signs.begin());
+        if (same == signs.end()) {
+            signs.push_back(sign);
+            parts.push_back({sign ? toText(*sign) : "", {}});
+        }
+        parts[at].shots.push_back(each);
+    }
+    std::ranges::stable_sort(parts, std::ranges::greater(),
+                             [](const AlikeShots& each) { return each.shots.size(); });
+    return parts;
 }
 
 void Review::serve(LoopbackServer& server) {
@@ -203,18 +287,23 @@ WebReply Review::data() const {
         for (const Figure& each : figures(shot))
             figuresOf.push_back({each.name, each.value, each.limit, each.beyond});
         json["shots"].push_back({{"name", shot.suite + "/" + shot.shot},
-                                 {"verdict", name(shot.verdict)},
+                                 {"verdict", isChangedPass(shot) ? "changed" : name(shot.verdict)},
                                  {"reason", reasonOf(shot)},
                                  {"titles", {titles.expected, titles.got}},
                                  {"expected", !shot.expected.empty()},
                                  {"got", !shot.got.empty()},
                                  {"difference", !shot.difference.empty()},
+                                 {"size", {shot.width, shot.height}},
                                  {"figures", std::move(figuresOf)},
                                  {"whyNot", whyNot(i)},
                                  {"decided", decisionOf(i)}});
     }
-    for (const ReviewGroup& each : groups())
-        json["groups"].push_back({{"cause", each.cause}, {"shots", each.shots}});
+    for (const ReviewGroup& each : groups()) {
+        ReviewJson alike = ReviewJson::array();
+        for (const AlikeShots& part : each.alike)
+            alike.push_back({{"difference", part.difference}, {"shots", part.shots}});
+        json["groups"].push_back({{"cause", each.cause}, {"shots", each.shots}, {"alike", std::move(alike)}});
+    }
     return {200, "application/json", textOf(json)};
 }
 
@@ -270,6 +359,9 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     const bool isFurther = also && result.verdict != Verdict::missing;
     const std::string variant = isFurther ? store->freeVariant(*known.shot) : result.goldenVariant;
     if (isFurther && variant.empty()) return "it has nine further accepted pictures; remove one";
+    if (!force)
+        if (std::string why = whyKept(*store, *known.shot, variant, result); !why.empty())
+            return why + "; force accepts it";
     Before before{variant, bytesOf(store->file(*known.shot, variant)), {}, {}};
     for (AcceptedHash& line : store->accepted().linesOf(known.shot->name))
         if (line.variant == variant) before.lines.push_back(std::move(line));

@@ -15,6 +15,7 @@
 #include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
+#include "suite/serve/difference_sign.h"
 #include "suite/serve/loopback_server.h"
 #include "suite/suite.h"
 
@@ -26,11 +27,18 @@ struct ReviewOptions {
     bool allowOutside = false;
 };
 
-/// Shots that failed for one reason, as far as that can be told: the same scene, or the same shaders in other
-/// scenes, and the same kind of difference.
-struct ReviewGroup {
-    std::string cause;               ///< "teapot.glib: differences"
+/// Shots whose pictures differ from their goldens in a like manner.
+struct AlikeShots {
+    std::string difference;          ///< "12 of 255 darker in 38 % of the pixels"; or empty
     std::vector<std::size_t> shots;  ///< indices into Review::shots()
+};
+
+/// Shots that failed for one reason, as far as that can be told: the same files have changed since their
+/// goldens, or else they share files, and the same kind of difference.
+struct ReviewGroup {
+    std::string cause;               ///< "common.glsl: differences"
+    std::vector<std::size_t> shots;  ///< indices into Review::shots()
+    std::vector<AlikeShots> alike;   ///< the same shots, the largest part first
 };
 
 class Review {
@@ -40,7 +48,8 @@ class Review {
 
     /// The shots that need a look, in the order of the run.
     [[nodiscard]] const std::vector<ShotResult>& shots() const { return shots_; }
-    [[nodiscard]] std::vector<ReviewGroup> groups() const;
+    /// They stay as they are while goldens are accepted.
+    [[nodiscard]] const std::vector<ReviewGroup>& groups() const { return groups_; }
 
     /// Registers the page and what it needs. The object must live as long as the server.
     void serve(LoopbackServer& server);
@@ -90,7 +99,13 @@ class Review {
     /// True if the picture of a shot is equal to one of its goldens.
     [[nodiscard]] bool isGolden(std::size_t index) const;
 
+    [[nodiscard]] std::vector<ReviewGroup> findGroups() const;
+    /// How the picture of a shot differs from its golden; nothing if that is not known.
+    [[nodiscard]] std::optional<DifferenceSign> signOf(std::size_t index) const;
+    [[nodiscard]] std::vector<AlikeShots> alikeOf(const std::vector<std::size_t>& shots) const;
+
     std::vector<ShotResult> shots_;
+    std::vector<ReviewGroup> groups_;
     std::vector<Suite> suites_;
     ReviewOptions options_;
     std::map<std::size_t, Hash> fetched_, seen_;  ///< of the files that browsers have, and that were in view

@@ -14,7 +14,7 @@ function element(tag, properties = {}, ...children) {
 class List {
     constructor(shots, groups, choose) {
         this.shots = shots;
-        this.groups = groups;  // verdicts, the most urgent first
+        this.groups = groups;  // verdicts, and "changed" for passes that look different, the most urgent first
         this.choose = choose;
         this.only = new Set();
         this.words = [];
@@ -23,7 +23,7 @@ class List {
         this.observer = new IntersectionObserver(
             (entries) => entries.filter((each) => each.isIntersecting).forEach((each) => each.target.fill()),
             {root: this.root, rootMargin: "600px"});
-        this.texts = new Map(shots.map((shot) => [shot, [shot.id, shot.script, shot.reason, shot.variant, shot.driver, shot.verdict]
+        this.texts = new Map(shots.map((shot) => [shot, [shot.id, shot.script, shot.reason, shot.variant, shot.driver, shot.group]
             .filter(Boolean).join("\n").toLowerCase()]));
         this.drawChips();
         this.draw();
@@ -31,7 +31,7 @@ class List {
 
     matching(verdict) {
         if (this.only.size && !this.only.has(verdict)) return [];
-        return this.shots.filter((shot) => shot.verdict === verdict &&
+        return this.shots.filter((shot) => shot.group === verdict &&
             this.words.every((word) => this.texts.get(shot).includes(word)));
     }
     isOpen(verdict) { return this.open.get(verdict) || this.only.has(verdict) || this.words.length > 0; }
@@ -47,8 +47,8 @@ class List {
     }
 
     drawChips() {
-        const chips = this.groups.filter((verdict) => this.shots.some((shot) => shot.verdict === verdict)).map((verdict) => {
-            const count = this.shots.filter((shot) => shot.verdict === verdict).length;
+        const chips = this.groups.filter((verdict) => this.shots.some((shot) => shot.group === verdict)).map((verdict) => {
+            const count = this.shots.filter((shot) => shot.group === verdict).length;
             const chip = element("button", {type: "button", className: verdict, data: {verdict}, textContent: `${count} ${verdict}`});
             chip.setAttribute("aria-pressed", "false");
             chip.addEventListener("click", () => {
@@ -106,7 +106,7 @@ class List {
     }
 
     item(shot) {
-        const source = shot.verdict === "passed" ? shot.got || shot.expected : shot.difference || shot.got || shot.expected;
+        const source = shot.group === "passed" ? shot.got || shot.expected : shot.difference || shot.got || shot.expected;
         const loading = source && ++this.pictures > kFirstScreen ? "lazy" : "eager";
         const picture = source ? element("img", {loading, src: source, alt: "", decoding: "async"}) : element("span", {className: "blank"});
         const item = element("a", {className: "shot", href: "#" + encodeURIComponent(shot.id), title: shot.id, data: {id: shot.id}},
@@ -124,7 +124,7 @@ class List {
         this.current = shot;
         this.root.querySelector("[aria-current]")?.removeAttribute("aria-current");
         if (!shot) return;
-        const group = [...this.root.children].find((each) => each.dataset.verdict === shot.verdict);
+        const group = [...this.root.children].find((each) => each.dataset.verdict === shot.group);
         if (!group?.fillTo) return;
         group.fillTo(shot);
         const item = [...group.querySelectorAll(".shot")].find((each) => each.dataset.id === shot.id);

@@ -1,7 +1,11 @@
 // The page: the details of the selected shot around its pictures, and the keys.
 
 const data = JSON.parse(document.getElementById("data").textContent);
-for (const shot of data.shots) shot.id = `${shot.suite}/${shot.shot}`;
+for (const shot of data.shots) {
+    shot.id = `${shot.suite}/${shot.shot}`;
+    shot.group = shot.changed ? "changed" : shot.verdict;
+}
+data.groups.splice(data.groups.indexOf("passed"), 0, "changed");
 const viewer = new Viewer();
 const list = new List(data.shots, data.groups, choose);
 const byId = (id) => document.getElementById(id);
@@ -126,6 +130,7 @@ const keys = {
     "=": () => viewer.zoomBy(Math.SQRT2),
     "-": () => viewer.zoomBy(Math.SQRT1_2),
     f: () => viewer.fit(),
+    z: () => viewer.zoomToDifference(),
     c: () => document.querySelector("#commands .copy")?.click(),
     "/": () => byId("search").focus(),
     "?": () => byId("help").showModal(),
@@ -153,6 +158,7 @@ byId("factor").addEventListener("input", (event) => setFactor(event.target.value
 byId("zoomIn").addEventListener("click", keys["+"]);
 byId("zoomOut").addEventListener("click", keys["-"]);
 byId("fit").addEventListener("click", keys.f);
+byId("place").addEventListener("click", keys.z);
 
 byId("filters").hidden = false;
 byId("body").hidden = false;

@@ -103,6 +103,41 @@ function differenceCanvas(a, b, factor) {
     return canvas;
 }
 
+// The square in which two pictures of one size differ most: a sixth of their longer side, but at least 24 pixels. Null if
+// they do not differ, if they differ everywhere alike, or if the square is most of them.
+function placeOfDifference(a, b) {
+    const {width, height} = a;
+    const side = Math.max(24, Math.ceil(Math.max(width, height) / 6)), mostPixels = 2 ** 22;
+    if (b.width !== width || b.height !== height || 2 * side > Math.max(width, height) || width * height > mostPixels) return null;
+    // sums[x, y]: of all differences to the left and above.
+    const across = width + 1, sums = new Float64Array(across * (height + 1));
+    for (let y = 0; y < height; ++y)
+        for (let x = 0, row = 0; x < width; ++x) {
+            const atA = (y * width + x) * a.components, atB = (y * width + x) * b.components;
+            for (let c = 0; c < 3; ++c) {
+                const difference = Math.abs(a.values[atA + c] / a.full - b.values[atB + c] / b.full);
+                row += Number.isFinite(difference) ? difference : Number.isNaN(a.values[atA + c]) === Number.isNaN(b.values[atB + c]) ? 0 : 1;
+            }
+            sums[(y + 1) * across + x + 1] = sums[y * across + x + 1] + row;
+        }
+    const sumOf = (left, top, wide, high) => sums[(top + high) * across + left + wide] - sums[top * across + left + wide] -
+        sums[(top + high) * across + left] + sums[top * across + left];
+    const wide = Math.min(side, width), high = Math.min(side, height), step = Math.max(1, side >> 3);
+    let best = null, most = 0;
+    for (let top = 0; top <= height - high; top += step)
+        for (let left = 0; left <= width - wide; left += step) {
+            const sum = sumOf(left, top, wide, high);
+            if (sum > most * (1 + 1e-9)) [best, most] = [{left, top}, sum];
+        }
+    if (!best || most < 2 * sumOf(0, 0, width, height) * wide * high / (width * height)) return null;
+    // What differs is in its middle.
+    let x = 0, y = 0;
+    for (let i = 0; i < wide; ++i) x += (best.left + i + .5) * sumOf(best.left + i, best.top, 1, high);
+    for (let i = 0; i < high; ++i) y += (best.top + i + .5) * sumOf(best.left, best.top + i, wide, 1);
+    const clamped = (middle, part, whole) => Math.max(0, Math.min(whole - part, Math.round(middle / most - part / 2)));
+    return {left: clamped(x, wide, width), top: clamped(y, high, height), side};
+}
+
 // The values of a pixel as in the file: 0..255, 0..65535 or floats; null outside of the picture.
 function valuesAt(pixels, x, y) {
     if (!pixels || x < 0 || y < 0 || x >= pixels.width || y >= pixels.height) return null;

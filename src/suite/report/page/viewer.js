@@ -8,6 +8,7 @@ class Viewer {
             kind: figure.dataset.pane,
             caption: figure.querySelector("figcaption"),
             canvas: figure.querySelector("canvas"),
+            close: figure.querySelector(".close"),
         }));
         this.pictures = {};  // expected, got, heat, difference: canvas or image
         this.loading = true;
@@ -28,6 +29,7 @@ class Viewer {
         this.loading = true;
         this.pixels = null;
         this.pictures = {};
+        this.place = null;  // where the pictures differ most, if that is a small part of them
         this.pointer = null;
         this.heat = false;
         this.view = {...this.view, fits: true};
@@ -42,6 +44,7 @@ class Viewer {
             if (pixels?.[kind]) this.pictures[kind] = toCanvas(pixels[kind]);
         if (!this.canSubtract() && this.pictures.heat) this.heat = true;
         this.subtract();
+        this.place = pixels?.expected && pixels?.got ? placeOfDifference(pixels.expected, pixels.got) : null;
         this.resized();
         document.getElementById("panes").dataset.shown = shot.id;
     }
@@ -94,6 +97,11 @@ class Viewer {
             if (width && (canvas.width !== width || canvas.height !== height))
                 Object.assign(canvas, {width, height});
         }
+        for (const {canvas, close} of this.panes) {
+            close.hidden = !this.place;
+            close.style.height = canvas.style.height;
+            Object.assign(close, {width: canvas.width, height: canvas.height});
+        }
         if (this.view.fits) this.fit();
         else this.draw();
     }
@@ -104,6 +112,11 @@ class Viewer {
         const zoom = most >= 1 ? Math.min(Math.floor(most), kLargestZoom) : most;
         this.view = {zoom, x: Math.round((canvas.width - width * zoom) / 2),
                      y: Math.round((canvas.height - height * zoom) / 2), fits: true};
+        this.draw();
+    }
+    zoomToDifference() {
+        if (!this.place) return;
+        this.view = {...viewOf(this.place, this.reference()), fits: false};
         this.draw();
     }
     zoomBy(factor, x, y) {
@@ -152,21 +165,17 @@ class Viewer {
     }
 
     draw() {
-        for (const {kind, caption, canvas} of this.panes) {
+        for (const {kind, caption, canvas, close} of this.panes) {
             const name = this.content(kind);
             const picture = this.pictures[name];
-            const context = canvas.getContext("2d");
-            context.setTransform(1, 0, 0, 1, 0, 0);
-            context.clearRect(0, 0, canvas.width, canvas.height);
+            const context = drawn(canvas, picture, this.view);
+            if (this.place) {
+                drawn(close, picture, viewOf(this.place, close));
+                frame(context, this.place, this.view);
+            }
             const title = {heat: "heat map", difference: `difference × ${this.factor}`, ...this.shot?.titles}[name] ?? name;
             caption.textContent = picture ? `${title}, ${picture.width} × ${picture.height}`
                 : this.loading ? title : `${title}: no picture`;
-            if (picture) {
-                const {zoom, x, y} = this.view;
-                context.setTransform(zoom, 0, 0, zoom, x, y);
-                context.imageSmoothingEnabled = zoom < 1;
-                context.drawImage(picture, 0, 0);
-            }
             this.drawPointer(context);
         }
         this.drawTools();
@@ -184,6 +193,7 @@ class Viewer {
         context.strokeRect(left - 0.5, top - 0.5, side + 1, side + 1);
     }
     drawTools() {
+        document.getElementById("place").hidden = !this.place;
         document.getElementById("swap").setAttribute("aria-pressed", String(this.swapped));
         const mode = document.getElementById("mode");
         mode.hidden = !this.pictures.heat || !this.canSubtract();
@@ -216,6 +226,32 @@ class Viewer {
             text.dataset.value = title;
             return [`${title} `, text, "   "];
         }));
+    }
+}
+
+// Clears a canvas and draws a picture on it: enlarged pixels are squares.
+function drawn(canvas, picture, {zoom, x, y}) {
+    const context = canvas.getContext("2d");
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    if (!picture) return context;
+    context.setTransform(zoom, 0, 0, zoom, x, y);
+    context.imageSmoothingEnabled = zoom < 1;
+    context.drawImage(picture, 0, 0);
+    return context;
+}
+
+// The view of a canvas in which a part of the picture fills it.
+function viewOf({left, top, side}, {width, height}) {
+    const most = Math.min(width, height) / side, zoom = Math.min(most >= 1 ? Math.floor(most) : most, kLargestZoom);
+    return {zoom, x: Math.round(width / 2 - (left + side / 2) * zoom), y: Math.round(height / 2 - (top + side / 2) * zoom)};
+}
+
+function frame(context, {left, top, side}, {zoom, x, y}) {
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    for (const [color, more] of [["#000", 1.5], ["#fff", .5]]) {
+        context.strokeStyle = color;
+        context.strokeRect(x + left * zoom - more, y + top * zoom - more, side * zoom + 2 * more, side * zoom + 2 * more);
     }
 }
 

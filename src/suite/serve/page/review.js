@@ -4,6 +4,7 @@
 const byId = (id) => document.getElementById(id);
 let data = {shots: [], groups: []};
 let current = 0, mode = "two", swapped = false, ready = false;
+let subtracts = false;  // a group shows differences
 
 function element(tag, properties = {}, ...children) {
     const made = Object.assign(document.createElement(tag), properties);
@@ -13,6 +14,7 @@ function element(tag, properties = {}, ...children) {
 const source = (shot, what) => `picture?shot=${shot}&what=${what}`;
 const order = () => data.groups.flatMap((group) => group.shots);
 const groupOf = (shot) => data.groups.find((group) => group.shots.includes(shot));
+const openOf = (shots) => shots.filter((shot) => data.shots[shot].got && !data.shots[shot].decided);
 
 async function load() {
     data = await (await fetch("data")).json();
@@ -42,6 +44,36 @@ function shown(shot, what, title) {
 }
 function picture(shot, what, title) {
     return element("figure", {}, element("figcaption", {textContent: title}), shown(shot, what, title));
+}
+
+// A shot in a group: the golden and the new picture beside each other, or their difference and the new picture, small.
+function tile(shot) {
+    const {name, decided, size, ...has} = data.shots[shot];
+    let pair = [subtracts ? "difference" : "expected", "got"];
+    if (swapped) pair.reverse();
+    const pictures = element("div", {className: "pair"}, ...pair.filter((what) => has[what]).map((what) => shown(shot, what, what)));
+    // At their own size, if that is not tiny or large; known before they are there, so that nothing moves.
+    const longest = Math.max(...size, 1), scale = longest > 160 ? 160 / longest : Math.max(1, Math.floor(64 / longest));
+    for (const image of pictures.children)
+        Object.assign(image.style, {width: `${size[0] * scale}px`, height: `${size[1] * scale}px`});
+    const made = element("figure", {title: name}, pictures, element("figcaption", {textContent: name}));
+    Object.assign(made.dataset, {shot, state: decided});
+    made.addEventListener("click", () => choose(shot));
+    return made;
+}
+
+// The shots of a group that differ alike, with a button for all of them.
+function alike(part) {
+    const shots = part.shots.filter((shot) => data.shots[shot].got);
+    const accept = element("button", {type: "button", className: "accept"});
+    accept.addEventListener("click", () => decide("accept", openOf(shots)));
+    accept.count = () => {
+        accept.textContent = `Accept these ${openOf(shots).length}`;
+        accept.hidden = !openOf(shots).length;
+    };
+    accept.count();
+    return element("section", {}, element("h2", {}, `${part.shots.length} × ${part.difference || data.shots[part.shots[0]].reason} `, accept),
+        element("div", {className: "tiles"}, ...shots.map(tile)));
 }
 
 // A picture has been seen once half of it, or as much as fits, is in view and decoded. `reported` tells the server.
@@ -77,6 +109,7 @@ async function show() {
     byId("reason").textContent = shot.reason;
     byId("wipe").hidden = mode !== "wipe";
     document.querySelector("[data-key=A]").hidden = mode !== "group";
+    byId("reason").hidden = byId("figures").hidden = mode === "group";
     byId("figures").replaceChildren(...shot.figures.map(([title, value, limit, beyond]) => element("tr", {},
         element("th", {textContent: title}), element("td", {textContent: value, className: beyond ? "beyond" : ""}),
         element("td", {textContent: limit && `limit ${limit}`}))));
@@ -86,8 +119,7 @@ async function show() {
     const titles = {expected: shot.titles[0], got: shot.titles[1]};
     if (swapped) [first, second] = [second, first];
     if (mode === "group") {
-        place.replaceChildren(...groupOf(current).shots.filter((each) => data.shots[each].got)
-            .map((each) => picture(each, "got", data.shots[each].name)));
+        place.replaceChildren(...groupOf(current).alike.map(alike));
     } else if (mode === "wipe" && shot.expected && shot.got) {
         const layers = element("div", {className: "layers"},
             shown(current, first, titles[first]), shown(current, second, titles[second]));
@@ -116,8 +148,22 @@ async function send(what, body) {
     return reply.json();
 }
 
+// Shows what has been decided about the shots of the group that is shown, whose pictures stay.
+function markDecided() {
+    for (const each of document.querySelectorAll("#pictures figure")) each.dataset.state = data.shots[each.dataset.shot].decided;
+    for (const each of document.querySelectorAll("#pictures h2 button")) each.count();
+    watch();
+}
+
+// One line for each reason, however many shots have it.
+function sayWhy(refused) {
+    const names = new Map();
+    for (const [shot, why] of refused) names.set(why, [...names.get(why) || [], data.shots[shot].name]);
+    return [...names].map(([why, shots]) => shots.length === 1 ? `${shots[0]}: ${why}` : `${shots.length} shots, as ${shots[0]}: ${why}`);
+}
+
 async function decide(what, shots, more = {}) {
-    if (!ready) return;
+    if (!ready || !shots.length) return;
     byId("said").textContent = "";
     // What has just come into view is reported with the next frame.
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -126,13 +172,19 @@ async function decide(what, shots, more = {}) {
     const refused = reply.refused || [];
     for (const [shot] of refused) seen.delete(shot);
     await load();
-    byId("said").textContent = reply.error || refused.map(([shot, why]) => `${data.shots[shot].name}: ${why}`).join("; ") ||
-        `${shots.length} ${what}ed`;
+    const done = (reply[`${what}ed`] || []).length;
+    byId("said").textContent = reply.error || [...done ? [`${done} ${what}ed`] : [], ...sayWhy(refused)].join("\n");
     const blank = refused.filter(([, why]) => why.endsWith("force accepts it")).map(([shot]) => shot);
     if (blank.length && confirm(`${byId("said").textContent}\n\nAccept all the same?`))
         return decide(what, blank, {...more, force: true});
     const next = order().find((shot) => !data.shots[shot].decided && (refused.length === 0 || shot !== current));
-    if (!refused.length && next !== undefined) choose(next);
+    if (mode === "group") {
+        // The group stays until all of it is decided; then comes the next one.
+        if (refused.length || openOf(groupOf(current).shots).length || next === undefined) return markDecided();
+        current = next;
+        document.querySelector("main").scrollTop = 0;
+        show();
+    } else if (!refused.length && next !== undefined) choose(next);
     else show();
 }
 
@@ -150,12 +202,16 @@ const keys = {
     k: () => step(-1),
     x: () => { swapped = !swapped; show(); },
     w: () => toggle("wipe"),
-    d: () => toggle("difference"),
+    d: () => {
+        if (mode !== "group") return toggle("difference");
+        subtracts = !subtracts;
+        show();
+    },
     g: () => toggle("group"),
     a: () => decide("accept", [current]),
     b: () => decide("accept", [current], {also: true}),
     r: () => decide("reject", [current]),
-    A: () => mode === "group" && decide("accept", groupOf(current).shots.filter((shot) => data.shots[shot].got && !data.shots[shot].decided)),
+    A: () => mode === "group" && decide("accept", openOf(groupOf(current).shots)),
 };
 document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;

@@ -1,0 +1,126 @@
+#include "suite/serve/changed_files.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+namespace glibra::suite {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseFile {
+    void operator()(std::FILE* each) const { std::fclose(each); }
+};
+
+/// What git prints, cut at its zero bytes or line ends; nothing if it fails or is not installed.
+std::vector<std::string> git(const fs::path& folder, std::vector<std::string> arguments) {
+    // Nothing that the settings of a repository name is started.
+    std::vector<std::string> words{"git", "-C", folder.string(), "-c", "core.fsmonitor=false", "--no-pager"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
+    for (std::string& each : words) pointers.push_back(each.data());
+    pointers.push_back(nullptr);
+    const std::unique_ptr<std::FILE, CloseFile> output(std::tmpfile());
+    if (!output) return {};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, ::fileno(output.get()), STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    pid_t process = -1;
+    const int failed = posix_spawnp(&process, "git", &actions, nullptr, pointers.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) return {};
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {};
+    std::rewind(output.get());
+    std::vector<std::string> parts;
+    std::string part;
+    std::array<char, 4096> buffer{};
+    for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), output.get())) > 0;)
+        for (const char c : std::span(buffer).first(count)) {
+            if (c != '\0' && c != '\n') {
+                part += c;
+            } else if (!part.empty()) {
+                parts.push_back(std::move(part));
+                part.clear();
+            }
+        }
+    if (!part.empty()) parts.push_back(std::move(part));
+    return parts;
+}
+
+fs::path absolutePath(const fs::path& path) {
+    std::error_code failed;
+    return fs::weakly_canonical(fs::absolute(path, failed), failed);
+}
+
+}  // namespace
+
+const ChangedFiles::Folder& ChangedFiles::folder(const fs::path& path) {
+    const auto [at, isNew] = folders_.try_emplace(path);
+    Folder& known = at->second;
+    if (!isNew) return known;
+    const std::vector<std::string> top = git(path, {"rev-parse", "--show-toplevel"});
+    if (top.size() != 1) return known;
+    known.top = top.front();
+    constexpr const char* kCommit = "commit ";
+    std::string commit;
+    for (const std::string& line :
+         git(path, {"log", "-z", "--format=commit %H", "--name-only", "--relative", "--", "."})) {
+        if (line.starts_with(kCommit))
+            commit = line.substr(std::char_traits<char>::length(kCommit));
+        else
+            known.commits.emplace(line, commit);  // the latest comes first
+    }
+    return known;
+}
+
+const std::set<std::string>& ChangedFiles::changedSince(const fs::path& top, const std::string& commit) {
+    const auto [at, isNew] = changed_.try_emplace(top.string() + "\n" + commit);
+    if (isNew) {
+        std::vector<std::string> names =
+            git(top, {"diff", "-z", "--name-only", "--no-renames", "--no-ext-diff", "--no-textconv", commit});
+        at->second.insert(std::make_move_iterator(names.begin()), std::make_move_iterator(names.end()));
+    }
+    return at->second;
+}
+
+std::vector<fs::path> ChangedFiles::since(const fs::path& golden, std::span<const fs::path> files) {
+    const fs::path whole = absolutePath(golden);
+    const Folder& known = folder(whole.parent_path());
+    const auto commit = known.commits.find(whole.filename().string());
+    std::vector<fs::path> changed(files.begin(), files.end());
+    if (commit != known.commits.end()) {
+        const std::set<std::string>& names = changedSince(known.top, commit->second);
+        const auto isChanged = [&](const fs::path& file) {
+            return names.contains(file.lexically_relative(known.top).generic_string());
+        };
+        if (!isChanged(whole)) {
+            std::erase_if(changed, [&](const fs::path& each) { return !isChanged(absolutePath(each)); });
+            return changed;
+        }
+    }
+    std::error_code failed;
+    const fs::file_time_type accepted = fs::last_write_time(whole, failed);
+    std::erase_if(changed, [&](const fs::path& each) {
+        std::error_code missing;
+        const fs::file_time_type written = fs::last_write_time(each, missing);
+        return failed || missing || written <= accepted;
+    });
+    return changed;
+}
+
+}  // namespace glibra::suite
