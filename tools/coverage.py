@@ -5,8 +5,7 @@ tests/coverage/rows.csv lists every row: id, source, chapter, what it asks for, 
 answer: the tests, pages or commands that answer it (files in backquotes; shots of suites as "shot `TOPIC/NAME`"),
 `not yet`, `no picture: WHY`, or `not possible: WHY`. A scene answers the rows whose ids begin its first line, as in
 `# SH113 SH114 Compact disc: ...`. A starting scene of glib/exercises begins with `# Exercise ID ID: ...`, and NAME.toml
-beside it names the solution. The D01 to D25 of scenes are pictures of "Graphics Shaders"; the defects of listings, D1 to
-D62 of other sources, have no scenes.
+beside it names the solution.
 
 usage: tools/coverage.py             writes the pages, and clears the answer `not yet` of rows that have a scene
        tools/coverage.py --check     writes nothing; fails if something is wrong or a page is not current
@@ -27,7 +26,6 @@ import coverage_pages
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROWS = "tests/coverage/rows.csv"
 TOTAL = 969  # rows of all sources; none may get lost
-DEFECTS = "Defects of listings"
 UNANSWERED = re.compile(r"not yet$|no picture: |not possible: ")
 
 
@@ -144,10 +142,9 @@ def connect(rows, scenes):
     """Gives rows their scenes and tasks, and scenes their rows. Yields what is wrong."""
     known = {}
     for row in rows:
-        if row.source != DEFECTS:
-            if row.id in known:
-                yield f"{ROWS}: {row.id} stands there twice"
-            known[row.id] = row
+        if row.id in known:
+            yield f"{ROWS}: {row.id} stands there twice"
+        known[row.id] = row
     if len(rows) != TOTAL:
         yield f"{ROWS}: {len(rows)} rows in place of {TOTAL}"
     for scene in scenes:
@@ -179,6 +176,8 @@ def connect(rows, scenes):
 def wrong_answers(rows, scenes):
     shots = {shot for scene in scenes for shot in scene.shots}
     for row in rows:
+        if row.state() == "elsewhere" and not re.search(r"`[^`\s]+/[^`\s]+`", row.answer):
+            yield f"{ROWS}: {row.id} names neither a scene nor a file"
         if not row.scenes and not row.answer:
             yield f"{ROWS}: {row.id} has no scene; name what answers it, or write `not yet`"
         for kind, word in re.findall(r"(shot )?`([^`\s]+/[^`\s]+)`", row.answer):

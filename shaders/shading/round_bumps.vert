@@ -3,15 +3,9 @@
 
 uniform float uNumber;   // of bumps from pole to pole; twice as many around
 uniform float uHeight;
-uniform vec3 uLight;     // eye space
-uniform vec3 uColor;
-uniform float uShininess;
 
 out vec3 vPosition;   // eye space
 out vec3 vNormal;     // eye space
-out vec3 vColor;      // what Gouraud shading interpolates
-
-#include "round_light.glsl"
 
 const float kPi = 3.14159265;
 
@@ -39,6 +33,5 @@ void main() {
 
     vPosition = vec3(uModelViewMatrix * model);
     vNormal = uNormalMatrix * normal;
-    vColor = roundLight(uColor, normalize(vNormal), vPosition, uLight, uShininess);
     gl_Position = uModelViewProjectionMatrix * model;
 }

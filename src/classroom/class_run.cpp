@@ -310,6 +310,7 @@ class ClassRun {
         const Entry& entry = entryOf(index);
         task.scene = entry.submission.scene;
         task.options = suite_.shots[index * moments()].options;
+        task.has = plan_.moments.front().has;
         for (std::size_t moment = 0; moment < entry.pictures.size(); ++moment)
             task.pictures.emplace_back(
                 index > 0 && hasReference(end_.classroom) ? entryOf(0).pictures[moment].file : std::string(),

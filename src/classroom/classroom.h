@@ -12,22 +12,19 @@
 #include "classroom/similarity.h"
 #include "classroom/submissions.h"
 #include "classroom/tokens.h"
+#include "suite/file/moments.h"
 #include "suite/results/results.h"
-#include "suite/suite.h"
 
 namespace glibra::classroom {
 
-/// What all scenes are drawn with: a time, values of uniforms, and the other options of a picture.
-struct Moment {
-    std::string label;  ///< "uTol=0.1", "time=2.5"; empty if it is the only one
-    suite::Shot shot;   ///< without a name; its script is the reference
-};
+using suite::Moment;
 
 /// How a picture differs from the reference's at the same moment; 0 is no difference.
 struct Score {
-    double flip = 0;       ///< mean FLIP, 0..1 (image/compare/flip.h)
-    double structure = 0;  ///< 0..1 (image/compare/structure.h)
-    double likeness = 0;   ///< 0, nothing in common, to 1 (likeness.h): colours, model and camera are free
+    double flip = 0;         ///< mean FLIP, 0..1 (image/compare/flip.h)
+    double structure = 0;    ///< 0..1 (image/compare/structure.h)
+    double likeness = 0;     ///< 0, nothing in common, to 1 (likeness.h): colours, model and camera are free
+    std::string unsolved{};  ///< why it is not the reference's picture (suite::whyUnsolved); empty: it is
 };
 
 /// Moments that differ in nothing but one value.

@@ -1,6 +1,6 @@
 #pragma once
-// The moments at which a class is drawn: the times and sweeps of a command line, the shots of a suite, or
-// those of an exercise.
+// The moments at which a class is drawn: the times and sweeps of a command line (suite/file/moments.h), the
+// shots of a suite, or those of an exercise.
 
 #include <glibra/result.h>
 
@@ -10,17 +10,11 @@
 #include <vector>
 
 #include "classroom/classroom.h"
+#include "suite/file/moments.h"
 
 namespace glibra::classroom {
 
-/// More pictures than this of every submission are a mistake.
-inline constexpr std::size_t kMostMoments = 100;
-
-/// Every combination of the values of the sweeps at every time, as in a suite. `sweeps` are keys of its
-/// `sweep` table: "uTol = [0, 0.1, 0.2]". No times: the time of `picture`. Errors: those of a suite, with the
-/// place in the text of the sweeps.
-Result<std::vector<Moment>> momentsOf(const suite::Shot& picture, std::span<const double> times,
-                                      std::span<const std::string> sweeps);
+using suite::momentsOf;
 
 /// The shots of a suite file, whose scene is the reference; or the moments of an exercise
 /// (suite/file/exercise_file.h), whose reference is the solution. Error: the shots have several scenes.

@@ -17,6 +17,7 @@
 #include "image/read.h"
 #include "render/scene_renderer.h"
 #include "scene/file_lookup.h"
+#include "suite/run/exercise_check.h"
 
 namespace glibra::classroom {
 namespace {
@@ -223,7 +224,8 @@ void scorePicture(const ReviewTask& task, const std::pair<std::string, std::stri
     std::optional<Score>& score = result.scores.emplace_back();
     if (expected && got)
         score = Score{image::flip(*expected, *got, {.threads = 1}).mean,
-                      image::structure(*expected, *got).difference, likeness(*expected, *got)};
+                      image::structure(*expected, *got).difference, likeness(*expected, *got),
+                      suite::whyUnsolved(task.has, *expected, *got)};
 }
 
 /// How much a submission's own pictures differ that differ in one value.
@@ -277,7 +279,8 @@ std::string toText(const Review& review) {
             {{"path", each.path}, {"codes", std::move(codes)}, {"lines", std::move(lines)}});
     }
     for (const std::optional<Score>& each : review.scores)
-        json["scores"].push_back(each ? Json{each->flip, each->structure, each->likeness} : Json(nullptr));
+        json["scores"].push_back(each ? Json{each->flip, each->structure, each->likeness, each->unsolved}
+                                      : Json(nullptr));
     json["calls"] = review.calls;
     json["ranges"] = Json::array();
     for (const RangedUniform& each : review.ranges)
@@ -311,7 +314,8 @@ std::optional<Review> parseReview(std::string_view text) try {
     for (const Json& each : json.at("scores")) {
         std::optional<Score>& score = result.scores.emplace_back();
         if (each.is_null()) continue;
-        score = Score{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<double>()};
+        score = Score{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<double>(),
+                      each.at(3).get<std::string>()};
         if (!std::isfinite(score->flip) || !std::isfinite(score->structure) ||
             !std::isfinite(score->likeness))
             return std::nullopt;

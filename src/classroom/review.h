@@ -23,6 +23,7 @@ struct ReviewTask {
     RenderOptions options;        ///< `within` is the submission's own folder; empty for the reference
     std::filesystem::path site;   ///< that the pictures are relative to
     std::vector<std::pair<std::string, std::string>> pictures;  ///< of the reference and of the submission
+    std::optional<suite::ColorShare> has{};                     ///< what pictures of an exercise have
     std::vector<Slider> sliders;                                ///< whose pairs are indices of `pictures`
     std::vector<std::filesystem::path> sources;                 ///< files and folders of given code
 };

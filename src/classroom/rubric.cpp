@@ -112,6 +112,21 @@ Judgement judgeLikeness(const Check& check, const Classroom& room, const Entry& 
     return verdict;
 }
 
+/// All pictures are those of the reference, or have what the exercise asks for.
+Judgement judgeSolved(const Classroom& room, const Entry& entry) {
+    if (entry.pictures.empty()) return {0, "there is no scene"};
+    for (std::size_t i = 0; i < entry.pictures.size() && i < room.moments.size(); ++i) {
+        const std::optional<Score>& score = entry.pictures[i].score;
+        const std::string& label = room.moments[i].label;
+        if (!score || !score->unsolved.empty())
+            return {0,
+                    (label.empty() ? "" : "at " + label + " ") +
+                        (score ? score->unsolved : std::string("a picture was not drawn")),
+                    i};
+    }
+    return {1, ""};
+}
+
 Judgement judgeMessages(const Check& check, const Entry& entry) {
     if (entry.submission.scene.empty()) return {0, "there is no scene"};
     std::size_t count = 0;
@@ -156,6 +171,8 @@ Judgement judge(const Check& check, const Classroom& room, const Entry& entry) {
         case Check::Kind::uses:
         case Check::Kind::avoids:
             return judgeCalls(check, entry);
+        case Check::Kind::solved:
+            return judgeSolved(room, entry);
         case Check::Kind::byHand:
             return {0, "to be marked by hand"};
     }

@@ -26,7 +26,7 @@ namespace glibra::classroom {
 
 /// One check: exactly one of these is asked for.
 struct Check {
-    enum class Kind { drawn, slider, stage, reacts, ignores, like, without, uses, avoids, byHand };
+    enum class Kind { drawn, slider, stage, reacts, ignores, like, without, uses, avoids, byHand, solved };
     Kind kind = Kind::drawn;
     std::string name;
     double points = 1;
@@ -51,6 +51,9 @@ struct Rubric {
     std::vector<Check> checks;
     std::optional<LateRule> late;
 };
+
+/// The rubric of an exercise without another one: a point if it is solved.
+Rubric solvedRubric();
 
 /// Errors: suite-E01 to suite-E03, suite-E04 (a number out of its limits, or two in the wrong order),
 /// suite-E24 (a check asks for nothing or for several things, or has a key of another kind), suite-E25 (two

@@ -21,11 +21,11 @@ using suite::TomlTable;
 using suite::TomlValue;
 
 constexpr double kMostCheckPoints = 1'000;
-constexpr std::array<std::string_view, 10> kKinds{"drawn", "slider",  "stage", "reacts", "ignores",
-                                                  "like",  "without", "uses",  "avoids", "by-hand"};
-constexpr std::array<std::string_view, 17> kCheckKeys{
+constexpr std::array<std::string_view, 11> kKinds{"drawn",   "slider", "stage",  "reacts",  "ignores", "like",
+                                                  "without", "uses",   "avoids", "by-hand", "solved"};
+constexpr std::array<std::string_view, 18> kCheckKeys{
     "name",    "points", "bonus",  "drawn", "slider", "stage", "reacts",  "ignores", "like",
-    "without", "uses",   "avoids", "range", "at",     "none",  "measure", "by-hand"};
+    "without", "uses",   "avoids", "range", "at",     "none",  "measure", "by-hand", "solved"};
 /// Keys that only one kind of check has, and that kind.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kKindOfKey{
     {{"range", "slider"}, {"at", "like"}, {"none", "like"}, {"measure", "like"}}};
@@ -44,7 +44,8 @@ std::string defaultName(const Check& check) {
                                                                  "has no {}",
                                                                  "uses {}",
                                                                  "does not use {}",
-                                                                 "by hand"};
+                                                                 "by hand",
+                                                                 "is solved"};
     return fmt::format(
         fmt::runtime(kNames.at(static_cast<std::size_t>(check.kind))),
         check.kind == Check::Kind::without ? fmt::format("{}", fmt::join(check.ids, ", ")) : check.of);
@@ -152,6 +153,7 @@ class RubricReader {
         switch (check.kind) {
             case Check::Kind::drawn:
             case Check::Kind::byHand:
+            case Check::Kind::solved:
                 if (reader_.truth(entry.value, entry.key) == false)
                     reader_.wrongType(entry.value, entry.key, "true");
                 break;
@@ -234,6 +236,13 @@ class RubricReader {
 
 }  // namespace
 
+Rubric solvedRubric() {
+    Check check;
+    check.kind = Check::Kind::solved;
+    check.name = defaultName(check);
+    return {{std::move(check)}, std::nullopt};
+}
+
 Result<Rubric> readRubricText(std::string_view text, const std::string& file) {
     return RubricReader(file, text).read();
 }
@@ -257,7 +266,8 @@ Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,
             report(check, fmt::format("no two pictures differ in '{0}' alone; --sweep '{0} = [...]' or a "
                                       "suite with such a sweep draws them",
                                       check.of));
-        if (check.kind == Check::Kind::like && !hasReference) report(check, "there is no --reference");
+        const bool needsReference = check.kind == Check::Kind::like || check.kind == Check::Kind::solved;
+        if (needsReference && !hasReference) report(check, "there is no --reference");
         for (const std::string& at : check.at)
             if (std::ranges::none_of(moments,
                                      [&](const Moment& each) { return suite::fits(at, each.label); }))

@@ -30,6 +30,7 @@
 #include "render/check/scene_check.h"
 #include "render/consequences.h"
 #include "suite/report/verdict_commands.h"
+#include "suite/run/exercise_check.h"
 #include "suite/run/worker_count.h"
 
 namespace glibra::cli {
@@ -66,12 +67,19 @@ Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
     return problems;
 }
 
+/// True if something is wrong besides checks that do not hold.
+bool hasErrorOfScene(const Diagnostics& diagnostics) {
+    return std::ranges::any_of(diagnostics, [](const Diagnostic& each) {
+        return each.severity == Severity::error && !each.id.starts_with("check-");
+    });
+}
+
 /// Runs in a worker. It opens the context with its first scene and keeps it.
 class SceneChecker {
   public:
     SceneChecker(const CheckArguments& arguments, int jobs) : arguments_(arguments), jobs_(jobs) {}
 
-    std::string operator()(std::size_t index, const base::Step&) {
+    std::string operator()(std::size_t index, const base::Step& step) {
         if (!context_) {
             suite::shareProcessors(jobs_, arguments_.scenes.size());
             Result<gpu::Context> opened = gpu::openContext({.driver = arguments_.driver});
@@ -85,6 +93,10 @@ class SceneChecker {
             render::CheckResult checked = render::checkScene(*context_, scene, options);
             if (arguments_.translated.empty()) checked.shaders.clear();
             if (arguments_.run) checked.diagnostics = runOf(scene, options, std::move(checked.diagnostics));
+            // The limit of time is that of a picture, and an exercise has several.
+            if (arguments_.run && !options.sceneText && !hasErrorOfScene(checked.diagnostics))
+                append(checked.diagnostics,
+                       suite::checkExercise(*context_, scene, options, [&] { step({}); }));
             SourceLines lines;
             if (quotesLines_) lines = linesOf(checked.diagnostics, arguments_.standardInput);
             return Answer{.remarks = {std::move(checked.diagnostics), {}},
@@ -224,7 +236,9 @@ void addCheck(CommandLine& program, int& status) {
         .written()
         .rare();
     command.find("--untrusted").rare();
-    command.flag("--run", arguments->run, "draw the scenes and answer their Expect statements");
+    command.flag(
+        "--run", arguments->run,
+        "draw the scenes, answer their Expect statements, and compare exercises with their solutions");
     for (const char* each : {"--time", "--steps", "--eye", "--samples", "--check-undefined", "--check-nan"})
         command.find(each).needs(command.find("--run"));
     command.flag("--json", arguments->json, "print the diagnostics as JSON on standard output");

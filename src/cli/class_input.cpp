@@ -80,7 +80,10 @@ int readChecks(const ClassArguments& arguments, ClassInput& input) {
     print(own.diagnostics);
     if (!own) return kSceneIsWrong;
     input.own = std::move(*own);
-    if (arguments.rubric.empty()) return kDone;
+    if (arguments.rubric.empty()) {
+        if (suite::readExercise(arguments.reference)) input.rubric = classroom::solvedRubric();
+        return kDone;
+    }
     Result<classroom::Rubric> rubric = classroom::readRubric(arguments.rubric);
     print(rubric.diagnostics);
     if (!rubric) return kWrongUsage;

@@ -383,10 +383,14 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"check-E01", "Expect pixel 10 20 [1 0 0]: expected 1 0 0, found 0.501960784 0 0"},
     {"check-E02", "Expect pixel 800 20 [1 0 0]: 'window' has 600 x 600 pixels"},
     {"check-E03", "--check-undefined needs OpenGL 4.3; this driver has 4.1"},
+    {"check-E04",
+     "the exercise is not solved yet: at aim=2 its picture differs from the solution's in 12 % of the "
+     "pixels, most at 210, 80"},
     {"check-W01", "Expect pixel 10 20 [1 0 0] is not answered: group 'row' is not drawn"},
     {"check-N01",
      "Expect pixel 10 20 [1 0 0] is not answered: the condition of the When on line 12 is false"},
     {"check-N02", "Particles[3]: 0.5 1 0 1"},
+    {"check-N03", "the exercise is solved, with 8 sets of values"},
     // Run time against error
     {"bench-E01", "unknown subject 'primitve'; did you mean 'primitives'?"},
     {"bench-E02", "this is not a run of glibra bench; --against takes its bench.json"},

@@ -251,7 +251,7 @@ TEST(Moments, MistakesAreThoseOfASuite) {
     EXPECT_EQ(idOf("uTol = []"), "suite-E04");
     EXPECT_EQ(idOf("uTol = [0,"), "suite-E01");
     std::string many = "uTol = [0";
-    for (std::size_t i = 0; i < kMostMoments; ++i) many += ", " + std::to_string(i);
+    for (std::size_t i = 0; i < suite::kMostMoments; ++i) many += ", " + std::to_string(i);
     EXPECT_FALSE(momentsOf({}, {}, std::vector{many + "]"}));
 }
 

@@ -65,6 +65,22 @@ TEST(Rubrics, GivePointsForEachKindOfCheck) {
     EXPECT_EQ(markOf("avoids = \"mix\"").points, 0);
     EXPECT_EQ(markOf("without = \"glib-W*\"").points, 4);
     EXPECT_EQ(markOf("by-hand = true").points, 0);
+    EXPECT_EQ(markOf("solved = true").points, 4);
+}
+
+TEST(Rubrics, AnExerciseIsSolvedIfAllItsPicturesAre) {
+    Classroom room = classOfOne();
+    room.entries[0].pictures[1].score->unsolved = "its picture differs";
+    const Mark mark = markOf("solved = true", room);
+    EXPECT_EQ(mark.points, 0);
+    EXPECT_EQ(mark.reason, "at uAd=0.3 its picture differs");
+    EXPECT_EQ(mark.moment, 1U);
+    room.entries[0].pictures[0].score.reset();
+    EXPECT_EQ(markOf("solved = true", room).reason, "at uAd=0.1 a picture was not drawn");
+    room.entries[0].pictures.clear();
+    EXPECT_EQ(markOf("solved = true", room).points, 0);
+    ASSERT_EQ(solvedRubric().checks.size(), 1U);
+    EXPECT_EQ(solvedRubric().checks[0].name, "is solved");
 }
 
 TEST(Rubrics, GivePartialCreditForLikeness) {

@@ -159,6 +159,23 @@ TEST_F(ClassCommand, SweepsHaveNumbersAsScenesHaveThem) {
     EXPECT_EQ(run("--sweep 'uTone = [.]'").status, 2);
 }
 
+TEST_F(ClassCommand, AnExerciseGivesItsVerdictWithoutARubric) {
+    hand("ana", fragment("uTone"));
+    hand("bob", fragment("(uTone * uTone)"));  // right at 0 and 1
+    hand("eve", "this is no shader");
+    folder.write("task.toml", "solution = \"solution.glib\"\nsweep = [\"uTone=[0, 0.5, 1]\"]\n");
+    const std::string command = "class all --reference task.toml -o site ";
+    ASSERT_EQ(glibra(folder.path(), command).status, 0);
+    for (const auto& [student, points] : {std::pair{"ana", "1"}, {"bob", "0"}, {"eve", "0"}})
+        EXPECT_EQ(std::stod(grade(student, "points is solved")), std::stod(points)) << student;
+    EXPECT_TRUE(contains(page(), "at uTone=0.5 its picture differs from the solution"));
+    folder.write("class.toml", "[[check]]\nsolved = true\nname = \"right\"\npoints = 4\n");
+    ASSERT_EQ(glibra(folder.path(), command + "--rubric class.toml").status, 0);
+    EXPECT_EQ(std::stod(grade("ana", "points right")), 4);
+    EXPECT_EQ(std::stod(grade("bob", "points right")), 0);
+    EXPECT_EQ(glibra(folder.path(), "class all -o site --rubric class.toml").status, 2) << "no reference";
+}
+
 TEST_F(ClassCommand, AReferenceMayBeASuite) {
     hand("ana", fragment("uTone"));
     folder.write("class.toml",

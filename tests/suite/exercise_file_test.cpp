@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -19,6 +20,15 @@ TEST(ExerciseFile, NamesTheSolutionAndWhatIsDrawn) {
     EXPECT_EQ(exercise->solution, "g/a/b.glib");
     EXPECT_EQ(exercise->times, (std::vector<double>{0, 1.5}));
     EXPECT_EQ(exercise->sweeps, std::vector<std::string>{"x=[1, 2]"});
+    EXPECT_FALSE(exercise->has);
+    const auto free = readExerciseText(
+        "solution = \"a.glib\"\nhas = { color = [1, 0.5, 0], within = 0.1, least = 0.2, most = 0.3 }\n",
+        "t.toml");
+    ASSERT_TRUE(free && free->has);
+    EXPECT_EQ(free->has->color, (std::array<double, 3>{1, .5, 0}));
+    EXPECT_EQ(free->has->within, .1);
+    EXPECT_EQ(free->has->least, .2);
+    EXPECT_EQ(free->has->most, .3);
     const auto least = readExerciseText("solution = \"/a.glib\"\ntimes = 3\nsweep = \"y=[1]\"\n", "t.toml");
     ASSERT_TRUE(least);
     EXPECT_EQ(least->solution, "/a.glib");
@@ -42,6 +52,10 @@ TEST(ExerciseFile, MistakesAreReported) {
     EXPECT_EQ(idOf("solution = \"a.glib\"\ntime = 3\n"), "suite-E02");
     EXPECT_EQ(idOf("solution = \"a.glib\"\ntimes = [\"x\"]\n"), "suite-E03");
     EXPECT_EQ(idOf("solution = \"a.glib\"\nsweep = [1]\n"), "suite-E03");
+    for (const char* each : {"3", "{ color = [1, 0] }", "{ color = [1, 0, \"x\"] }", "{ least = \"x\" }"})
+        EXPECT_EQ(idOf(("solution = \"a.glib\"\nhas = " + std::string(each) + "\n").c_str()), "suite-E03")
+            << each;
+    EXPECT_EQ(idOf("solution = \"a.glib\"\nhas = { colour = [1, 0, 0] }\n"), "suite-E02");
     EXPECT_EQ(idOf("solution = \"a.glib\n"), "suite-E01");
     EXPECT_TRUE(readExerciseText("solution = \"a.glib\"\ntime = 3\n", "t.toml")
                     .diagnostics.front()

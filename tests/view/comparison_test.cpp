@@ -1,6 +1,7 @@
 // A scene beside the solution of its exercise, and the chapters of examples.
 
 #include "view/session/comparison.h"
+#include "view/session/solution_check.h"
 
 #include <cstring>
 
@@ -97,6 +98,46 @@ TEST_F(ComparisonTest, ABrokenSceneHasAProblem) {
     EXPECT_NE(comparison.open(folder / "missing.glib"), "");
 }
 
+TEST_F(ComparisonTest, SaysWhetherTheExerciseIsSolvedAsItIsEdited) {
+    view::SolutionCheck check(context(), {});
+    while (check.follow(own)) {
+    }
+    EXPECT_EQ(check.state(), view::SolutionCheck::State::unsolved);
+    EXPECT_TRUE(check.text().starts_with("not solved yet: at uR=0 its picture differs")) << check.text();
+    own.setTexts({{folder / "task.glib", scene("a.frag")}});
+    ASSERT_TRUE(own.reload());
+    EXPECT_TRUE(check.follow(own));
+    EXPECT_EQ(check.text(), "comparing: 1 of 2 sets of values");
+    while (check.follow(own)) {
+    }
+    EXPECT_EQ(check.text(), "solved, with 2 sets of values");
+    std::string other = scene("a.frag");
+    other.replace(other.find("uR <"), 4, "uQ <");
+    own.setTexts({{folder / "task.glib", other}});
+    ASSERT_TRUE(own.reload());
+    while (check.follow(own)) {
+    }
+    EXPECT_TRUE(check.text().starts_with("not solved yet: ")) << check.text();
+    ASSERT_TRUE(own.open(folder.scene()));
+    EXPECT_FALSE(check.follow(own));
+    EXPECT_EQ(check.state(), view::SolutionCheck::State::none) << "it is no exercise";
+}
+
+TEST_F(ComparisonTest, AChoiceKeepsItsWordWhereTheOtherSceneHasAnotherOrder) {
+    const auto with = [](const std::string& words) {
+        return scene("a.frag", "Let size <" + words + ">\nScale (size == large ? 1 : .5) 1 1\n");
+    };
+    folder.write("mine.glib", with("large small"));
+    folder.write("other.glib", with("small large"));
+    ASSERT_TRUE(own.open(folder / "mine.glib"));
+    own.drawIfNeeded();
+    Comparison ordered(context(), {});
+    EXPECT_EQ(ordered.open(folder / "other.glib"), "");
+    ASSERT_TRUE(ordered.follow(own));
+    ASSERT_TRUE(ordered.score());
+    EXPECT_EQ(ordered.score()->flip, 0);
+}
+
 TEST_F(ComparisonTest, TheSolutionIsFoundAlsoFromACopy) {
     EXPECT_EQ(view::solutionOf(folder / "task.glib"), folder.scene());
     EXPECT_EQ(view::solutionOf(folder.scene()), fs::path());
@@ -104,8 +145,7 @@ TEST_F(ComparisonTest, TheSolutionIsFoundAlsoFromACopy) {
     EXPECT_TRUE(view::copyExercise(folder / "task.glib", folder / "mine/copy.glib").empty());
     EXPECT_EQ(view::solutionOf(folder / "mine/copy.glib"), folder.scene());
     EXPECT_EQ(folder.read("mine/copy.toml"),
-              "# The task's solution, and where the two are compared.\nsolution = \"" +
-                  folder.scene().string() + "\"\ntimes = [0]\nsweep = [\"uR=[0, 1]\"]\n");
+              "solution = \"" + folder.scene().string() + "\"\ntimes = [0]\nsweep = [\"uR=[0, 1]\"]\n");
     folder.write("mine/copy.toml", "mine = 1\n");
     EXPECT_TRUE(view::copyExercise(folder / "task.glib", folder / "mine/copy.glib").empty());
     EXPECT_EQ(folder.read("mine/copy.toml"), "mine = 1\n") << "it stays";

@@ -1,20 +1,20 @@
-// The interpolated light of the vertices (Gouraud). Exercise: light per fragment (Phong).
+// Exercise EX8.5: diffuse light of each fragment, to be made Phong's light.
 #version 330 core
 
-uniform bool uGouraud;
-uniform vec3 uLight;     // eye space
+uniform bool uPhong;
+uniform vec3 uLight;     // eye space, as the others
 uniform vec3 uColor;
-uniform float uShininess;
 
-in vec3 vPosition;       // eye space
-in vec3 vNormal;         // eye space
-in vec3 vColor;
+in vec3 vPosition;
+in vec3 vNormal;
 
 out vec4 fColor;
 
-#include "shading/round_light.glsl"
-
 void main() {
-    fColor = vec4(vColor, 1.);
-    if (!uGouraud) fColor.rgb = vColor;   // Change this.
+    vec3 normal = normalize(vNormal);
+    vec3 toLight = normalize(uLight - vPosition);
+    float diffuse = max(dot(normal, toLight), 0.);
+    vec3 color = diffuse * uColor;
+    if (uPhong) color = diffuse * uColor;   // Change this.
+    fColor = vec4(color, 1.);
 }

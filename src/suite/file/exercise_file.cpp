@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> kExerciseKeys{"solution", "times", "sweep"};
+constexpr std::array<std::string_view, 4> kExerciseKeys{"solution", "times", "sweep", "has"};
+constexpr std::array<std::string_view, 4> kShareKeys{"color", "within", "least", "most"};
 constexpr double kLargestTime = 1e9;
 constexpr std::uint64_t kLargestExercise = 1 << 20;
 
@@ -25,6 +26,34 @@ std::vector<double> timesOf(TomlReader& reader, const TomlValue& value) {
         if (const auto time = reader.number(each, "times", -kLargestTime, kLargestTime))
             times.push_back(*time);
     return times;
+}
+
+std::optional<ColorShare> shareOf(TomlReader& reader, const TomlValue& value) {
+    const TomlTable* table = reader.table(value, "has");
+    if (!table) return std::nullopt;
+    ColorShare share;
+    const auto partOf = [&](const TomlEntry& entry) {
+        return reader.number(entry.value, entry.key, 0, 1).value_or(0);
+    };
+    for (const TomlEntry& each : *table) {
+        if (each.key == "color") {
+            const auto* list = each.value.as<TomlList>();
+            if (!list || list->size() != share.color.size())
+                reader.wrongType(each.value, each.key, "three numbers, as [1, 0.5, 0]");
+            else
+                for (std::size_t i = 0; i < share.color.size(); ++i)
+                    share.color.at(i) = reader.number((*list)[i], each.key, 0, 1).value_or(0);
+        } else if (each.key == "within") {
+            share.within = partOf(each);
+        } else if (each.key == "least") {
+            share.least = partOf(each);
+        } else if (each.key == "most") {
+            share.most = partOf(each);
+        } else {
+            reader.unknownKey(each, "in 'has'", kShareKeys);
+        }
+    }
+    return share;
 }
 
 }  // namespace
@@ -48,6 +77,8 @@ Result<Exercise> readExerciseText(std::string_view text, const fs::path& file) {
             exercise.times = timesOf(reader, each.value);
         } else if (each.key == "sweep") {
             exercise.sweeps = reader.texts(each.value, "sweep").value_or(std::vector<std::string>());
+        } else if (each.key == "has") {
+            exercise.has = shareOf(reader, each.value);
         } else {
             reader.unknownKey(each, "in an exercise", kExerciseKeys);
         }

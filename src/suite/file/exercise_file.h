@@ -5,20 +5,34 @@
 //     solution = "../../lights/spotlight.glib"
 //     times = [0, 1]
 //     sweep = ["cutoff=[15, 24]", "exponent=[0, 40]"]
+//
+// Where many pictures are right, it says what one must have in place of being that of the solution:
+//
+//     has = { color = [0.7, 0.07, 0.04], within = 0.15, least = 0.002, most = 0.5 }
 
 #include <glibra/result.h>
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace glibra::suite {
 
+/// How much of a picture has a colour: each component within `within` of it.
+struct ColorShare {
+    std::array<double, 3> color{};  ///< red, green, blue, 0..1
+    double within = 0;
+    double least = 0, most = 1;  ///< of the pixels, 0..1
+};
+
 struct Exercise {
     std::filesystem::path solution;   ///< with the folder of the file before it
     std::vector<double> times;        ///< seconds; empty: one picture at time 0
     std::vector<std::string> sweeps;  ///< values of uniforms as class --sweep takes them
+    std::optional<ColorShare> has;    ///< what every picture has; nothing: it is that of the solution
 };
 
 /// True if the text has the key `solution`, which suites do not have.

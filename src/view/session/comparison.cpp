@@ -1,7 +1,6 @@
 #include "view/session/comparison.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -10,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "glib/number.h"
+#include "base/whole_file.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/file.h"
@@ -27,9 +26,23 @@ std::optional<image::Image> pictureOf(gpu::Context& context, const gpu::Target* 
     return imageOf(context.capabilities(), *target, 4).value;
 }
 
-/// A text in TOML: JSON's strings are such.
-std::string quoted(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+/// The text of an exercise's file with another path of the solution.
+std::string withSolution(std::string_view text, const fs::path& solution) {
+    std::string changed;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::string_view line = text.substr(begin, end - begin);
+        if (const std::size_t first = line.find_first_not_of(" \t\"'");
+            first != std::string_view::npos && line.substr(first).starts_with("solution"))
+            // JSON's strings are such of TOML.
+            changed += "solution = " + nlohmann::json(solution.string())
+                                           .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        else
+            changed += line;
+        changed += '\n';
+        begin = end + 1;
+    }
+    return changed;
 }
 
 }  // namespace
@@ -48,8 +61,17 @@ bool Comparison::follow(const Session& own) {
     for (const Knob& each : own.knobs()) {
         const Knob* known = other_.knob(each.title, each.tag);
         if (!known) known = other_.knob("", each.tag);
-        if (known && known->current.size() == each.current.size() && known->current != each.current)
-            other_.setValue(static_cast<std::size_t>(known - other_.knobs().data()), each.current);
+        if (!known || known->current.size() != each.current.size()) continue;
+        std::vector<double> values = each.current;
+        if (each.words != known->words) {  // the words of a choice may stand in another order
+            const auto index = static_cast<std::size_t>(values.front());
+            const auto word = index < each.words.size() ? std::ranges::find(known->words, each.words[index])
+                                                        : known->words.end();
+            if (word == known->words.end()) continue;
+            values.front() = static_cast<double>(word - known->words.begin());
+        }
+        if (known->current != values)
+            other_.setValue(static_cast<std::size_t>(known - other_.knobs().data()), values);
     }
     ViewState view = own.view();
     view.objects.clear();  // they are named by lines, and the other scene has other lines
@@ -87,19 +109,15 @@ fs::path solutionOf(const fs::path& scene) {
 }
 
 Diagnostics copyExercise(const fs::path& scene, const fs::path& copy) {
-    const Result<suite::Exercise> exercise = suite::readExercise(suite::exerciseFileOf(scene));
-    const fs::path file = suite::exerciseFileOf(copy);
+    const fs::path from = suite::exerciseFileOf(scene), to = suite::exerciseFileOf(copy);
+    const Result<suite::Exercise> exercise = suite::readExercise(from);
     std::error_code failure;
-    if (!exercise || fs::exists(fs::symlink_status(file, failure))) return {};
-    std::string text =
-        fmt::format("# The task's solution, and where the two are compared.\nsolution = {}\n",
-                    quoted(fs::absolute(exercise->solution, failure).lexically_normal().string()));
-    std::vector<std::string> times, sweeps;
-    for (const double each : exercise->times) times.push_back(glib::numberText(each));
-    for (const std::string& each : exercise->sweeps) sweeps.push_back(quoted(each));
-    if (!times.empty()) text += fmt::format("times = [{}]\n", fmt::join(times, ", "));
-    if (!sweeps.empty()) text += fmt::format("sweep = [{}]\n", fmt::join(sweeps, ", "));
-    return image::writeFileAtomically(file, std::as_bytes(std::span(text)), image::NamedBy::program);
+    if (!exercise || fs::exists(fs::symlink_status(to, failure))) return {};
+    const auto bytes = image::readFile(from, {from.string(), {}});
+    if (!bytes) return bytes.diagnostics;
+    const std::string text =
+        withSolution(base::asText(*bytes), fs::absolute(exercise->solution, failure).lexically_normal());
+    return image::writeFileAtomically(to, std::as_bytes(std::span(text)), image::NamedBy::program);
 }
 
 }  // namespace glibra::view

@@ -68,7 +68,7 @@ class Comparison {
 /// if there is none.
 std::filesystem::path solutionOf(const std::filesystem::path& scene);
 
-/// Writes the file of an exercise beside the copy of its scene, with the path of the solution from there.
+/// Writes the file of an exercise beside the copy of its scene, with the whole path of the solution.
 /// Does nothing without an exercise, or if the copy has such a file. Errors: file-E10.
 Diagnostics copyExercise(const std::filesystem::path& scene, const std::filesystem::path& copy);
 

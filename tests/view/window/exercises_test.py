@@ -80,6 +80,7 @@ class Exercises(WindowTest):
         own, other = (state["widgets"]["compare/" + each] for each in ("own", "other"))
         self.assertEqual(own[1:], other[1:], "side by side, of one size")
         self.assertLess(own[0] + own[2], other[0] + 1)
+        window.wait(lambda s: s["compare"]["check"].startswith("not solved yet: at uRed=0 its picture differs"))
         window.settle()
         self.assertEqual(self.pixel(window, *window.point("compare/own")), (64, 0, 0))
         self.assertEqual(self.pixel(window, *window.point("compare/other")), (64, 255, 0))
@@ -88,6 +89,7 @@ class Exercises(WindowTest):
         window.wait(lambda s: s.get("compare", {}).get("score") == [0, 0])
         window.settle()
         self.assertEqual(self.pixel(window, *window.point("compare/own")), (64, 255, 0))
+        window.wait(lambda s: s["compare"]["check"] == "solved, with 2 sets of values")
 
     def test_pictures_of_the_chosen_chapter_are_drawn_first(self):
         library = self.library()

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "view/session/comparison.h"
+#include "view/session/solution_check.h"
 #include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 
@@ -23,7 +24,7 @@ struct CompareWindow {
     std::unique_ptr<Comparison> comparison;  ///< null: nothing was chosen yet
     std::string problem;                     ///< why the other scene cannot be read
     std::optional<gpu::Texture> own, other;  ///< of the last pictures
-    bool isSolution = false;                 ///< of the tab's scene, an exercise
+    std::unique_ptr<SolutionCheck> check;    ///< null: the other scene is not the solution of the tab's
     bool needsFrames = false;
 };
 
@@ -59,19 +60,22 @@ void sideBySide(Ui& ui, CompareWindow& window) {
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float lines = 3 * ImGui::GetTextLineHeightWithSpacing();
+    const float lines = (window.check ? 4 : 3) * ImGui::GetTextLineHeightWithSpacing();
     const float shape = static_cast<float>(ui.session.width()) / static_cast<float>(ui.session.height());
     const float width = std::max(16.F, std::min((room.x - gap) / 2, (room.y - lines) * shape));
     const ImVec2 size(width, width / shape);
     picture(ui, "yours", "compare/own", window.own, size);
     ImGui::SameLine();
-    picture(ui, window.isSolution ? "the solution" : "the other", "compare/other", window.other, size);
+    picture(ui, window.check ? "the solution" : "the other", "compare/other", window.other, size);
     if (const std::string problem = comparison.problem(); !problem.empty())
         ImGui::TextWrapped("%s", problem.c_str());
     else if (ui.session.isMoving())
         ImGui::TextDisabled("The difference is measured while the time stands still.");
     else if (const std::optional<Comparison::Score> score = comparison.score())
         ImGui::Text("FLIP %.3f, structure %.3f (0: no difference)", score->flip, score->structure);
+    if (!window.check) return;
+    if (window.check->follow(ui.session)) window.needsFrames = true;
+    if (const std::string text = window.check->text(); !text.empty()) ImGui::TextWrapped("%s", text.c_str());
 }
 
 class ComparePanel final : public Panel {
@@ -84,7 +88,8 @@ class ComparePanel final : public Panel {
         window_.comparison = std::make_unique<Comparison>(ui.context, ui.session.renderOptions());
         window_.comparison->setContained(true);
         window_.problem = window_.comparison->open(scene);
-        window_.isSolution = scene == solutionOf(ui.session.path());
+        if (scene == solutionOf(ui.session.path()))
+            window_.check = std::make_unique<SolutionCheck>(ui.context, ui.session.renderOptions());
         isOpen = true;
     }
     void show(Ui& ui) override {
@@ -107,15 +112,18 @@ class ComparePanel final : public Panel {
                                        {"problem", window_.problem}};
         if (const std::optional<Comparison::Score> score = window_.comparison->known())
             json["score"] = {score->flip, score->structure};
+        if (window_.check) json["check"] = window_.check->text();
         state["compare"] = json;
     }
     void releaseDevice() override {
         window_.own.reset();
         window_.other.reset();
         if (window_.comparison) window_.comparison->releaseDevice();
+        if (window_.check) window_.check->releaseDevice();
     }
     void restoreDevice() override {
         if (window_.comparison) window_.comparison->restoreDevice();
+        if (window_.check) window_.check->restoreDevice();
     }
 
   private:
