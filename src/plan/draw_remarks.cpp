@@ -203,7 +203,10 @@ void DrawRemarks::reportPrecision(const scene::Draw& draw, PlannedProgramIndex i
                         "distance between them for the depth to tell them apart; raise near or lower far",
                         numberText(lens.near), numberText(lens.far), kVisible * lens.near / kFloatError));
 
-    // The runtime multiplies in double precision, shaders in floats.
+    if (lens.near <= 0 || draw.isFill || draw.isSky) return;
+    // The runtime multiplies in double precision, shaders in floats. A matrix that a tag gives may be one of
+    // them.
+    double farthest = 0;  // from the origin
     const auto reads = [&](auto... wanted) {
         return std::ranges::any_of(programs_[index].values, [&](const UniformBinding& each) {
             const auto* supplied = std::get_if<Supplied>(&each.value);
@@ -211,17 +214,25 @@ void DrawRemarks::reportPrecision(const scene::Draw& draw, PlannedProgramIndex i
         });
     };
     using enum glsl::Builtin;
-    if (!reads(model) || !reads(view, viewProjection) || reads(modelView, modelViewProjection)) return;
     const glm::dvec3 place(draw.model[3]), seen(draw.modelView[3]);
+    if (reads(model) && reads(view, viewProjection) && !reads(modelView, modelViewProjection))
+        farthest = glm::length(place);
+    for (const UniformBinding& each : programs_[index].values) {
+        const auto* literal = std::get_if<Literal>(&each.value);
+        if (literal == nullptr || literal->values.size() != 16) continue;
+        const std::vector<double>& m = literal->values;
+        if (m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1)
+            farthest = std::max(farthest, glm::length(glm::dvec3(m[12], m[13], m[14])));
+    }
     const double distance = std::max(glm::length(seen), lens.near);
-    const double error = glm::length(place) * kFloatError;
+    const double error = farthest * kFloatError;
     constexpr double kPixel = 1e-3;  // of the distance
     if (error <= kPixel * distance) return;
     warn(
         fmt::format("program '{}' multiplies the model and the view matrix itself, in 32-bit floats, whose "
                     "places are off by {:.2g} at {:.3g} from the origin; read their product, as "
                     "modelViewMatrix, or move the scene towards the origin",
-                    programs_.declared(programs_[index].variant.program)->name, error, glm::length(place)));
+                    programs_.declared(programs_[index].variant.program)->name, error, farthest));
 }
 
 void DrawRemarks::reportIgnoredPointSize(const scene::Draw& draw, PlannedProgramIndex index,
