@@ -240,12 +240,12 @@ TEST(Counts, ThatAreCutAreReportedOnceForLiteralsAndExpressions) {
           "Let n 2.5\nRepeat (n)\nSphere 1\nEndRepeat\n", "Buffer b float 2.5\n", "Buffer b float (5/2)\n",
           "Texture2D t 2.5 2 rgba8\n", "Texture2D t (5/2) 2 rgba8\n", "Instances 2.5\nSphere 1\n",
           "Instances (5/2)\nSphere 1\n", "Vertices points 2.5\n", "Vertices points (5/2)\n",
-          "Let a[2.5] (i)\n", "Let a[(5/2)] (i)\n", "Repeat 9\nSphere 1 (5/2)\nEndRepeat\n"})
+          "Let a[(5/2)] (i)\n", "Repeat 9\nSphere 1 (9/2)\nEndRepeat\n"})
         EXPECT_EQ(tests::idsOf(tests::run(text).diagnostics), "glib-W27") << text;
     // What follows the window or the time is cut on purpose.
     EXPECT_EQ(
         tests::idsOf(tests::run("Texture2D t (window.x/7) (window.y/7) rgba8\nRepeat (2.5 + time)\nSphere 1 "
-                                "(2.5 + time)\nEndRepeat\n")
+                                "(7.5 + time)\nEndRepeat\n")
                          .diagnostics),
         "");
 }
@@ -254,10 +254,10 @@ TEST(Floats, ThatNoFloatHoldsAreReportedWhereTheyAreStored) {
     for (const char* text :
          {"Pass window clear {(1e39) 0 0}\nEndPass\n", "Attribute a (1e39)\nSphere 1\n",
           "TessLevels (1e39) 1 1 1 1 1\nSphere 1\n", "Light 0 position (vec3(1e39))\nSphere 1\n",
-          "Light 0 position 1e39 0 0\nSphere 1\n", "State blendcolor {(1e39) 0 0 0}\nSphere 1\n",
+          "Light 0 position 1e39 0 0\nSphere 1\n", "State blendcolor (1e39) 0 0 0\nSphere 1\n",
           "Camera eye LookAt 0 0 (1e39) 0 0 0 0 1 0 Perspective 50 .1 100\nSphere 1\n",
           "Camera eye (2*mat4(1e39)) (mat4(1))\nSphere 1\n", "Let c {(1e39) 0 0}\n",
-          "Translate (1e39) 0 0\nBox 1\n", "Background (1e39) 0 0\nLet x 1\n"})
+          "Translate (2*1e39) 0 0\nBox 1\n", "Background (2*1e39) 0 0\nLet x 1\n"})
         EXPECT_NE(tests::idsOf(tests::run(text).diagnostics).find("glib-E05"), std::string::npos) << text;
     EXPECT_EQ(tests::textsOf(tests::run("Let x (1e300)\nLet y 1e300\nBuffer b double [1e300]\n").diagnostics),
               "");
