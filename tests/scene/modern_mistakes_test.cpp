@@ -224,11 +224,14 @@ TEST(Counts, OfExpressionsAreTheWholeNumbersThatRoundingErrorsMissed) {
         "EndRepeat\nInstances (.6/.1)\nVertices points (.29*100)\n");
     EXPECT_EQ(tests::textsOf(scene.diagnostics), "");
     EXPECT_EQ(scene.buffers[*scene.buffers.indices().begin()].count, 6U);
+    int sizes = 0;
     for (const Texture& each : scene.textures) {
         if (each.name != "t") continue;
+        ++sizes;
         EXPECT_EQ(std::get<EmptySource>(each.source).width, 7);
         EXPECT_EQ(std::get<EmptySource>(each.source).height, 29);
     }
+    EXPECT_EQ(sizes, 1);
     const std::vector<Draw> draws = tests::drawsOf(scene);
     ASSERT_EQ(draws.size(), 30U);
     EXPECT_EQ(scene.shapes[draws.front().shape].numbers.at(1), 6);
