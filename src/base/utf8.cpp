@@ -32,6 +32,39 @@ bool isUnsafe(std::uint32_t code) {
     return false;
 }
 
+/// What nobody sees: "no-break space". Empty for other characters.
+std::string_view invisibleName(std::uint32_t code) {
+    switch (code) {
+        case 0x00A0:
+        case 0x202F:
+            return "no-break space";
+        case 0x00AD:
+            return "soft hyphen";
+        case 0x200B:
+            return "zero-width space";
+        case 0x200C:
+        case 0x200D:
+            return "zero-width joiner";
+        case 0x200E:
+        case 0x200F:
+            return "mark of direction";
+        case 0x2028:
+        case 0x2029:
+            return "line separator";
+        case 0x2060:
+            return "word joiner";
+        case 0x3000:
+            return "ideographic space";
+        case 0xFEFF:
+            return "byte order mark";
+        default:
+            break;
+    }
+    const bool isBlank = code == 0x1680 || (code >= 0x2000 && code <= 0x200A) || code == 0x205F;
+    if (isBlank) return "wide or narrow blank";
+    return isUnsafe(code) ? "invisible character" : "";
+}
+
 }  // namespace
 
 Character firstCharacter(std::string_view text) {
@@ -79,6 +112,13 @@ void appendUtf8(std::string& text, std::uint32_t code) {
         put(0x80U | (code >> 6U & 0x3FU));
         put(0x80U | (code & 0x3FU));
     }
+}
+
+std::string visibleCharacter(std::string_view text) {
+    const Character first = firstCharacter(text);
+    const std::string_view name = invisibleName(first.code);
+    if (name.empty()) return fmt::format("'{}'", text.substr(0, first.bytes));
+    return fmt::format("'\\u{:04x}' ({})", first.code, name);
 }
 
 std::string printableText(std::string_view text, bool keepLines) {

@@ -28,6 +28,10 @@ bool isUtf8(std::string_view text);
 /// Appends the character, which must be valid.
 void appendUtf8(std::string& text, std::uint32_t code);
 
+/// The first character in quotes, and one that nobody sees by its number and name: "'\u00a0' (no-break
+/// space)".
+std::string visibleCharacter(std::string_view text);
+
 /// Returns the text for a terminal or a line of a log. What could move the cursor, change the terminal's
 /// state or reorder what is shown is written out: control characters and bytes that are not UTF-8 as \x1b, C1
 /// controls, directional marks, invisible characters and line separators as \u202e or \U000e0001. A tab

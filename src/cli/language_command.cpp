@@ -23,7 +23,9 @@
 #include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/modern/statement_table.h"
+#include "glsl/types/builtins.h"
 #include "image/file.h"
+#include "plan/declared_uniform.h"
 #include "scene/shader_names.h"
 
 namespace glibra::cli {
@@ -105,6 +107,43 @@ std::string expressionReference(std::string_view word) {
     };
     for (const expression::NameRow& each : expression::sceneNames()) add("", each);
     for (const expression::NameRow& each : expression::cameraFields()) add("camera.", each);
+    return text;
+}
+
+struct WordRow {
+    std::string_view word, form, meaning;
+};
+/// Words that follow a name of the scene, and names that are supplied in one place only.
+constexpr WordRow kOtherWords[] = {
+    {"prev", "NAME.prev", "an object with history, or a camera, as it was in the frame or step before"},
+    {"size", "TEXTURE.size", "width, height, and depth or layers of a texture"},
+    {"count", "BUFFER.count", "the number of elements of a buffer"},
+    {"level", "TEXTURE.level(n)", "a mipmap level of a texture, from 0"},
+    {"layer", "TEXTURE.layer(n)", "a layer of an array, or a slice of a 3D texture, from 0"},
+    {"face", "CUBE.face(n)", "a face of a cube map: 0 to 5 are +x -x +y -y +z -z"},
+    {"index", "NAME.index", "the number of the round of a Repeat over words or values, from 0"},
+    {"vertices", "MESH.vertices", "the number of vertices of a Mesh"},
+    {"primitives", "MESH.primitives", "the number of primitives of a Mesh"},
+    {"vST", "in vec2 vST;", "the place in the target, 0 to 1, in a fragment stage of Fill"},
+};
+
+/// What a uniform or vertex input of that name reads in a modern scene that sets it nowhere
+/// (language, 12.10).
+std::string wellKnownReference(std::string_view word) {
+    std::string text;
+    for (const char* type : {"mat4", "mat3", "vec3"})
+        if (const auto value = glsl::wellKnownUniform(word, type))
+            text += fmt::format("{:<38} {}\n{:<38} {} uniform, in modern scenes\n", word,
+                                plan::describeValue(*value), "", type);
+    for (const char* type : {"vec4", "vec3"}) {
+        const std::string_view attribute = glsl::wellKnownAttribute(word, type);
+        if (attribute.empty()) continue;
+        text += fmt::format("{:<38} the {} of the vertex\n{:<38} {} vertex input, in modern scenes\n", word,
+                            attribute, "", type);
+        break;
+    }
+    for (const WordRow& each : kOtherWords)
+        if (each.word == word) text += fmt::format("{:<38} {}\n", each.form, each.meaning);
     return text;
 }
 
@@ -202,7 +241,7 @@ int runLanguageCommand(const LanguageArguments& arguments) {
     if (statement != nullptr) fmt::print("{}", reference(*statement));
     const std::vector<ShaderName> names = findShaderNames(arguments.word);
     for (const ShaderName& each : names) fmt::print("{}", reference(each));
-    std::string others = expressionReference(arguments.word);
+    std::string others = expressionReference(arguments.word) + wellKnownReference(arguments.word);
     if (command == nullptr && statement == nullptr) others += wordReference(arguments.word);
     fmt::print("{}", others);
     if (command != nullptr || statement != nullptr || !names.empty() || !others.empty()) return kDone;

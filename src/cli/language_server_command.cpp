@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,6 +35,11 @@ bool takeInput(editor::MessageReader& reader, int milliseconds) {
     return count > 0;
 }
 
+/// True if there is a process of that number. One that belongs to somebody else counts.
+bool isRunning(long long process) {
+    return process > 0 && (::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH);
+}
+
 /// True if more input is there, or comes within the time.
 bool isTyping(int milliseconds) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
@@ -51,11 +58,16 @@ int serve() {
         for (const std::string& each : server.takeOutput()) bytes += editor::framed(each);
         return base::writeAll(STDOUT_FILENO, bytes) == 0;
     };
+    std::optional<long long> client;  // a number of another machine or container names nobody here
     for (bool isOpen = true; isOpen && !server.exitStatus();) {
-        isOpen = takeInput(reader, -1);
+        constexpr int kLook = 2000;  // milliseconds after which the client is looked for
+        isOpen = takeInput(reader, client ? kLook : -1);
+        if (client && !isRunning(*client)) return kDiffers;
         while (const std::optional<std::string> message = reader.next())
             if (!server.receive(*message)) reader.refuse(*message);
         server.answer();
+        if (!client && server.clientProcess() && isRunning(*server.clientProcess()))
+            client = server.clientProcess();
         if (!deliver()) return kDiffers;
         if (reader.isLost()) {
             printLine(

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/texel_format.h"
 #include "base/text.h"
 #include "editor/declared_names.h"
 #include "editor/glsl_reference.h"
@@ -115,6 +116,15 @@ void addStatementWords(Collector& words, std::string_view name) {
     if (statement)
         for (const std::string& each : glib::wordsOf(*statement))
             words.add(each, "word of " + std::string(statement->name));
+    if (statement && statement->syntax.find("format:word") != std::string_view::npos)
+        for (const base::TexelFormatRow& each : base::texelFormats()) words.add(each.name, "format");
+}
+
+/// True for a classic command that takes numbers alone. A name stands only in the parentheses of an
+/// expression.
+bool takesNumbersOnly(std::string_view name) {
+    const glib::CommandRow* command = glib::findCommand(name);
+    return command && command->form == glib::ArgumentForm::numbers && !glib::modernFormOf(name);
 }
 
 /// The names that statements of the text declare: `Texture2D glow`, `Let size`.
@@ -157,6 +167,7 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed,
         addStatementWords(words, statement);
         words.nextGroup();
     }
+    if (!isExpression && takesNumbersOnly(statement)) return;
     addDeclaredNames(words, text, typed.begin);
     for (const KnownName& each : names)
         if (each.in == CodeLanguage::glib) words.add(each.name, each.type, each.what);

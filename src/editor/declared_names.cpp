@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <limits>
 #include <set>
 
 #include "base/text.h"
@@ -35,6 +36,13 @@ class Reader {
         readMacros();
         for (const glsl::Token& each : glsl::lex(text_, storage_))
             if (glsl::isSignificant(each.kind)) tokens_.push_back(each);
+        std::vector<std::size_t> around;
+        for (std::size_t at = 0; at < tokens_.size(); ++at) {
+            const std::string_view word = wordAt(at);
+            if ((word == ")" || word == "}") && !around.empty()) around.pop_back();
+            open_.push_back(around.empty() ? tokens_.size() : around.back());
+            if (word == "(" || word == "{") around.push_back(at);
+        }
     }
 
     std::vector<DeclaredName> read() {
@@ -63,8 +71,11 @@ class Reader {
             const std::string_view whole = std::string_view(text_).substr(begin, end - begin);
             if (const std::string_view name = wordOfDirective(whole, "define"); !name.empty()) {
                 const std::size_t first = whole.find('#');
-                found_.push_back(
-                    {std::string(name), "macro", std::string(whole.substr(first)), line, false, false});
+                DeclaredName& macro = found_.emplace_back();
+                macro.name = name;
+                macro.type = "macro";
+                macro.declaration = whole.substr(first);
+                macro.line = line;
             }
             const std::size_t first = whole.find_first_not_of(kSpacesAndTabs);
             if (first != std::string_view::npos && whole[first] == '#')
@@ -93,8 +104,41 @@ class Reader {
     }
 
     void add(std::size_t at, std::string type, std::string declaration, bool isFunction) {
-        found_.push_back({std::string(wordAt(at)), std::move(type), std::move(declaration),
-                          static_cast<int>(tokens_[at].line), isFunction, false});
+        DeclaredName& name = found_.emplace_back();
+        name.name = wordAt(at);
+        name.type = std::move(type);
+        name.declaration = std::move(declaration);
+        name.line = placeOf(at).line;
+        name.column = placeOf(at).column;
+        name.isFunction = isFunction;
+        if (!isFunction) setScope(at, name);
+    }
+
+    [[nodiscard]] CodePlace placeOf(std::size_t at) const {
+        if (at >= tokens_.size()) return {std::numeric_limits<int>::max(), 1};
+        return {static_cast<int>(tokens_[at].line), static_cast<int>(tokens_[at].column)};
+    }
+
+    /// Where the name that is declared there ends, or what it is a member of.
+    void setScope(std::size_t at, DeclaredName& name) const {
+        const std::size_t open = open_[at];
+        if (open == tokens_.size()) return;
+        if (wordAt(open) == "(") {  // of a function, or of a loop
+            const std::size_t after = afterBrackets(open, "(", ")");
+            std::size_t end = after;
+            if (wordAt(after) == "{")
+                end = afterBrackets(after, "{", "}") - 1;
+            else if (wordAt(open - 1) == "for")
+                while (end < tokens_.size() && wordAt(end) != ";") ++end;
+            name.scopeEnd = placeOf(end);
+            return;
+        }
+        const bool isBlock = open > 1 && isName(open - 1) && isInterfaceWord(wordAt(open - 2));
+        const bool isStructure =
+            open > 0 && (wordAt(open - 1) == "struct" || (open > 1 && wordAt(open - 2) == "struct"));
+        const std::size_t after = afterBrackets(open, "{", "}");
+        name.isMember = isStructure || (isBlock && wordAt(after) != ";");
+        if (!isStructure && !isBlock) name.scopeEnd = placeOf(after - 1);
     }
 
     /// The token after brackets that begin at `at`.
@@ -169,6 +213,7 @@ class Reader {
     std::string text_;
     std::deque<std::string> storage_;
     std::vector<glsl::Token> tokens_;
+    std::vector<std::size_t> open_;  ///< for each token the bracket around it; the number of all tokens: none
     std::set<std::string, std::less<>> types_;
     std::vector<DeclaredName> found_;
 };
@@ -177,6 +222,23 @@ class Reader {
 
 std::vector<DeclaredName> declaredNames(std::string_view glsl) {
     return Reader(glsl).read();
+}
+
+const DeclaredName* declarationOf(const std::vector<DeclaredName>& all, std::string_view name, CodePlace at,
+                                  bool isMember) {
+    const DeclaredName *found = nullptr, *other = nullptr;
+    for (const DeclaredName& each : all) {
+        if (each.name != name) continue;
+        const CodePlace begin{each.line, each.column};
+        const bool isSeen = isMember || (begin <= at && (!each.scopeEnd || at <= *each.scopeEnd));
+        if (each.isMember != isMember || !isSeen) {
+            if (other == nullptr && each.isMember == isMember && !each.scopeEnd)
+                other = &each;  // further down
+            continue;
+        }
+        if (found == nullptr || (!isMember && CodePlace{found->line, found->column} < begin)) found = &each;
+    }
+    return found != nullptr ? found : other;
 }
 
 int versionOf(std::string_view glsl) {

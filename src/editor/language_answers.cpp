@@ -50,17 +50,10 @@ std::string_view textAt(std::string_view text, const TextRange& range) {
 TextRange placeOf(const DeclaredName& name, std::string_view text, const TextLines& lines,
                   std::size_t linesBefore) {
     const TextRange line = lines.line(static_cast<std::size_t>(std::max(name.line, 1)) - 1 + linesBefore);
-    for (std::size_t at = line.begin; (at = text.find(name.name, at)) < line.end; ++at)
+    for (std::size_t at = line.begin + static_cast<std::size_t>(std::max(name.column, 1)) - 1;
+         (at = text.find(name.name, at)) < line.end; ++at)
         if (const TextRange word = wordAt(text, at); textAt(text, word) == name.name) return word;
     return {line.begin, line.begin};
-}
-
-/// The last declaration of a name up to a line, or else the first one; null if there is none.
-const DeclaredName* declarationOf(const std::vector<DeclaredName>& all, std::string_view name, int line) {
-    const DeclaredName* found = nullptr;
-    for (const DeclaredName& each : all)
-        if (each.name == name && (!found || each.line <= line)) found = &each;
-    return found;
 }
 
 std::vector<NamedFile> namedFiles(const Document& document) {
@@ -75,7 +68,7 @@ std::vector<NamedFile> namedFiles(const Document& document) {
 const Document& LanguageServer::documentOf(const json& parameters) const {
     const auto uri = parameters.at("textDocument").at("uri").get<std::string>();
     if (const Document* document = documents_.find(uri)) return *document;
-    throw std::runtime_error(fmt::format("'{}' is not open", uri));
+    throw std::invalid_argument(fmt::format("'{}' is not open", uri));
 }
 
 CodeContext LanguageServer::contextOf(const Document& document) const {
@@ -163,9 +156,12 @@ json LanguageServer::definition(const json& parameters) {
     const LanguageAt at = languageAt(text, byte, {document.language, std::nullopt, {}});
     if (at.language == CodeLanguage::glsl) {
         const std::size_t before = lines.position(at.part.begin).line;
-        const auto line = static_cast<int>(lines.position(byte).line - before) + 1;
+        const std::size_t begin = wordAt(text, byte).begin, row = lines.position(byte).line;
+        const CodePlace place{static_cast<int>(row - before) + 1,
+                              static_cast<int>(begin - lines.line(row).begin) + 1};
+        const bool isMember = begin > 0 && text[begin - 1] == '.';
         const std::vector<DeclaredName> own = declaredNames(textAt(text, at.part));
-        if (const DeclaredName* each = declarationOf(own, name, line))
+        if (const DeclaredName* each = declarationOf(own, name, place, isMember))
             return linkTo(document.file, text, placeOf(*each, text, lines, before));
     } else {
         for (const Declaration& each : declarationsOf(text))

@@ -132,10 +132,14 @@ void LanguageServer::handle(const json& message) {
             request(method, id, parameters);
         else
             notify(method, parameters);
-    } catch (const json::exception& wrong) {
+    } catch (const json::exception&) {
+        if (isRequest)
+            fail(id, kInvalidParameters,
+                 fmt::format("'{}' has other parameters than the protocol says", method));
+    } catch (const std::invalid_argument& wrong) {
         if (isRequest) fail(id, kInvalidParameters, wrong.what());
-    } catch (const std::exception& failure) {
-        if (isRequest) fail(id, kInternalError, failure.what());
+    } catch (const std::exception&) {
+        if (isRequest) fail(id, kInternalError, fmt::format("'{}' cannot be answered", method));
     }
 }
 
@@ -182,8 +186,11 @@ void LanguageServer::notify(const std::string& method, const json& parameters) {
     }
 }
 
-json LanguageServer::initialize(const json&) {
+json LanguageServer::initialize(const json& parameters) {
     isInitialized_ = true;
+    if (const json process = parameters.is_object() ? parameters.value("processId", json()) : json();
+        process.is_number_integer())
+        clientProcess_ = process.get<long long>();
     json capabilities = {
         {"positionEncoding", "utf-16"},
         {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
@@ -221,9 +228,21 @@ void LanguageServer::changed(const Document& document) {
     for (const auto& [scene, check] : checks_) {
         if (!check.uses(document.file)) continue;
         due_.insert(scene);
-        isUsed = true;
+        isUsed = isUsed || scene != document.file;
     }
-    if (!isUsed) findScenesOf(document);
+    if (isUsed) return;
+    findScenesOf(document);
+    if (stageOfFile(document.file)) due_.insert(document.file);
+}
+
+bool LanguageServer::isShader(const std::filesystem::path& file) const {
+    const Document* const document = documents_.findFile(file);
+    return document != nullptr && document->language == CodeLanguage::glsl;
+}
+
+bool LanguageServer::isInScene(const std::filesystem::path& shader) const {
+    return std::ranges::any_of(
+        checks_, [&](const auto& each) { return each.first != shader && each.second.uses(shader); });
 }
 
 void LanguageServer::findScenesOf(const Document& shader) {
@@ -253,8 +272,11 @@ void LanguageServer::findScenesOf(const Document& shader) {
 
 void LanguageServer::work() {
     if (due_.empty()) return;
-    const std::filesystem::path scene = *due_.begin();
-    due_.erase(due_.begin());
+    // A shader is checked by itself if none of the scenes turns out to use it.
+    const auto next = std::ranges::find_if_not(due_, [this](const auto& each) { return isShader(each); });
+    const std::filesystem::path scene = next != due_.end() ? *next : *due_.begin();
+    due_.erase(scene);
+    if (isShader(scene) && isInScene(scene)) return forget(scene);
     RenderOptions options;
     options.libraryRoots = options_.libraryRoots;
     for (const auto& [uri, each] : documents_.all()) options.texts[each.file] = each.text;
@@ -283,6 +305,8 @@ void LanguageServer::report(const std::filesystem::path& scene, const SceneCheck
         checks_[scene] = check;
     }
     publish(files);
+    for (const std::filesystem::path& each : check.files)
+        if (each != scene && isShader(each)) forget(each);
 }
 
 void LanguageServer::forget(const std::filesystem::path& scene) {

@@ -20,7 +20,7 @@ namespace glibra::editor {
 struct ServerOptions {
     std::vector<std::filesystem::path> libraryRoots{};
     std::string version{};
-    /// Checks a scene; the default is checkContained.
+    /// Checks a scene, or a shader that none uses; the default is checkContained.
     std::function<ContainedCheck(const std::filesystem::path&, const RenderOptions&)> check{};
 };
 
@@ -41,6 +41,8 @@ class LanguageServer {
     std::vector<std::string> takeOutput();
     /// The exit status, once the client has said `exit`: 0 after `shutdown`, otherwise 1.
     [[nodiscard]] std::optional<int> exitStatus() const { return exitStatus_; }
+    /// The process of the client, if it has said which: the server ends with it.
+    [[nodiscard]] std::optional<long long> clientProcess() const { return clientProcess_; }
 
   private:
     using json = nlohmann::json;
@@ -73,6 +75,9 @@ class LanguageServer {
     /// True if the editor has opened the scene or a file of it.
     [[nodiscard]] bool isShown(const std::filesystem::path& scene, const SceneCheck& check) const;
     void changed(const Document& document);
+    /// True for a file that the editor has opened as a shader.
+    [[nodiscard]] bool isShader(const std::filesystem::path& file) const;
+    [[nodiscard]] bool isInScene(const std::filesystem::path& shader) const;
     /// Scenes that are not open and use the shader: those of the folders of the library around it.
     void findScenesOf(const Document& shader);
     void report(const std::filesystem::path& scene, const SceneCheck& check);
@@ -84,12 +89,13 @@ class LanguageServer {
     std::vector<json> waiting_;
     std::set<std::string> cancelled_;  ///< ids of requests, as JSON texts
     std::vector<std::string> output_;
-    std::set<std::filesystem::path> due_;                 ///< scenes to check
-    std::map<std::filesystem::path, SceneCheck> checks_;  ///< of scenes
+    std::set<std::filesystem::path> due_;                 ///< scenes to check, and shaders that may have none
+    std::map<std::filesystem::path, SceneCheck> checks_;  ///< of these
     std::set<std::filesystem::path> published_;           ///< files with messages
     bool isInitialized_ = false;
     bool isShutDown_ = false;
     std::optional<int> exitStatus_;
+    std::optional<long long> clientProcess_;
 };
 
 }  // namespace glibra::editor

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -15,7 +16,9 @@
 #include "editor/error_directives.h"
 #include "glib/limits.h"
 #include "glsl/translate.h"
+#include "gpu/context/context.h"
 #include "plan/frame_plan.h"
+#include "render/check/scene_check.h"
 #include "render/consequences.h"
 #include "render/load/program_sources.h"
 #include "render/scene_renderer.h"
@@ -26,7 +29,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLargestAnswer = std::size_t{16} << 20U;
+constexpr std::size_t kLargestAnswer = std::size_t{32} << 20U;  // both answers of checkContained
 constexpr double kSeconds = 10;
 
 /// The variants of all programs: those that draws and dispatches use, then the others.
@@ -199,7 +202,9 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
     }
 }
 
-SceneCheck checkScene(const std::filesystem::path& scene, const RenderOptions& options) {
+namespace {
+
+SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions& options) {
     SceneCheck check;
     const auto text = options.texts.find(scene);
     if (text != options.texts.end() && text->second.size() > glib::kLargestFile) {
@@ -228,7 +233,78 @@ SceneCheck checkScene(const std::filesystem::path& scene, const RenderOptions& o
     return check;
 }
 
-ContainedCheck checkContained(const std::filesystem::path& scene, const RenderOptions& options) {
+/// The messages with what a driver says. Nothing without a driver.
+std::optional<Diagnostics> askDriver(const std::filesystem::path& scene, const RenderOptions& options) {
+    Result<gpu::Context> context = gpu::openContext();
+    if (!context) return std::nullopt;
+    Diagnostics found = render::checkScene(*context, scene, options).diagnostics;
+    removeEqual(found);
+    return found;
+}
+
+/// A scene with the shader in its simplest program.
+std::string sceneAround(const std::filesystem::path& shader, glsl::Stage stage) {
+    const std::string version = "#version 410\n";
+    const std::string vertex =
+        "Vertex inline\n" + version + "void main() { gl_Position = vec4(0.); }\nEndVertex\n";
+    const std::string fragment =
+        "Fragment inline\n" + version + "out vec4 fColor;\nvoid main() { fColor = vec4(1.); }\nEndFragment\n";
+    const std::string evaluation =
+        "TessEvaluation inline\n" + version +
+        "layout(triangles) in;\nvoid main() { gl_Position = vec4(0.); }\nEndTessEvaluation\n";
+    const auto own = [&](const char* word) {
+        return fmt::format("{} \"{}\"\n", word, shader.filename().string());
+    };
+    const std::string end = "Let glibra_alone 1\nProgram Alone\n";  // a modern scene, which has buffers
+    switch (stage) {
+        case glsl::Stage::vertex:
+            return own("Vertex") + fragment + end;
+        case glsl::Stage::tessControl:
+            return vertex + own("TessControl") + evaluation + fragment + end;
+        case glsl::Stage::tessEvaluation:
+            return vertex + own("TessEvaluation") + fragment + end;
+        case glsl::Stage::geometry:
+            return vertex + own("Geometry") + fragment + end;
+        case glsl::Stage::compute:
+            return own("Compute") + end;
+        case glsl::Stage::fragment:
+            break;
+    }
+    return own("Fragment") + end;
+}
+
+/// What checks a file that is `scene`, or a shader that has none, with or without a driver.
+SceneCheck checkFile(const std::filesystem::path& file, const RenderOptions& options, bool asksDriver) {
+    const std::optional<glsl::Stage> stage = stageOfFile(file);
+    if (!stage) {
+        SceneCheck check = withoutDriver(file, options);
+        if (asksDriver)
+            if (auto found = askDriver(file, options)) check.diagnostics = *std::move(found);
+        return check;
+    }
+    std::filesystem::path around = file;
+    around += ".glib";
+    RenderOptions alone = options;
+    alone.texts[around] = sceneAround(file, *stage);
+    SceneCheck check = withoutDriver(around, alone);
+    if (asksDriver)
+        if (auto found = askDriver(around, alone)) check.diagnostics = *std::move(found);
+    check.names = {};
+    std::erase(check.files, around);
+    if (!check.uses(file)) check.files.push_back(file);
+    std::erase_if(check.diagnostics, [&](const Diagnostic& each) {
+        return each.severity != Severity::error || each.place.file == around || !check.uses(each.place.file);
+    });
+    return check;
+}
+
+}  // namespace
+
+SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& options) {
+    return checkFile(file, options, false);
+}
+
+ContainedCheck checkContained(const std::filesystem::path& file, const RenderOptions& options) {
     const base::SharedMemory memory(kLargestAnswer);
     const std::span<std::byte> bytes = memory.bytes();
     ContainedCheck result;
@@ -236,19 +312,25 @@ ContainedCheck checkContained(const std::filesystem::path& scene, const RenderOp
         result.failure = "there is no memory";
         return result;
     }
+    // Half of the memory is for each answer: the one without a driver, and the one with it, which may fail.
     // The first bytes are the length of the answer. It is written last.
+    const std::size_t half = bytes.size() / 2;
     const base::CallEnd end = base::runContained({.seconds = kSeconds}, [&] {
-        const std::string answer =
-            toJson(checkScene(scene, options)).dump(-1, ' ', false, json::error_handler_t::replace);
-        const std::size_t length = answer.size();
-        if (length + sizeof length > bytes.size()) return;
-        std::memcpy(bytes.data() + sizeof length, answer.data(), length);
-        std::memcpy(bytes.data(), &length, sizeof length);
+        for (const bool asksDriver : {false, true}) {
+            const std::string answer = toJson(checkFile(file, options, asksDriver))
+                                           .dump(-1, ' ', false, json::error_handler_t::replace);
+            const std::size_t length = answer.size();
+            if (length + sizeof length > half) return;
+            std::byte* const to = bytes.data() + (asksDriver ? half : 0);
+            std::memcpy(to + sizeof length, answer.data(), length);
+            std::memcpy(to, &length, sizeof length);
+        }
     });
-    std::size_t length = 0;
-    std::memcpy(&length, bytes.data(), sizeof length);
-    if (end.kind == base::CallEnd::Kind::finished && length > 0 && length <= bytes.size() - sizeof length) {
-        const auto* const begin = reinterpret_cast<const char*>(bytes.data()) + sizeof length;
+    for (const std::size_t at : {half, std::size_t{0}}) {
+        std::size_t length = 0;
+        std::memcpy(&length, bytes.data() + at, sizeof length);
+        if (length == 0 || length > half - sizeof length) continue;
+        const auto* const begin = reinterpret_cast<const char*>(bytes.data()) + at + sizeof length;
         const json answer = json::parse(begin, begin + length, nullptr, false);
         if (!answer.is_discarded()) {
             result.check = fromJson(answer);

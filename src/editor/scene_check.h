@@ -1,7 +1,5 @@
 #pragma once
-// What can be said about a scene and its shaders without a graphics driver: the messages of `glibra check`
-// that come from the text of the scene, its files and the translation of its shaders, and the names that it
-// gives to them. What a driver says of a shader or a plan of a picture is left out.
+// The messages of `glibra check` about a scene and its shaders, and the names that it gives to them.
 
 #include <glibra/render.h>
 
@@ -53,15 +51,19 @@ struct SceneCheck {
     }
 };
 
-/// Checks a scene. RenderOptions::texts has the texts that are not saved. Does not throw.
-SceneCheck checkScene(const std::filesystem::path& scene, const RenderOptions& options);
+/// Checks a scene without a graphics driver: its text, its files and the translation of its shaders. A file
+/// with the suffix of a shader is checked in a program with the simplest stages that it needs: the errors in
+/// its own text and in what it includes. RenderOptions::texts has the texts that are not saved. Does not
+/// throw.
+SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& options);
 
-/// The same in a process of its own, so that a scene that takes too long, or all memory, affects nothing
-/// else. It then has no diagnostics, and `failure` says why.
+/// The same in a process of its own, which asks a graphics driver, too, if there is one. A text
+/// that takes too long, or all memory, affects nothing else: what is known without the driver counts. Without
+/// that there are no diagnostics, and `failure` says why.
 struct ContainedCheck {
     SceneCheck check;
     std::string failure;
 };
-ContainedCheck checkContained(const std::filesystem::path& scene, const RenderOptions& options);
+ContainedCheck checkContained(const std::filesystem::path& file, const RenderOptions& options);
 
 }  // namespace glibra::editor

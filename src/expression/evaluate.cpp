@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.h"
 #include "expression/code.h"
 
 namespace glibra::expression {
@@ -44,9 +45,9 @@ void compare(double*& top, const Comparison& comparison) {
     top[-1] = comparison(top[-1], top[0]) ? 1 : 0;
 }
 
-/// The index of an element, cut toward zero; `count` if there is no such element.
+/// The index of an element; `count` if there is no such element.
 std::size_t elementAt(double subscript, std::size_t count) {
-    const double whole = std::trunc(subscript);
+    const double whole = base::wholeNumber(subscript).value;
     return whole >= 0 && whole < static_cast<double>(count) ? static_cast<std::size_t>(whole) : count;
 }
 
@@ -173,7 +174,8 @@ class Machine {
     }
 
     static std::string outOfRange(double subscript, std::size_t count) {
-        return fmt::format("subscript {} is not between 0 and {}", std::trunc(subscript) + 0.0, count - 1);
+        return fmt::format("subscript {} is not between 0 and {}", base::wholeNumber(subscript).value,
+                           count - 1);
     }
 
     std::optional<Problem> load(const Instruction& i, std::size_t element) {

@@ -234,7 +234,7 @@ Parser::Parsed Parser::subscript(std::size_t count) {
         return problem(index->range, "expr-E03",
                        fmt::format("a subscript is a number, found {}", name(index->type)));
     if (index->isConstant) {
-        const double value = std::trunc(build_.valueOf(*index)[0]) + 0.0;
+        const double value = base::wholeNumber(build_.valueOf(*index)[0]).value;
         if (!(value >= 0 && value < static_cast<double>(count)))
             return problem(index->range, "expr-E06",
                            fmt::format("subscript {} is not between 0 and {}", value, count - 1));

@@ -148,6 +148,10 @@ constexpr CatalogueRow kCatalogueRows[] = {
      "Dispatch: 281,462,092,005,375 groups in all; this driver counts at most 2,147,483,647, and does not "
      "run "
      "the others; dispatch fewer groups, or divide them with tiles"},
+    {"draw-W19",
+     "near 1e-06 and far 1000000: beyond .168 from the eye, surfaces need more than 1% of their distance "
+     "between "
+     "them for the depth to tell them apart; raise near or lower far"},
     {"draw-N01", "no LookAt, so the eye is moved back by 4.125 along z (use --eye glman to switch this off)"},
     {"draw-N02", "the picture has only one colour"},
     {"draw-N03",
@@ -169,7 +173,9 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-E05", "no shader has a structure 'Particle', which is the type of buffer 'particles'"},
     {"memory-E06", "Dispatch: 100,000 groups along y; this driver allows 65,535"},
     {"memory-E07",
-     "'life' lasts, because Step writes it (line 14), so the frame may only read it; write it in Step"},
+     "'life' lasts, because Step writes it (line 14), so the frame may only read it; write it in Step, or "
+     "declare "
+     "it readonly in the shaders here, because what is not readonly counts as written"},
     {"memory-E08",
      "the picture at 20000 s needs 200,000 steps; the limit is 100,000 (--steps N allows more)"},
     {"memory-E09",

@@ -267,7 +267,7 @@ ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint
     if (!number->finite)
         log.report("glib-E05", fmt::format("{} is too large for a 32-bit float", inQuotes(text)),
                    token.position);
-    return {number->value, text};
+    return {number->finite ? number->value : 0, text};
 }
 
 LineSplitter::LineSplitter(std::string_view text) : text_(text) {

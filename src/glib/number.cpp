@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
+#include "base/number.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -19,9 +22,6 @@ std::size_t digitsAt(std::string_view text, std::size_t at) {
     while (end < text.size() && isDigit(text[end])) ++end;
     return end - at;
 }
-
-/// Doubles from here on round to infinity in 32 bits: the largest float plus half of its last place.
-constexpr double kFloatOverflow = 0x1.ffffffp127;
 
 /// For a decimal text that no double can hold, returns true if it is too large, false if it is too small.
 bool isHuge(std::string_view digits) {
@@ -82,12 +82,9 @@ std::optional<NumberPrefix> numberPrefix(std::string_view token) {
     const auto [rest, problem] =
         std::from_chars(unsignedText.data(), unsignedText.data() + unsignedText.size(), number.value);
     if (problem == std::errc::result_out_of_range) {
-        number.value = 0;
-        number.finite = !isHuge(unsignedText);
-    } else if (number.value >= kFloatOverflow) {
-        number.value = 0;
-        number.finite = false;
+        number.value = isHuge(unsignedText) ? std::numeric_limits<double>::infinity() : 0;
     }
+    number.finite = base::fitsFloat(number.value) && std::isfinite(number.value);
     if (token[0] == '-') number.value = -number.value;
     return number;
 }

@@ -11,7 +11,7 @@ namespace glibra::glib {
 
 /// The number at the beginning of a token.
 struct NumberPrefix {
-    double value = 0;        ///< correctly rounded; 0 if it underflows or is not finite
+    double value = 0;        ///< correctly rounded; 0 if it underflows, infinite beyond all doubles
     std::size_t length = 0;  ///< how many bytes of the token belong to it; the rest is ignored (glib-W04)
     bool finite = true;      ///< false: too large for a 32-bit float (glib-E05)
 };

@@ -42,6 +42,7 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
             program.report.report("file-E02", "'" + fileName(each->path) + "' is empty", {each->path, 1, 1});
             continue;
         }
+        if (!isSourceText(each->path, each->text, program.report)) continue;
         Unit& unit = program.units.emplace_back();
         unit.request = &request;
         const std::size_t begin = std::min(each->text.find_first_not_of("\r\n"), each->text.size());
@@ -58,8 +59,12 @@ void parse(Unit& unit) {
         dropIdleOperands(unit);
         markNames(unit);
     }
-    unit.syntax = parseSyntax(unit.view);
-    unit.bodies = walkBodies(unit.view, unit.syntax);
+    const auto parseText = [&] {
+        unit.syntax = parseSyntax(unit.view);
+        unit.bodies = walkBodies(unit.view, unit.syntax);
+    };
+    parseText();
+    if (unit.request->shim && renameOwnOverloads(unit)) parseText();
     unit.variables = collectVariables(unit);
     findUsage(unit);
 }
@@ -112,6 +117,8 @@ void supplyMissingStage(ProgramUnits& program) {
 void recordUserNames(const Unit& unit, TranslatedProgram& result) {
     for (const auto& [user, emitted] : unit.renames)
         if (emitted.starts_with("glibra_")) result.userNames[emitted] = user;
+    for (const auto& [name, at] : unit.declared)
+        if (name.starts_with(kOwnOverload)) result.userNames[name] = name.substr(kOwnOverload.size());
 }
 
 void applyRules(ProgramUnits& program) {

@@ -51,7 +51,7 @@ Result<std::vector<BlockUse>> blockUses(const scene::Scene& scene, const scene::
                 std::ranges::find(names, each.tag) == names.end())
                 continue;
             const glib::Position at = each.valuePosition;
-            errors.push_back(unknownWord(scene, each.word, {scene.path, at.line, at.column}));
+            errors.push_back(unknownWord(scene, each.word, {program.place.file, at.line, at.column}));
             return true;
         }
         return false;

@@ -212,16 +212,25 @@ class LayoutFinder {
         return pattern.isRuntimeSized() && pattern.head.empty() ? pattern.element.size() : 0;
     }
 
-    /// Reports memory-W02 for the first value that is out of the range of its integer.
+    /// Reports glib-E05 for the first value that its float does not hold, and memory-W02 for the first that
+    /// is out of the range of its integer.
     void checkValues(const scene::Buffer& buffer, const MemoryPattern& pattern) {
         for (std::size_t i = 0; i < buffer.values.size(); ++i) {
             const NumberKind kind = pattern.at(i).kind;
+            if (kind == NumberKind::floating && !base::fitsFloat(buffer.values[i])) {
+                diagnostics_.push_back(
+                    diagnose("glib-E05",
+                             fmt::format("buffer '{}': value {} is {}, which is too large for a 32-bit float",
+                                         buffer.name, i, glib::numberText(buffer.values[i])),
+                             buffer.place));
+                return;
+            }
             const bool isSigned = kind == NumberKind::integer;
             if (!isSigned && kind != NumberKind::unsignedInteger) continue;
             const double value = buffer.values[i];
             const double held = isSigned ? static_cast<double>(base::toInt(value))
                                          : static_cast<double>(base::toUnsigned(value));
-            if (std::trunc(value) == held) continue;
+            if (base::wholeNumber(value).value == held) continue;
             diagnostics_.push_back(
                 diagnose("memory-W02",
                          fmt::format("buffer '{}': value {} is {}, which is stored as {:.0f}; {}",

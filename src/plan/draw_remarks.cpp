@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 
@@ -11,7 +12,9 @@
 #include "plan/fragment_outputs.h"
 #include "plan/submission.h"
 #include "plan/texture_binding.h"
+#include "plan/type_table.h"
 #include "plan/uniform_names.h"
+#include "scene/camera.h"
 #include "scene/primitives.h"
 
 namespace glibra::plan {
@@ -52,6 +55,7 @@ void DrawRemarks::ofDraw(const scene::Draw& draw, PlannedProgramIndex index, con
     hazards(draw.word, draw.place, index, uses);
     reportUnknownInputs(draw, index);
     reportUnreadAttributes(draw, index);
+    reportPrecision(draw, index);
     if (ignoresPointSize(draw, program, *programs_[index].interface, submission))
         reportIgnoredPointSize(draw, index, *program);
 }
@@ -172,6 +176,63 @@ void DrawRemarks::reportUnreadAttributes(const scene::Draw& draw, PlannedProgram
                                  programs_.declared(programs_[index].variant.program)->name, each.name, near),
                      each.name, near);
     }
+}
+
+/// Half of the distance between neighbouring floats of 1.
+static constexpr double kFloatError = 0x1p-24;
+
+/// The planes of a perspective projection; zeros for other projections, whose depth is even.
+static scene::Lens perspectiveOf(const scene::Projection& projection) {
+    if (const auto* lens = std::get_if<scene::Perspective>(&projection)) return {lens->near, lens->far, 1};
+    const auto* matrix = std::get_if<glm::dmat4>(&projection);
+    const scene::Lens lens = matrix != nullptr ? scene::lensOf(*matrix) : scene::Lens();
+    return lens.fieldOfView > 0 ? lens : scene::Lens();
+}
+
+void DrawRemarks::reportPrecision(const scene::Draw& draw, PlannedProgramIndex index) {
+    const auto warn = [&](const std::string& text) {
+        if (remarks_.emplace(scene::ProgramIndex(), "draw-W19", text).second)
+            report(diagnose("draw-W19", text, draw.place));
+    };
+    // 24 bits of depth have steps of z * z / near * 2^-24 at the distance z.
+    constexpr double kMostRatio = 1e7, kVisible = .01;
+    const scene::Lens lens = perspectiveOf(draw.projection);
+    if (draw.raster.depthTest && lens.near > 0 && lens.far / lens.near >= kMostRatio)
+        warn(
+            fmt::format("near {} and far {}: beyond {:.3g} from the eye, surfaces need more than 1% of their "
+                        "distance between them for the depth to tell them apart; raise near or lower far",
+                        numberText(lens.near), numberText(lens.far), kVisible * lens.near / kFloatError));
+
+    if (lens.near <= 0 || draw.isFill || draw.isSky) return;
+    // The runtime multiplies in double precision, shaders in floats. A matrix that a tag gives may be one of
+    // them.
+    double farthest = 0;  // from the origin
+    const auto reads = [&](auto... wanted) {
+        return std::ranges::any_of(programs_[index].values, [&](const UniformBinding& each) {
+            const auto* supplied = std::get_if<Supplied>(&each.value);
+            return supplied != nullptr && ((supplied->value == wanted) || ...);
+        });
+    };
+    using enum glsl::Builtin;
+    const glm::dvec3 place(draw.model[3]), seen(draw.modelView[3]);
+    if (reads(model) && reads(view, viewProjection) && !reads(modelView, modelViewProjection))
+        farthest = glm::length(place);
+    for (const UniformBinding& each : programs_[index].values) {
+        const auto* literal = std::get_if<Literal>(&each.value);
+        if (literal == nullptr || literal->values.size() != 16) continue;
+        const std::vector<double>& m = literal->values;
+        if (m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1)
+            farthest = std::max(farthest, glm::length(glm::dvec3(m[12], m[13], m[14])));
+    }
+    const double distance = std::max(glm::length(seen), lens.near);
+    const double error = farthest * kFloatError;
+    constexpr double kPixel = 1e-3;  // of the distance
+    if (error <= kPixel * distance) return;
+    warn(
+        fmt::format("program '{}' multiplies the model and the view matrix itself, in 32-bit floats, whose "
+                    "places are off by {:.2g} at {:.3g} from the origin; read their product, as "
+                    "modelViewMatrix, or move the scene towards the origin",
+                    programs_.declared(programs_[index].variant.program)->name, error, farthest));
 }
 
 void DrawRemarks::reportIgnoredPointSize(const scene::Draw& draw, PlannedProgramIndex index,

@@ -23,7 +23,7 @@ class DrawRemarks {
     /// Reports draw-W01 once per program: where the built-in program draws, and where the colour of a
     /// supplied fragment stage is a guess.
     void missingStage(const scene::Draw& draw, const ProgramInterface& interface);
-    /// Reports draw-W02, W03, W05, W12 and W15, each only at the first draw that it applies to.
+    /// Reports draw-W02, W03, W05, W12, W15 and W19, each only at the first draw that it applies to.
     void ofDraw(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
                 const Submission& submission, const std::vector<TextureUse>& uses);
     /// Reports draw-W12.
@@ -48,6 +48,9 @@ class DrawRemarks {
     [[nodiscard]] InputHint hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
                                          const ActiveInput& input) const;
     void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index);
+    /// Reports draw-W19 for a projection whose depth buffer tells little apart, and for matrices that a
+    /// shader multiplies though 32-bit floats lose the place of what is drawn.
+    void reportPrecision(const scene::Draw& draw, PlannedProgramIndex index);
     /// Reports draw-W15 for attributes of the draw that no input has and whose names are near that of an
     /// input without one.
     void reportUnreadAttributes(const scene::Draw& draw, PlannedProgramIndex index);

@@ -25,16 +25,22 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// Reads a token that is a number and finite as a 32-bit float.
-std::optional<double> readDecimal(std::string_view token) {
-    if (token.starts_with('+')) token.remove_prefix(1);
-    // from_chars also reads "inf" and "nan", which are words here.
-    if (token.empty() || token.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return {};
-    double value = 0;
-    const auto [end, problem] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (problem != std::errc() || end != token.data() + token.size()) return {};
-    if (!std::isfinite(static_cast<float>(value))) return {};
-    return value;
+/// Adds the numbers, which blanks or single commas separate. Returns what is wrong; nothing if all is right.
+std::string readNumbers(std::string_view text, std::vector<double>& values) {
+    while (!text.empty()) {
+        const std::string_view token = text.substr(0, text.find_first_of(" \t,"));
+        const auto number = glib::numberPrefix(token);
+        if (token.empty()) return "a number is missing beside ','";
+        if (!number || number->length < token.size()) return fmt::format("'{}' is not a number", token);
+        if (!number->finite) return fmt::format("'{}' is too large for a 32-bit float", token);
+        if (values.size() == kMostValues) return fmt::format("more than {} values", kMostValues);
+        values.push_back(number->value);
+        text = trimmed(text.substr(token.size()));
+        if (!text.starts_with(',')) continue;
+        text = trimmed(text.substr(1));
+        if (text.empty()) return "a number is missing after the last ','";
+    }
+    return values.empty() ? "the value is missing" : "";
 }
 
 /// True for a word that may be one of a choice. Spellings of what is not finite are none.
@@ -102,18 +108,7 @@ Result<Override> parseOverride(std::string_view text) {
         result.word = value;
         return result;
     }
-    while (!value.empty()) {
-        const std::string_view token = value.substr(0, value.find_first_of(" \t,"));
-        if (!token.empty()) {
-            const std::optional<double> number = readDecimal(token);
-            if (!number) return bad(fmt::format("'{}' is not a number", token));
-            if (result.values.size() == kMostValues)
-                return bad(fmt::format("more than {} values", kMostValues));
-            result.values.push_back(*number);
-        }
-        value.remove_prefix(std::min(value.size(), token.size() + 1));
-    }
-    if (result.values.empty()) return bad("the value is missing");
+    if (const std::string problem = readNumbers(value, result.values); !problem.empty()) return bad(problem);
     if (result.form == glib::UniformForm::number && result.values.size() > 1)
         result.form = glib::UniformForm::list;
     return result;

@@ -36,7 +36,8 @@ const scene::ObjectView* sizeObjectOf(const scene::Dispatch& dispatch) {
 
 }  // namespace
 
-PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::UniformSetIndex uniforms) {
+PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::UniformSetIndex uniforms,
+                                        const std::string& file) {
     if (!variant.program) uniforms = {};  // the built-in program reads none of them
     PlannedProgramIndex& index = programs_[{variant, uniforms}];
     if (index) return index;
@@ -44,7 +45,7 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     PlannedProgram program{variant, &interface, {}, {}, {}};
     State state;
     state.diagnostics = interface.facts.diagnostics;
-    if (interface.usable) resolve(program, state, uniforms);
+    if (interface.usable) resolve(program, state, uniforms, file.empty() ? scene_.path : file);
     const Measure measure = measureOf(scene_, program, state.units);
     append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }, measure));
     append(state.diagnostics, reportLostVertices(program, measure));
@@ -52,7 +53,8 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     return index = plan_.programs.add(std::move(program));
 }
 
-void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms) {
+void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms,
+                              const std::string& file) {
     const ProgramInterface& interface = *program.interface;
     const scene::Program noPairs;
     const scene::Program* own = declared(program.variant.program);
@@ -73,7 +75,7 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
                            uniforms ? &scene_.uniformSets[uniforms] : nullptr, plan_.nodes->namedValues,
                            [&](const ActiveUniform& each) { return isInBuffer(program, each); }};
     UniformResolution resolution =
-        resolveUniforms(own != nullptr ? *own : noPairs, scene_.path, interface,
+        resolveUniforms(own != nullptr ? *own : noPairs, file, interface,
                         own != nullptr ? overrides : overrides.first(0), plan_.usedOverrides, drawn);
     program.foundByName = std::move(resolution.foundByName);
     program.timed = std::move(resolution.timed);

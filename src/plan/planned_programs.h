@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -35,16 +36,18 @@ class PlannedPrograms {
     };
 
     PlannedProgramIndex of(const scene::Draw& draw, const scene::Pass& pass) {
-        return of(variantOf(scene_, draw, pass), draw.uniforms);
+        return of(variantOf(scene_, draw, pass), draw.uniforms, draw.place.file);
     }
     PlannedProgramIndex of(const scene::Dispatch& dispatch) {
         const bool isCut =
             options_.cutsDispatches && !std::holds_alternative<scene::GroupsFrom>(dispatch.groups);
         return of(ProgramVariant{.program = dispatch.program, .inPieces = isCut || dispatch.tiles > 1},
-                  dispatch.uniforms);
+                  dispatch.uniforms, dispatch.place.file);
     }
     /// Returns the index of the variant with these values in the plan. The first call asks for its interface.
-    PlannedProgramIndex of(const ProgramVariant& variant, scene::UniformSetIndex uniforms = {});
+    /// `file`: of the statement that gives the values, for messages.
+    PlannedProgramIndex of(const ProgramVariant& variant, scene::UniformSetIndex uniforms = {},
+                           const std::string& file = {});
 
     State& state(PlannedProgramIndex program) { return states_[program]; }
     [[nodiscard]] const PlannedProgram& operator[](PlannedProgramIndex program) const {
@@ -72,7 +75,8 @@ class PlannedPrograms {
     std::vector<ObjectUse> usesOf(const scene::Dispatch& dispatch);
 
   private:
-    void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms);
+    void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms,
+                 const std::string& file);
     void addRefused(PlannedProgramIndex program, std::vector<ObjectUse>& to);
     int loopLimit();
 

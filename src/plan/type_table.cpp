@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "glib/limits.h"
 
@@ -114,10 +116,16 @@ class ValueReader {
     /// Converts one number to a component of the type.
     double convert(double value) {
         if (type_.base == BaseType::boolean) return value != 0 ? 1 : 0;
+        if (type_.base == BaseType::floating && !base::fitsFloat(value)) {
+            if (!std::exchange(reading_.ignored, true))
+                warn("glib-E05",
+                     fmt::format("{}: {} is too large for a 32-bit float", given_.tag, numberText(value)),
+                     given_.valuePlace);
+            return 0;
+        }
         if (!type_.isInteger() && !type_.isOpaque()) return value;
-        const double cut = std::trunc(value) + 0.0;  // + 0: -0 becomes 0
-        if (cut != value && !reportedCut_) {
-            reportedCut_ = true;
+        const auto [cut, isCut] = base::wholeNumber(value);
+        if (isCut && !std::exchange(reportedCut_, true)) {
             warn("glib-W27", fmt::format("{} is cut to {}", numberText(value), numberText(cut)),
                  given_.valuePlace);
         }
@@ -142,7 +150,7 @@ class ValueReader {
         reading_.values.assign(components(), 0);
         const auto rows = static_cast<std::size_t>(type_.rows);
         const auto diagonal = static_cast<std::size_t>(std::min(type_.columns, type_.rows));
-        for (std::size_t i = 0; i < diagonal; ++i) reading_.values.at(i * rows + i) = value;
+        for (std::size_t i = 0; i < diagonal; ++i) reading_.values.at(i * rows + i) = convert(value);
     }
     /// Sets the first `wanted` of the given values; missing ones are 0.
     void setList(std::size_t wanted, bool countMatters) {
@@ -202,7 +210,7 @@ class ValueReader {
             case UniformForm::color:
                 break;
         }
-        const double value = type_.isInteger() ? std::trunc(first()) + 0.0 : first();
+        const double value = type_.isInteger() ? base::wholeNumber(first()).value : first();
         warnForm("read as " +
                  numberText(type_.base == BaseType::unsignedInteger ? std::max(value, 0.0) : value));
         setAll(first());

@@ -22,13 +22,13 @@ struct GivenValue {
 };
 
 /// The meaning of a value. `values` are the components, column by column, of one element or of all elements
-/// of an array. Integers are truncated and limited to the type's range, a bool is 1 or 0, and samplers and
+/// of an array. Integers are whole and limited to the type's range, a bool is 1 or 0, and samplers and
 /// images have units.
 struct Reading {
     bool ignored = false;  ///< the tag has no effect
     std::vector<double> values;
     std::optional<Control> control;  ///< without the uniform's index
-    Diagnostics diagnostics;         ///< glib-W15, W17, W20, W21, W22, W27, E12
+    Diagnostics diagnostics;         ///< glib-E05, W15, W17, W20, W21, W22, W27, E12
 };
 
 /// Reads a value for a uniform. `oneElement`: the tag names one element of an array, which is then read like

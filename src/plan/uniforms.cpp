@@ -58,7 +58,13 @@ class Resolver {
 
   private:
     const ActiveUniform& uniform(UniformIndex index) const { return at(interface_.uniforms, index); }
-    Place place(glib::Position position) const { return {scenePath_, position.line, position.column}; }
+    /// The place of a tag: the Program statement's own ones stand in its file, and those of a draw in the
+    /// draw's.
+    Place place(glib::Position position, bool isOwn = false) const {
+        const std::string& own = program_.place.file;
+        const bool isOfProgram = !own.empty() && (isOwn || position.line == program_.place.line);
+        return {isOfProgram ? own : scenePath_, position.line, position.column};
+    }
     void warn(const char* id, std::string text, const Place& place) {
         result_.diagnostics.push_back(diagnose(id, std::move(text), place));
     }
@@ -105,12 +111,16 @@ class Resolver {
     }
 
     void applyPairs() {
+        // What a draw gives follows what the Program statement gives.
+        const std::size_t ownCount =
+            program_.uniforms.size() - (drawn_.set != nullptr ? drawn_.set->values.size() : 0);
         std::map<std::string_view, const glib::UniformSpec*> counting;  // the last of equal tags
         for (const glib::UniformSpec& spec : program_.uniforms) counting[spec.tag] = &spec;
         for (const glib::UniformSpec& spec : program_.uniforms) {
             if (counting.at(spec.tag) != &spec) continue;
-            const GivenValue given{spec.tag, spec.form, spec.values, place(spec.tagPosition),
-                                   place(spec.valuePosition)};
+            const bool isOwn = static_cast<std::size_t>(&spec - program_.uniforms.data()) < ownCount;
+            const GivenValue given{spec.tag, spec.form, spec.values, place(spec.tagPosition, isOwn),
+                                   place(spec.valuePosition, isOwn)};
             const std::vector<NamedUniform> named = names_.find(spec.tag);
             const bool isChosen = choosesObject(spec.tag);
             // A word for a block is reported with the block's buffer.

@@ -72,6 +72,25 @@ Finished converse(const Folder& folder, const std::string& script) {
     return shell(folder.path(), "timeout 60 python3 converse.py '" GLIBRA_PROGRAM "'");
 }
 
+TEST(LanguageServerCommand, EndsWithTheProcessOfItsClient) {
+    const Folder folder;
+    const Finished gone = converse(folder, R"(
+client = subprocess.Popen(['sleep', '1'])
+send('initialize', {'processId': client.pid, 'capabilities': {}}, 1)
+receive()
+client.wait()
+sys.exit(0 if process.wait(20) == 1 else 3)
+)");
+    EXPECT_EQ(gone.status, 0) << gone.err;
+    const Finished stays = converse(folder, R"(
+send('initialize', {'processId': 99999999, 'capabilities': {}}, 1)  # of another machine
+receive()
+try: process.wait(4); sys.exit(3)
+except subprocess.TimeoutExpired: process.kill()
+)");
+    EXPECT_EQ(stays.status, 0) << stays.err;
+}
+
 TEST(LanguageServerCommand, SpeaksAndEndsAsTheProtocolSays) {
     const Folder folder;
     const Finished whole = converse(folder, R"(

@@ -175,6 +175,19 @@ TEST(LanguageCommand, TheSampleOfTheReadmeIsAFile) {
     EXPECT_NE(readFile(root / "tools/cmake/install.cmake").find("docs/examples"), std::string::npos);
 }
 
+TEST(LanguageCommand, ExplainsWordsAfterNamesAndWellKnownNames) {
+    const Folder folder;
+    for (const char* word :
+         {"vST", "prev", "size", "count", "layer", "level", "face", "index", "mvp", "mv_matrix",
+          "norm_matrix", "viewPos", "invProj", "vertPos", "aTexCoords", "in_normal"}) {
+        const Finished explained = glibra(folder.path(), std::string("language ") + word);
+        EXPECT_EQ(explained.status, 0) << word;
+        EXPECT_TRUE(contains(explained.out, word) || contains(explained.out, "NAME.")) << explained.out;
+    }
+    EXPECT_TRUE(contains(glibra(folder.path(), "language mvp").out, "mat4 uniform"));
+    EXPECT_TRUE(contains(glibra(folder.path(), "language vertPos").out, "position of the vertex"));
+}
+
 TEST(LanguageCommand, ExplainsEveryKindOfWord) {
     const Folder folder;
     for (const auto& [word, part] :

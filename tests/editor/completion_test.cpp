@@ -131,6 +131,16 @@ TEST(Completion, ProposesKeysOfTheStatementAndDeclaredNames) {
     EXPECT_TRUE(find(at("Sphere (ti|", scene()), "time"));
 }
 
+TEST(Completion, ProposesFormatsOfTexturesAndNoNamesAmongNumbers) {
+    EXPECT_TRUE(find(at("Texture2D t 10 10 rg|", scene()), "rg16f"));
+    EXPECT_TRUE(find(at("CubeMap t 10 r32|", scene()), "r32f"));
+    const std::string declared = "Let size 2\nProgram Paint\n";
+    EXPECT_FALSE(find(at(declared + "Sphere |", scene()), "size"));
+    EXPECT_FALSE(find(at(declared + "Background P|", scene()), "Paint"));
+    EXPECT_TRUE(find(at(declared + "Sphere (si|", scene()), "size"));
+    EXPECT_TRUE(find(at(declared + "Use P|", scene()), "Paint"));
+}
+
 TEST(Completion, SpeaksGlslInShadersOfTheScene) {
     const std::string text =
         "Fragment inline\n#version 330\nuniform float uLocal;\nvoid main() { uLo| }\nEndFragment\nSphere 1\n";

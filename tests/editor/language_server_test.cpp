@@ -399,6 +399,98 @@ TEST_F(ServerTest, SurvivesAnyMessage) {
         ask("textDocument/documentSymbol", {{"textDocument", {{"uri", uri("no")}}}}).contains("error"));
 }
 
+/// A server that asks a driver, as the program does.
+class DrivenServerTest : public ServerTest {
+  protected:
+    DrivenServerTest() { server_ = LanguageServer({.version = "1"}); }
+};
+
+TEST_F(DrivenServerTest, ReportsMistakesOfGlslAtTheUsersLines) {
+    const std::string right =
+        "#version 330\nuniform vec4 uTint;\nout vec4 fColor;\nvoid main() {\n    float a = uTint.x;\n    "
+        "fColor = "
+        "vec4(a);\n}\n";
+    const std::pair<std::string, std::string> mistakes[] = {
+        {"uTint.x;", "uTint.x"}, {"vec4(a)", "vec4(b)"},      {"float a", "int a"},
+        {";\n}\n", ";\n"},       {"vec4 uTint", "vec4 uTnt"}, {"void main", "this is no GLSL"}};
+    begin();
+    EXPECT_EQ(messages(open("a.glib", kScene), "a.glib"), "");
+    EXPECT_EQ(messages(open("flat.frag", right), "flat.frag"), "none");
+    for (const auto& [from, to] : mistakes) {
+        std::string wrong = right;
+        wrong.replace(wrong.find(from), from.size(), to);
+        EXPECT_EQ(messages(open("flat.frag", wrong), "flat.frag").find("glsl-E01 "), 0U) << wrong;
+        EXPECT_EQ(messages(open("flat.frag", right), "flat.frag"), "");
+    }
+    std::string renamed = right;
+    for (std::size_t at = 0; (at = renamed.find("uTint", at)) != std::string::npos; at += 5)
+        renamed.erase(at + 2, 1);
+    EXPECT_EQ(messages(open("flat.frag", renamed), "a.glib").find("glib-W23 2:13"), 0U);
+}
+
+TEST_F(DrivenServerTest, ChecksAShaderThatNoSceneNamesByItself) {
+    begin();
+    const std::pair<const char*, std::string> shaders[] = {
+        {"x.vert",
+         "#version 330\nin vec3 aPlace;\nout vec3 vPlace;\nvoid main() { gl_Position = vec4(aPlace, 1.); "
+         "vPlace = aPlace; }\n"},
+        {"x.frag",
+         "#version 330\nin vec3 vPlace;\nuniform float uA;\nout vec4 fColor;\nvoid main() { fColor = "
+         "vec4(vPlace * uA, 1.); }\n"},
+        {"old.frag", "varying vec3 vPlace;\nvoid main() { gl_FragColor = vec4(vPlace, 1.); }\n"},
+        {"x.geom",
+         "#version 330\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\nin vec3 "
+         "vPlace[];\nvoid main() { gl_Position = vec4(vPlace[0], 1.); EmitVertex(); }\n"},
+        {"x.tesc",
+         "#version 410\nlayout(vertices = 3) out;\nvoid main() { gl_out[gl_InvocationID].gl_Position = "
+         "gl_in[gl_InvocationID].gl_Position; gl_TessLevelOuter[0] = 1.; }\n"},
+        {"x.tese",
+         "#version 410\nlayout(triangles) in;\nvoid main() { gl_Position = gl_in[0].gl_Position; }\n"},
+        {"x.comp",
+         "#version 430\nlayout(local_size_x = 1) in;\nlayout(std430) buffer Sums { float sums[]; };\nvoid "
+         "main() { sums[0] = 1.; }\n"}};
+    for (const auto& [name, text] : shaders) {
+        EXPECT_EQ(messages(open(name, text), name), "") << name;
+        std::string wrong = text;
+        wrong.insert(wrong.rfind("; }"), " + nothing");
+        EXPECT_EQ(messages(open(name, wrong), name).find("glsl-E01 "), 0U) << name;
+        EXPECT_NE(messages(open(name, "#if 1\n" + text), name), "") << name;
+    }
+}
+
+TEST_F(ServerTest, GoesToTheDeclarationOfTheScope) {
+    begin();
+    const std::string shader =
+        "#version 330\nuniform float b;\nstruct S { float a; float b; };\n"  // 1, 2
+        "float f(float a) { float b = a; return b; }\n"                      // 3
+        "float g(float b) { { float b = 1.; b += 1.; } return b; }\n"        // 4
+        "out vec4 c;\nvoid main() {\n    S s = S(1., 2.);\n"                 // 5, 6, 7
+        "    for (int b = 0; b < 3; ++b) c += vec4(f(s.b));\n"               // 8
+        "    c += vec4(b /*global*/);\n}\n";                                 // 9
+    open("y.frag", shader);
+    const auto lineOf = [&](std::string_view word, std::size_t further = 0) {
+        return ask("textDocument/definition", at("y.frag", shader, word, further))["range"]["start"];
+    };
+    EXPECT_EQ(lineOf("b; }\nfloat g"), json({{"line", 3}, {"character", 25}}));
+    EXPECT_EQ(lineOf("b += 1."), json({{"line", 4}, {"character", 27}}));
+    EXPECT_EQ(lineOf("b; }\nout"), json({{"line", 4}, {"character", 14}}));
+    EXPECT_EQ(lineOf("b < 3"), json({{"line", 8}, {"character", 13}}));
+    EXPECT_EQ(lineOf("s.b", 2), json({{"line", 2}, {"character", 26}}));
+    EXPECT_EQ(lineOf("b /*global*/"), json({{"line", 1}, {"character", 14}}));
+    EXPECT_EQ(lineOf("a; return"), json({{"line", 3}, {"character", 14}}));
+}
+
+TEST_F(ServerTest, QuotesNoExceptionInItsErrors) {
+    begin();
+    for (const json& parameters : {json::object(), json::array(), json(5), json{{"textDocument", 3}}})
+        for (const char* method :
+             {"textDocument/hover", "textDocument/definition", "textDocument/formatting"}) {
+            const std::string answer = ask(method, parameters).dump();
+            EXPECT_EQ(answer.find("exception"), std::string::npos) << answer;
+            EXPECT_NE(answer.find(method), std::string::npos) << answer;
+        }
+}
+
 TEST(SceneCheck, HasNothingToSayOfTheScenesOfTheProject) {
     const std::vector<fs::path> scenes = exampleScenes();
     for (std::size_t i = 0; i < scenes.size(); i += 4) {

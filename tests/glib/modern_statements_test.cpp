@@ -292,7 +292,7 @@ TEST(ModernLimits, HaveMessages) {
     std::string tags = "Set";
     for (std::size_t i = 0; i <= kMostTags; ++i) tags += " \\\n u" + std::to_string(i) + " 1";
     EXPECT_EQ(idsOf(tags), Ids{"glib-E15"});
-    EXPECT_EQ(idsOf("Set uA 1e99"), Ids{"glib-E05"});
+    EXPECT_EQ(idsOf("Set uA 1e999"), Ids{"glib-E05"});
 }
 
 /// The ids and texts of all messages.

@@ -158,5 +158,48 @@ TEST(NoiseFunctions, EveryFormCompiles) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
+TEST(OwnOverloads, StandBesideTheBuiltInFunctionsInEs100) {
+    const std::string head =
+        "#version 100\nprecision mediump float;\nvarying vec2 vST;\nuniform sampler2D uTex;\n";
+    const std::string texts[] = {
+        "vec2 max(float a, vec2 b) { return b * a; }\n"
+        "void main() { gl_FragColor = vec4(max(.5, vST), max(vST, vec2(.5))); }\n",
+        "vec4 texture2D(sampler2D s, float x, float y) { return texture2D(s, vec2(x, y)); }\n"
+        "void main() { gl_FragColor = texture2D(uTex, .25, .25) + texture2D(uTex, vST); }\n",
+        "float clamp(float x);\nfloat clamp(float x) { return clamp(x, 0., 1.); }\n"
+        "void main() { gl_FragColor = vec4(clamp(vST.s * 2.)); }\n",
+        "float length(float a, float b) { return a + b; }\nfloat mix(float a, bool b) { return b ? a : 0.; "
+        "}\n"
+        "void main() { gl_FragColor = vec4(length(1., 2.) + length(vec2(3., 4.)), mix(.5, true), mix(0., 1., "
+        "vST.s), "
+        "1.); }\n"};
+    for (const std::string& text : texts) {
+        const TranslatedProgram translated = translateSingle(Stage::fragment, head + text);
+        EXPECT_EQ("glsl-W03", ids(translated.diagnostics)) << text;
+        EXPECT_EQ("", glslangErrors(translated)) << text;
+    }
+    const std::string emitted = userFragment(head + texts[0]);
+    EXPECT_TRUE(hasTokens(emitted, "glibra_own_max(.5, vST), max(vST, vec2(.5))")) << emitted;
+}
+
+TEST(OwnOverloads, HideTheBuiltInFunctionsInOtherVersions) {
+    EXPECT_FALSE(
+        hasTokens(userFragment("#version 330\nout vec4 c;\nvec2 max(float a, vec2 b) { return b * a; }\n"
+                               "void main() { c = vec4(max(.5, vec2(1.)), 0., 1.); }\n"),
+                  "glibra_own_max"));
+}
+
+TEST(Pragmas, InvariantAllIsLeftOutOfFragmentStagesOfEs100) {
+    const std::string text =
+        "#pragma STDGL invariant(all)\nprecision mediump float;\nvoid main() { gl_FragColor = "
+        "vec4(1.); }\n";
+    EXPECT_FALSE(hasTokens(userFragment("#version 100\n" + text), "STDGL"));
+    EXPECT_TRUE(hasTokens(sourceOf(translateSingle(Stage::vertex,
+                                                   "#version 100\n#pragma STDGL invariant(all)\nvoid "
+                                                   "main() { gl_Position = vec4(0.); }\n"),
+                                   Stage::vertex),
+                          "STDGL"));
+}
+
 }  // namespace
 }  // namespace glibra::glsl::test

@@ -175,6 +175,31 @@ TEST(Conditions, UndefTakesAMacroAway) {
     EXPECT_EQ("", glslangErrors(translated));
 }
 
+TEST(Include, ThatFailsInsideAnotherIsAtItsOwnLine) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"// k\n#define K .5\n#include \"gone.h\"\n", "k.glsl:3"},
+        {"#include \"gone.h\"\n", "k.glsl:1"},
+        {"\n#include\n", "k.glsl:2"},
+        {"#include \"deep.glsl\"\n", "deep.glsl:2"}};
+    for (const auto& [text, place] : cases)
+        for (const bool shim : {true, false}) {
+            ProgramRequest request =
+                withFiles("#version 120\n\n\n#include \"k.glsl\"\n#include \"k.glsl\"\nvoid main() {}\n",
+                          {{"k.glsl", text}, {"deep.glsl", "\n#include \"gone.h\""}});
+            request.shim = shim;
+            EXPECT_EQ(originOf(translate(request), "#error"), place) << text << shim;
+        }
+}
+
+TEST(Include, OfWhatIsNoTextIsRefusedOnce) {
+    const std::string wide("f\0l\0o\0a\0t\0 \0x\0;\0\n\0", 18);
+    const TranslatedProgram translated = translate(
+        withFiles("#version 330\n#include \"k.glsl\"\nvoid main() {}\n", {{"k.glsl", "\xff\xfe" + wide}}));
+    EXPECT_EQ(ids(translated.diagnostics), "file-E08");
+    EXPECT_EQ(textOf(translated.diagnostics, "file-E08"), "'k.glsl' is UTF-16 text; save it as UTF-8");
+    EXPECT_EQ(ids(translateSingle(Stage::fragment, "#version 330\n" + wide).diagnostics), "file-E08");
+}
+
 TEST(Lines, EveryEmittedLineHasAnOrigin) {
     const TranslatedProgram translated =
         translate(withFiles("#version 120\n/* a\n b */ #include \"f\"\n#define M \\\n 2\nvoid main() { "

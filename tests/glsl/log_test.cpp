@@ -42,6 +42,28 @@ TEST(CompileLog, Mesa) {
     EXPECT_EQ("a.frag:4:1: error: #error [glsl-E01]", first("0:4(1): preprocessor error: #error\n"));
 }
 
+TEST(CompileLog, NamesTheFileOfAnErrorLineWhateverMesaCallsIt) {
+    ProgramRequest request =
+        program({{Stage::vertex, kPlainVertex},
+                 {Stage::fragment,
+                  "#version 120\n#include \"a.glsl\"\n#include \"b.glsl\"\nvoid main() {}\n"
+                  "#error own\n"}});
+    request.include = [](std::string_view name, std::string_view) {
+        if (name != "a.glsl" && name != "b.glsl") return std::optional<IncludedFile>();
+        return std::optional(IncludedFile{std::string(name), "// text\n#include \"gone.glsl\"\n"});
+    };
+    const TranslatedProgram translated = translate(request);
+    const std::string missing =
+        "0:2(1): preprocessor error: #error cannot find the included file 'gone.glsl'\n";
+    std::string places;
+    for (const Diagnostic& each :
+         explainCompileLog(translated, translated.stages.at(1),
+                           missing + missing + "0:5(1): preprocessor error: #error own\n"))
+        if (each.severity == Severity::error)
+            places += each.place.file + ":" + std::to_string(each.place.line) + " ";
+    EXPECT_EQ(places, "a.glsl:2 b.glsl:2 a.frag:5 ");
+}
+
 TEST(CompileLog, MesaWithNames) {
     EXPECT_EQ("dir/lib.glsl:2:1: error: oops [glsl-E01]", first("\"1\":2(1): error: oops\n"));
     EXPECT_EQ("dir/lib.glsl:2:1: error: oops [glsl-E01]", first("\"dir/lib.glsl\":2(1): error: oops\n"));

@@ -110,5 +110,18 @@ TEST(Refusals, MessagesAreBounded) {
     EXPECT_EQ(1000U, messages(Stage::vertex, text).size());
 }
 
+TEST(Refusals, ExpressionsThatDriversCannotReadHaveAMessage) {
+    const auto found = [](std::size_t operands, const std::string& joint) {
+        std::string text = "#version 330\nout vec4 c;\nuniform float x;\nvoid main() {\n    float a = x";
+        for (std::size_t i = 1; i < operands; ++i) text += joint;
+        return translateSingle(Stage::fragment, text + ";\n    c = vec4(a);\n}\n").diagnostics;
+    };
+    EXPECT_EQ(ids(found(20000, "+x")), "glsl-E11");
+    EXPECT_EQ(placeOf(found(20000, "+x"), "glsl-E11").line, 5);
+    EXPECT_EQ(ids(found(20000, " > 0. ? x : x")), "glsl-E11");
+    EXPECT_EQ(ids(found(2000, "+x")), "");
+    EXPECT_EQ(ids(found(20000, ", b = x")).find("glsl-E11"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace glibra::glsl::test

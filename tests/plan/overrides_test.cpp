@@ -57,6 +57,24 @@ TEST(OverrideText, IsRejectedIfItIsMalformed) {
     EXPECT_FALSE(parseOverride(many));
 }
 
+TEST(OverrideText, NeedsANumberBesideEachCommaAndOneSign) {
+    for (const char* text : {"uV=1,,0,1", "uV=,1,0,1", "uV=1,0,1,", "uV=,1,0,1,", "uV=1, ,0", "uV=,",
+                             "uV=[1,,0]", "uV={,1 0 0}", "uV=<0 1 2,>", "uV=1 ,, 0", "uK=+-.5", "uK=-+.5",
+                             "uK=++1", "uK=--1", "uK=1,+-2", "uK=.", "uK=-", "uK=1e", "uK=1.2.3"})
+        EXPECT_FALSE(parseOverride(text)) << text;
+    expectOverride("uV=1 , 0 ,1", "uV", UniformForm::list, {1, 0, 1});
+    EXPECT_NE(parseOverride("uV=1,,0").diagnostics.front().text.find("a number is missing"),
+              std::string::npos);
+}
+TEST(OverrideText, SaysThatANumberIsTooLarge) {
+    for (const char* text : {"x=1e39", "x=-1e39", "x=1e999", "x=1,2,4e38"})
+        EXPECT_NE(parseOverride(text).diagnostics.front().text.find("is too large for a 32-bit float"),
+                  std::string::npos)
+            << text;
+    expectOverride("x=3.4e38", "x", UniformForm::number, {3.4e38});
+    expectOverride("x=1e-999", "x", UniformForm::number, {0});
+}
+
 scene::Program dots(std::vector<glib::UniformSpec> pairs) {
     scene::Program program;
     program.name = "Dots";

@@ -64,6 +64,25 @@ TEST(FloatUniform, TakesTheFirstOfAColour) {
     expectReading(color("double", {.5, 1, 0}), {.5}, "glib-W20");
 }
 
+TEST(FloatUniform, RefusesWhatNoFloatHolds) {
+    for (const char* word : {"float", "vec3", "mat4"})
+        for (const double value : {1e39, -1e300})
+            for (const Reading& each :
+                 {scalar(word, value), list(word, {0, value}), range(word, {0, value, 2})}) {
+                if (!each.values.empty() && each.values.front() == 0 && !each.ignored)
+                    continue;  // a list's first
+                EXPECT_TRUE(each.ignored) << word;
+                EXPECT_NE(ids(each.diagnostics).find("glib-E05"), std::string::npos) << word;
+            }
+    expectReading(scalar("double", 1e300), {1e300}, "");
+    expectReading(scalar("float", 3.4e38), {3.4e38}, "");
+}
+
+TEST(IntUniform, TakesTheWholeNumberThatRoundingErrorsMissed) {
+    expectReading(scalar("int", .6 / .1), {6}, "");
+    expectReading(scalar("uint", .29 * 100), {29}, "");
+}
+
 TEST(IntUniform, CutsANumberTowardZero) {
     expectReading(scalar("int", 10.5), {10}, "glib-W27");
     expectReading(scalar("int", -2.75), {-2}, "glib-W27");

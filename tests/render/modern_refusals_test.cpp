@@ -65,6 +65,21 @@ TEST(ModernRefusals, AFrameThatWritesWhatLastsNamesStep) {
     }
 }
 
+TEST(ModernRefusals, ADrawWhoseShaderMayWriteWhatLastsIsNamedByItsLine) {
+    const std::string declared =
+        "Buffer place vec2 8\nCompute inline\n#version 430\nlayout(std430) buffer Place { vec2 place[]; };\n"
+        "layout(local_size_x = 8) in;\nvoid main() { place[gl_GlobalInvocationID.x] += .01; }\nEndCompute\n"
+        "Program Move\nVertex inline\n#version 430\nlayout(std430) buffer Place { vec2 place[]; };\n"
+        "void main() { gl_Position = vec4(place[gl_VertexID], 0., 1.); }\nEndVertex\nFragment inline\n"
+        "#version 430\nout vec4 c;\nvoid main() { c = vec4(1.); }\nEndFragment\nProgram Points\nStep 10\n"
+        "    Dispatch Move over place\nEndStep\n";
+    const std::string plain = refusalOf(declared + "Vertices points 8\n");
+    EXPECT_NE(plain.find("scene.glib:23:1:"), std::string::npos) << plain;
+    EXPECT_NE(plain.find("declare it readonly"), std::string::npos) << plain;
+    const std::string inPass = refusalOf(declared + "Pass window\nSphere 1\nVertices points 8\nEndPass\n");
+    EXPECT_NE(inPass.find("scene.glib:24:1:"), std::string::npos) << inPass;
+}
+
 TEST(ModernRefusals, AnExpressionWithoutAValueIsReportedForTheFrameThatHasNone) {
     const SceneFolder folder(
         std::string(kAddScene) +

@@ -283,5 +283,35 @@ TEST(ScriptChecks, AConditionReadsTheNumberOfElementsAndNamesThatAreFolded) {
               "");
 }
 
+TEST(ScriptChecks, TellDoublesApartThatLookAlike) {
+    const std::string problems = problemsOf(
+        "Buffer b double [(1/3) (1/3 + 1e-14)]\nPrint b\nExpect buffer b [(1/3 + 2e-14)] within "
+        "1e-15\nFragment "
+        "inline\n#version 430\nlayout(std430) readonly buffer b { double n[]; };\nout vec4 c;\nvoid main() { "
+        "c = "
+        "vec4(n[0]); }\nEndFragment\nProgram P\nUse P\nFullScreen\n");
+    EXPECT_NE(problems.find("expected 0.3333333333333533"), std::string::npos) << problems;
+    EXPECT_NE(problems.find("found 0.333333333333333"), std::string::npos) << problems;
+}
+
+TEST(ScriptChecks, NameTheFaceAndTheComponentOfAValueOutOfRange) {
+    const std::string problems = problemsOf(
+        "CubeMap sky 4 rgba8\nPass sky.face(0) clear {.5 .5 .5 .5}\nEndPass\nPass sky.face(3) clear {.5 1 .5 "
+        ".5}\nEndPass\n"
+        "Expect range sky 0 .9\n");
+    EXPECT_NE(problems.find("of face 3, component 1"), std::string::npos) << problems;
+}
+
+TEST(ScriptChecks, NameNoDistanceFromWhatIsNoNumber) {
+    const std::string scene =
+        "Texture2D a 2 1 r32f\nTexture2D b 2 1 r32f\nPass b clear {1}\nEndPass\nFragment inline\n#version "
+        "430\nuniform "
+        "float zero;\nout vec4 c;\nvoid main() { c = vec4(zero / zero); }\nEndFragment\nProgram P zero "
+        "0\nFill a with "
+        "P\nExpect same a b\n";
+    const std::string problems = problemsOf(scene);
+    EXPECT_NE(problems.find("2 differing values: nan and 1 at"), std::string::npos) << problems;
+}
+
 }  // namespace
 }  // namespace glibra::test

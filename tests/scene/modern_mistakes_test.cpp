@@ -216,5 +216,60 @@ TEST(Mistakes, OfAVariableAreNotRepeatedByItsChecks) {
               "1:12 expr-E06 'sqrt(0 - 1)': the result is not a number");
 }
 
+TEST(Counts, OfExpressionsAreTheWholeNumbersThatRoundingErrorsMissed) {
+    const Scene scene = tests::run(
+        "Let steps (.6/.1)\nBuffer b float (.6/.1)\nBuffer c float [(.7/.1) of (i)]\nTexture2D t (.7/.1) "
+        "(.29*100) "
+        "rgba8\nTexture2DArray a 2 2 (.6/.1) rgba8\nRepeat (.29*100) as k\n    Sphere 1 (.6/.1) (steps)\n"
+        "EndRepeat\nInstances (.6/.1)\nVertices points (.29*100)\n");
+    EXPECT_EQ(tests::textsOf(scene.diagnostics), "");
+    EXPECT_EQ(scene.buffers[*scene.buffers.indices().begin()].count, 6U);
+    int sizes = 0;
+    for (const Texture& each : scene.textures) {
+        if (each.name != "t") continue;
+        ++sizes;
+        EXPECT_EQ(std::get<EmptySource>(each.source).width, 7);
+        EXPECT_EQ(std::get<EmptySource>(each.source).height, 29);
+    }
+    EXPECT_EQ(sizes, 1);
+    const std::vector<Draw> draws = tests::drawsOf(scene);
+    ASSERT_EQ(draws.size(), 30U);
+    EXPECT_EQ(scene.shapes[draws.front().shape].numbers.at(1), 6);
+    EXPECT_EQ(draws.back().instances, 6);
+    EXPECT_EQ(scene.shapes[draws.back().shape].numbers.front(), 29);
+}
+
+TEST(Counts, ThatAreCutAreReportedOnceForLiteralsAndExpressions) {
+    for (const char* text :
+         {"Repeat 2.5\nSphere 1\nEndRepeat\n", "Repeat (2.5)\nSphere 1\nEndRepeat\n",
+          "Let n 2.5\nRepeat (n)\nSphere 1\nEndRepeat\n", "Buffer b float 2.5\n", "Buffer b float (5/2)\n",
+          "Texture2D t 2.5 2 rgba8\n", "Texture2D t (5/2) 2 rgba8\n", "Instances 2.5\nSphere 1\n",
+          "Instances (5/2)\nSphere 1\n", "Vertices points 2.5\n", "Vertices points (5/2)\n",
+          "Let a[(5/2)] (i)\n", "Repeat 9\nSphere 1 (9/2)\nEndRepeat\n"})
+        EXPECT_EQ(tests::idsOf(tests::run(text).diagnostics), "glib-W27") << text;
+    // What follows the window or the time is cut on purpose.
+    EXPECT_EQ(
+        tests::idsOf(tests::run("Texture2D t (window.x/7) (window.y/7) rgba8\nRepeat (2.5 + time)\nSphere 1 "
+                                "(7.5 + time)\nEndRepeat\n")
+                         .diagnostics),
+        "");
+}
+
+TEST(Floats, ThatNoFloatHoldsAreReportedWhereTheyAreStored) {
+    for (const char* text :
+         {"Pass window clear {(1e39) 0 0}\nEndPass\n", "Attribute a (1e39)\nSphere 1\n",
+          "TessLevels (1e39) 1 1 1 1 1\nSphere 1\n", "Light 0 position (vec3(1e39))\nSphere 1\n",
+          "Light 0 position 1e39 0 0\nSphere 1\n", "State blendcolor (1e39) 0 0 0\nSphere 1\n",
+          "Camera eye LookAt 0 0 (1e39) 0 0 0 0 1 0 Perspective 50 .1 100\nSphere 1\n",
+          "Camera eye (2*mat4(1e39)) (mat4(1))\nSphere 1\n", "Let c {(1e39) 0 0}\n",
+          "Translate (2*1e39) 0 0\nBox 1\n", "Background (2*1e39) 0 0\nLet x 1\n"})
+        EXPECT_NE(tests::idsOf(tests::run(text).diagnostics).find("glib-E05"), std::string::npos) << text;
+    EXPECT_EQ(tests::textsOf(tests::run("Let x (1e300)\nLet y 1e300\nBuffer b double [1e300]\n").diagnostics),
+              "");
+    Interpretation script = tests::scriptOf("Let x 1\nTranslate (pow(10, time)) 0 0\nBox 1\n");
+    EXPECT_EQ(tests::idsOf(tests::sceneAt(script, 38).diagnostics), "");
+    EXPECT_EQ(tests::idsOf(tests::sceneAt(script, 39).diagnostics), "glib-E05");
+}
+
 }  // namespace
 }  // namespace glibra::scene

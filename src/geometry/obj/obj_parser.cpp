@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/file_kind.h"
 #include "base/text.h"
 #include "geometry/obj/concave_faces.h"
 #include "geometry/obj/file_remarks.h"
@@ -352,12 +353,15 @@ Result<ObjModel> parseObj(std::string_view text, std::string path, ObjElements w
                                                static_cast<double>(text.size()) /
                                                    static_cast<double>(kLargestModelFile)));
     if (isCompilerOutput(text)) return failure("file-E08", "is a compiler's object file, not a model");
+    if (base::isNoText(text)) return failure("file-E08", base::notThe("an OBJ model", text));
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     Result<ObjModel> model;
     if (auto plain = readPlainObj(text))
         model = *std::move(plain);
     else
         model = ObjReader(text, path, wanted).read();
+    const std::string mismatch = model ? std::string() : base::notThe("an OBJ model", text);
+    if (!mismatch.empty()) return failure("file-E08", mismatch);
     if (!model) return model;
     if (const std::size_t uncut = splitConcaveFaces(*model); uncut > 0)
         model.diagnostics.push_back(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/text.h"
@@ -79,12 +80,11 @@ class PieceReader {
     }
 
     std::optional<Value> readNumberToken(const Token& token) {
-        const std::size_t errors = log_.errorCount();
         Value value = valueOf(token, Value::Kind::number);
-        value.number = readNumber(token, log_).value;
+        value.number = numberPrefix(token.text)->value;
         value.text.clear();
-        if (log_.errorCount() > errors) return std::nullopt;
-        return value;
+        if (std::isfinite(value.number)) return value;
+        return refuse("glib-E05", fmt::format("{} is too large", inQuotes(token.text)), token.position);
     }
 
     std::optional<Value> readExpression(const Token& token) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "glib/bracket_group.h"
 #include "glib/limits.h"
@@ -135,8 +136,8 @@ void reportSurplusOf(std::string_view command, std::size_t count, Position first
 /// Cuts a number where an integer is wanted, and applies the rule.
 double checkArgument(Candidate c, bool reportsCut, MessageLog& log) {
     if (c.argument.type == ArgumentType::integer) {
-        const double whole = std::trunc(c.value) + 0.0;  // + 0.0 turns -0 into 0
-        if (whole != c.value && reportsCut)
+        const auto [whole, isCut] = base::wholeNumber(c.value);
+        if (isCut && reportsCut)
             log.report("glib-W27", fmt::format("{} is cut to {}", c.text, numberText(whole)), c.position);
         c.value = whole;
     }
@@ -308,7 +309,7 @@ void evaluateNumbers(const CommandRow& row, Command& command, std::span<const Ev
         double value = 0;
         if (std::isfinite(static_cast<float>(number.value)))
             value = checkArgument({row.arguments[i], i, row.name(), number.value, text, number.position},
-                                  number.isLiteral, log);
+                                  number.reportsCut, log);
         else
             log.report("glib-E05",
                        fmt::format("{}: {} {} is not finite as a 32-bit float", row.name(),

@@ -32,8 +32,7 @@ void reportSurplus(const Statement& statement, std::span<const Token> tokens, st
 struct EvaluatedNumber {
     double value = 0;
     Position position;
-    bool isLiteral =
-        false;  ///< a fraction where an integer is wanted is reported (glib-W27) only for literals
+    bool reportsCut = false;  ///< a fraction where an integer is wanted is reported: glib-W27
 };
 
 /// Fills `numbers` of a command that is evaluated later, by the rules of its row, as if the file stated the

@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/file_kind.h"
 #include "base/text.h"
 #include "glib/command_table.h"
 #include "glib/limits.h"
@@ -399,6 +400,22 @@ bool read(std::string_view text, Script& script, MessageLog& log) {
 
 }  // namespace
 
+/// True if an unknown command stands before all known ones.
+static bool beginsWithUnknown(const Script& script, const Diagnostics& found) {
+    const auto unknown = std::ranges::find(found, "glib-E01", &Diagnostic::id);
+    return unknown != found.end() &&
+           (script.commands.empty() || unknown->place.line <= script.commands.front().position.line);
+}
+
+/// Makes the messages of a file that is no scene a single one: "this is a GLSL shader, not a scene".
+static void nameForeignFile(std::string_view text, Script& script) {
+    if (!hasError(script.diagnostics)) return;
+    if (!base::isNoText(text) && !beginsWithUnknown(script, script.diagnostics)) return;
+    if (base::fileKind(text).empty()) return;
+    script.commands.clear();
+    script.diagnostics = {diagnose("glib-E03", "this " + base::notThe("a scene", text), {script.path, 1, 1})};
+}
+
 Script parse(std::string_view text, std::string path) {
     Script script;
     MessageLog log(path);
@@ -416,6 +433,7 @@ Script parse(std::string_view text, std::string path) {
         log.report("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});
     }
     script.diagnostics = log.take();
+    nameForeignFile(text, script);
     return script;
 }
 

@@ -69,6 +69,36 @@ const std::string& fileOf(const TranslatedStage& stage, const std::string& sourc
     return whole && number < files.size() ? files[number] : stage.path;
 }
 
+/// The file of the next #error line that the driver's message is about; null for other messages. Mesa's
+/// preprocessor gives the line in its file, but the number of another file.
+class ErrorLines {
+  public:
+    explicit ErrorLines(const TranslatedStage& stage) : stage_(stage), rest_(stage.source) {}
+
+    const std::string* fileOf(const LogLine& line) {
+        std::string_view rest = rest_;
+        for (std::size_t at = at_; !rest.empty(); ++at) {
+            const std::size_t end = std::min(rest.find('\n'), rest.size());
+            const std::string_view text = rest.substr(0, end);
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+            const LineOrigin origin =
+                at < stage_.lineMap.lines.size() ? stage_.lineMap.lines[at] : LineOrigin{};
+            if (origin.file < 0 || origin.line != line.line || !text.starts_with("#error") ||
+                !text.ends_with(line.text))
+                continue;
+            rest_ = rest;
+            at_ = at + 1;
+            return &stage_.lineMap.files[static_cast<std::size_t>(origin.file)];
+        }
+        return nullptr;
+    }
+
+  private:
+    const TranslatedStage& stage_;
+    std::string_view rest_;  ///< after the last one that was found
+    std::size_t at_ = 0;     ///< the line at which it begins
+};
+
 int lineOf(const TranslatedStage& stage, const std::string& file, int line) {
     // Drivers report "unexpected end of file" one line after the last.
     int last = 0;
@@ -166,6 +196,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
     bool candidates = false;
     LogAdvice advice(program, stage);
     Consequences consequences(stage);
+    ErrorLines errorLines(stage);
     for (const std::string_view each : linesOf(log)) {
         const std::optional<LogLine> line = parseLogLine(each, stage.lineMap.files);
         if (line && candidates && isCandidate(line->text)) continue;
@@ -176,7 +207,8 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         }
         isUnderstood = true;
         if (line->line >= kOwnLines) continue;
-        const std::string& file = fileOf(stage, line->source);
+        const std::string* const ofError = errorLines.fileOf(*line);
+        const std::string& file = ofError != nullptr ? *ofError : fileOf(stage, line->source);
         const std::optional<EmittedPlace> emitted = emittedPlace(stage, *line, file);
         if (consequences.contain(*line, emitted)) continue;
         const UserPlace user = emitted ? userPlace(stage, *emitted) : UserPlace{};

@@ -281,9 +281,8 @@ void LogAdvice::explainSyntaxError(const LogLine& line, Diagnostic& message) {
     const std::string_view text = lineOfText(stage_.source, place->line);
     const std::size_t column = static_cast<std::size_t>(std::max(1, place->column)) - 1;
     if (column < text.size() && base::firstCharacter(text.substr(column)).code >= 0x80) {
-        message.text = "syntax error: GLSL has no character '" +
-                       std::string(text.substr(column, base::firstCharacter(text.substr(column)).bytes)) +
-                       "' outside comments";
+        message.text = "syntax error: GLSL has no character " + base::visibleCharacter(text.substr(column)) +
+                       " outside comments";
         return;
     }
     if (endsEarly || at == 0 || at == source.size()) return;

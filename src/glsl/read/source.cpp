@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/file_kind.h"
 #include "base/suggest.h"
 #include "base/text.h"
 #include "glsl/read/condition.h"
@@ -255,7 +256,12 @@ class SourceReader {
             once_.insert(id.empty() ? stage_.files[line.token(0).file] : id);
             return addBlankLine(line);
         }
-        if (!shim()) return addBlankLine(line);
+        // GLSL ES 1.00 takes it in the fragment stage, too, where inputs follow the outputs of the stage
+        // before.
+        const bool isInvariant = line.word(1) == "pragma" && line.word(2) == "STDGL" &&
+                                 line.word(3) == "invariant" && stage_.stage == Stage::fragment &&
+                                 stage_.dialect.es && stage_.dialect.written == 100;
+        if (!shim() || isInvariant) return addBlankLine(line);
         addDirective(line.joined(), line.token(0), false);
         addLineEnds(line.tokens);
     }
@@ -346,7 +352,7 @@ class SourceReader {
         const auto end = [&] { addLineEnds(line.tokens); };
         if (!preprocessor_.active()) return end();
         const auto refuse = [&](std::string text) {
-            addDirective("#error " + std::move(text), hash, true);
+            addDirective("#error " + std::move(text), hash, false);
             end();
         };
         const std::string name = line.includedName();
@@ -357,6 +363,7 @@ class SourceReader {
             found = reader(name, stage_.files[hash.file]);
         if (!found) return refuse(kMissingInclude + name + "'");
         if (found->id.empty()) found->id = found->path;
+        if (!isSourceText(found->path, found->text, report_)) return end();
         if (once_.contains(found->id)) return end();
         if (std::ranges::find(including_, found->id) != including_.end() || found->id == stage_.path) {
             std::string names = stage_.path;
@@ -426,6 +433,12 @@ class SourceReader {
 };
 
 }  // namespace
+
+bool isSourceText(const std::string& path, const std::string& text, Report& report) {
+    if (!base::isNoText(text)) return true;
+    report.report("file-E08", "'" + fileName(path) + "' " + base::notThe("a shader", text), {path, 1, 1});
+    return false;
+}
 
 void readSource(const StageSource& source, StageText& stage, Report& report) {
     stage.path = source.path;

@@ -13,6 +13,9 @@ namespace glibra::glsl {
 /// How the message on an #include whose file is not found begins; its name and a ' follow.
 inline constexpr const char* kMissingInclude = "cannot find the included file '";
 
+/// Reports file-E08 for a file that is no text: a picture, or UTF-16. False if it is one.
+bool isSourceText(const std::string& path, const std::string& text, Report& report);
+
 /// Reads a stage whose `request` is set: files, dialect, tokens, view, macros, extensions, and the edits of
 /// its directives.
 void readSource(const StageSource& source, StageText& stage, Report& report);

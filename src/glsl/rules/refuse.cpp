@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "glsl/read/extensions.h"
 #include "glsl/read/words.h"
@@ -77,11 +79,13 @@ class Refuser {
         for (std::uint32_t i = 0; i < unit_.view.size(); ++i)
             if (unit_.view[i].kind == TokenKind::word) word(i);
         for (const Token& token : unit_.tokens)
-            if (token.kind == TokenKind::word && token.text.starts_with("glibra_"))
+            if (token.kind == TokenKind::word && token.text.starts_with("glibra_") &&
+                !token.text.starts_with(kOwnOverload))
                 report_.reportOnce(unit_.path + std::string(token.text), "glsl-E05",
                                    "names beginning with 'glibra_' are reserved",
                                    {unit_.files[token.file], token.line, token.column});
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
+        longExpressions();
         for (const LocalVariable& each : unit_.bodies.locals)
             if (each.type.arrayDepth > 1)
                 feature(each.name, "an array of arrays", 430, "GL_ARB_arrays_of_arrays");
@@ -96,6 +100,33 @@ class Refuser {
 
     void computeOnly(std::uint32_t at, const std::string& what) {
         error(at, what + " only exists in a compute stage; name this file with 'Compute'");
+    }
+
+    /// Reports glsl-E11 for an expression at which drivers, which read it recursively, run out of stack.
+    void longExpressions() {
+        constexpr std::size_t kMost = 5000;
+        std::vector<std::size_t> operators{0};  // of the expression in each open bracket
+        std::size_t all = 0;
+        for (std::uint32_t i = 0; i < unit_.view.size(); ++i) {
+            const std::string_view text = unit_.text(i);
+            if (text == "(" || text == "[" || text == "{") {
+                operators.push_back(0);
+                ++all;
+            } else if ((text == ")" || text == "]" || text == "}") && operators.size() > 1) {
+                all -= operators.back() + 1;
+                operators.pop_back();
+            } else if (text == ";" || text == ",") {
+                all -= std::exchange(operators.back(), 0);
+            } else if (std::string_view("+-*/%&|^<>=!?~").find(text.front()) != std::string_view::npos) {
+                ++operators.back();
+                ++all;
+            }
+            if (all > kMost)
+                return report_.report(
+                    "glsl-E11",
+                    "an expression of more than 5,000 operators and brackets; give its parts names",
+                    unit_.place(i));
+        }
     }
 
     void word(std::uint32_t at) {

@@ -8,6 +8,12 @@
 
 namespace glibra::glsl {
 
+/// What the names of the shader's own overloads of built-in functions begin with.
+inline constexpr std::string_view kOwnOverload = "glibra_own_";
+/// Gives them these names, in GLSL ES 1.00 (language, 7.9). True if there are any: then the unit has to be
+/// parsed again.
+bool renameOwnOverloads(Unit& unit);
+
 /// Replaces attribute and varying by in and out, and removes gl_VerticesIn as an array size (language, 7.4).
 void modernizeQualifiers(ProgramUnits& program);
 /// Renames the user's names that are keywords or functions of 4.50, or that the translation uses

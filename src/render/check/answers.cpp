@@ -23,17 +23,20 @@ constexpr double kHalfStep = .5 + 1e-4;
 constexpr std::size_t kMostShown = 8;         // numbers in a message
 constexpr std::uint64_t kMostPrinted = 1000;  // elements of a Print
 
-/// A number with as many digits as tell it from its neighbours: all of a whole number, nine of others.
-std::string shownNumber(double number) {
+/// A number with as many digits as tell it from its neighbours: all of a whole number, nine of a float.
+std::string shownNumber(double number, bool isDouble = false) {
+    if (std::isnan(number)) return "nan";
     constexpr double kWhole = 0x1p53;  // below it, every whole number is a double
     const bool isWhole = std::abs(number) < kWhole && std::trunc(number) == number;
-    return isWhole ? fmt::format("{:.0f}", number) : fmt::format("{:.9g}", number);
+    return isWhole    ? fmt::format("{:.0f}", number)
+           : isDouble ? fmt::format("{}", number)
+                      : fmt::format("{:.9g}", number);
 }
 
-std::string numbersText(Numbers numbers) {
+std::string numbersText(Numbers numbers, bool areDoubles) {
     std::vector<std::string> shown;
     for (const double each : numbers.first(std::min(numbers.size(), kMostShown)))
-        shown.push_back(shownNumber(each));
+        shown.push_back(shownNumber(each, areDoubles));
     return fmt::format("{}{}", fmt::join(shown, " "), shown.size() < numbers.size() ? " ..." : "");
 }
 
@@ -102,6 +105,9 @@ class Answerer {
         return diagnose("check-E02", fmt::format("{}: {}", check_.text, why), check_.place);
     }
 
+    [[nodiscard]] std::string text(double number) const { return shownNumber(number, isOfDoubles_); }
+    [[nodiscard]] std::string text(Numbers numbers) const { return numbersText(numbers, isOfDoubles_); }
+
     static std::string reasonOf(const Diagnostics& problems) {
         return problems.empty() ? "it cannot be read" : problems.front().text;
     }
@@ -110,6 +116,7 @@ class Answerer {
     Answer onContent(const Work& work) {
         const Result<Content> content = ask_.contentOf(check_.object);
         if (!content) return refused(reasonOf(content.diagnostics));
+        isOfDoubles_ = content->isOfDoubles;
         return work(*content);
     }
 
@@ -123,9 +130,9 @@ class Answerer {
             if (!equal(wanted[i], found[i], content)) return false;
         return true;
     }
-    [[nodiscard]] std::string wantedText() const { return numbersText(check_.wanted) + withinText(); }
+    [[nodiscard]] std::string wantedText() const { return text(check_.wanted) + withinText(); }
     [[nodiscard]] std::string withinText() const {
-        return check_.tolerance > 0 ? " within " + shownNumber(check_.tolerance) : std::string();
+        return check_.tolerance > 0 ? " within " + text(check_.tolerance) : std::string();
     }
     /// Why the wanted components do not fit the content; empty if they do.
     [[nodiscard]] std::string misfit(const Content& content) const {
@@ -147,7 +154,7 @@ class Answerer {
                            static_cast<std::size_t>(x);
         const Numbers found = content.at(index);
         if (equal(check_.wanted, found, content)) return std::nullopt;
-        return wrong(wantedText(), numbersText(shown(found, check_.wanted.size())));
+        return wrong(wantedText(), text(shown(found, check_.wanted.size())));
     }
 
     [[nodiscard]] Answer mean(const Content& content) const {
@@ -167,7 +174,7 @@ class Answerer {
             }
         for (double& each : sum) each /= w * h;
         if (equal(check_.wanted, sum, content)) return std::nullopt;
-        return wrong(wantedText(), numbersText(shown(sum, check_.wanted.size())));
+        return wrong(wantedText(), text(shown(sum, check_.wanted.size())));
     }
 
     [[nodiscard]] Answer count(const Content& content) const {
@@ -178,9 +185,8 @@ class Answerer {
         const double least = check_.numbers.at(0), most = check_.numbers.back();
         const auto number = static_cast<double>(found);
         if (number >= least && number <= most) return std::nullopt;
-        const std::string wanted = least == most
-                                       ? shownNumber(least)
-                                       : fmt::format("{} to {}", shownNumber(least), shownNumber(most));
+        const std::string wanted =
+            least == most ? text(least) : fmt::format("{} to {}", text(least), text(most));
         return wrong(wanted + " pixels", fmt::format("{}", found));
     }
 
@@ -199,26 +205,31 @@ class Answerer {
             if (equal(check_.wanted[i], found[i], content)) continue;
             if (differing.count() == 0) wrongAt = i;
             differing.add([&] {
-                return fmt::format("value {} is {}, not {}", i, shownNumber(found[i]),
-                                   shownNumber(check_.wanted[i]));
+                return fmt::format("value {} is {}, not {}", i, text(found[i]), text(check_.wanted[i]));
             });
         }
         if (differing.count() == 0) return std::nullopt;
-        if (found.size() <= kMostShown) return wrong(wantedText(), numbersText(found));
+        if (found.size() <= kMostShown) return wrong(wantedText(), text(found));
         if (differing.count() == 1)
-            return wrong(fmt::format("{} as value {}", shownNumber(check_.wanted[wrongAt]), wrongAt),
-                         shownNumber(found[wrongAt]));
+            return wrong(fmt::format("{} as value {}", text(check_.wanted[wrongAt]), wrongAt),
+                         text(found[wrongAt]));
         return wrong(base::counted(found.size(), "value"),
                      fmt::format("{} that differ: {}", differing.count(), differing.text()));
     }
 
-    /// Where value number `index` of a content lies: "3 4" of a texture, "3" of a buffer.
+    /// Where value number `index` of a content lies: "3 4 of face 1, component 2" of a texture, "3" of a
+    /// buffer.
     [[nodiscard]] static std::string positionOf(const Content& content, std::size_t index) {
-        index /= static_cast<std::size_t>(content.components);
-        const std::size_t row = index / static_cast<std::size_t>(content.width);
-        const std::size_t column = index % static_cast<std::size_t>(content.width);
-        return content.height * content.depth > 1 ? fmt::format("{} {}", column, row)
-                                                  : fmt::format("{}", column);
+        const auto components = static_cast<std::size_t>(content.components);
+        const auto width = static_cast<std::size_t>(content.width);
+        const auto height = static_cast<std::size_t>(content.height);
+        const std::size_t element = index / components, row = element / width;
+        std::string position = std::to_string(element % width);
+        if (content.height * content.depth > 1) position += fmt::format(" {}", row % height);
+        if (content.depth > 1)
+            position += fmt::format(" of {} {}", content.isCube ? "face" : "layer", row / height);
+        if (components > 1) position += fmt::format(", component {}", index % components);
+        return position;
     }
 
     /// Reports the values that fail.
@@ -227,16 +238,15 @@ class Answerer {
         Examples failing;
         for (std::size_t i = 0; i < content.values.size(); ++i)
             if (!holds(content.values[i]))
-                failing.add([&] {
-                    return fmt::format("{} at {}", shownNumber(content.values[i]), positionOf(content, i));
-                });
+                failing.add(
+                    [&] { return fmt::format("{} at {}", text(content.values[i]), positionOf(content, i)); });
         if (failing.count() == 0) return std::nullopt;
         if (failing.count() == 1) return wrong(wanted, failing.text());
         return wrong(wanted, fmt::format("{} others: {}", failing.count(), failing.text()));
     }
     [[nodiscard]] Answer range(const Content& content) const {
         const double least = check_.numbers.at(0), most = check_.numbers.at(1);
-        return each(content, fmt::format("{} to {}", shownNumber(least), shownNumber(most)),
+        return each(content, fmt::format("{} to {}", text(least), text(most)),
                     [&](double value) { return value >= least && value <= most; });
     }
     [[nodiscard]] Answer finite(const Content& content) const {
@@ -263,7 +273,7 @@ class Answerer {
             holds = holds && std::abs(sums[i] - check_.wanted[i]) <= check_.tolerance;
         }
         if (holds) return std::nullopt;
-        return wrong(wantedText(), numbersText(shown(sums, check_.wanted.size())));
+        return wrong(wantedText(), text(shown(sums, check_.wanted.size())));
     }
 
     [[nodiscard]] Answer relation(const Content& content) const {
@@ -284,24 +294,22 @@ class Answerer {
         for (std::size_t i = 0; i < content.values.size(); ++i) {
             const double a = content.values[i], b = other->values[i];
             if (a == b || (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= check_.tolerance) continue;
-            differing.add([&] {
-                return fmt::format("{} and {} at {}", shownNumber(a), shownNumber(b), positionOf(content, i));
-            });
-            largest = std::max(largest, std::abs(a - b));
+            differing.add(
+                [&] { return fmt::format("{} and {} at {}", text(a), text(b), positionOf(content, i)); });
+            if (!std::isnan(a - b)) largest = std::max(largest, std::abs(a - b));
         }
         if (wantsSame == (differing.count() == 0)) return std::nullopt;
-        return wantsSame ? wrong("the same content" + withinText(),
-                                 fmt::format("{}, by up to {}: {}",
-                                             base::counted(differing.count(), "differing value"),
-                                             shownNumber(largest), differing.text()))
-                         : wrong("different content", "the same" + withinText());
+        return wantsSame
+                   ? wrong("the same content" + withinText(),
+                           fmt::format("{}{}: {}", base::counted(differing.count(), "differing value"),
+                                       largest > 0 ? ", by up to " + text(largest) : "", differing.text()))
+                   : wrong("different content", "the same" + withinText());
     }
 
     [[nodiscard]] Answer number(const char* what, std::uint64_t found) const {
         const double wanted = check_.numbers.at(0);
         if (std::abs(static_cast<double>(found) - wanted) <= check_.tolerance) return std::nullopt;
-        return wrong(fmt::format("{} {}{}", shownNumber(wanted), what, withinText()),
-                     fmt::format("{}", found));
+        return wrong(fmt::format("{} {}{}", text(wanted), what, withinText()), fmt::format("{}", found));
     }
 
     [[nodiscard]] Answer condition() const {
@@ -313,6 +321,7 @@ class Answerer {
 
     const Check& check_;
     const CheckQuestions& ask_;
+    bool isOfDoubles_ = false;  ///< Content::isOfDoubles
 };
 
 }  // namespace
@@ -332,7 +341,7 @@ Diagnostics printedElements(const scene::Print& print, const Content& content) {
     Diagnostics notes;
     for (std::uint64_t i = print.first; i < print.first + std::min(count, kMostPrinted); ++i) {
         std::string text = fmt::format("{}[{}]:", print.name, i);
-        for (const double each : content.at(i)) text += " " + shownNumber(each);
+        for (const double each : content.at(i)) text += " " + shownNumber(each, content.isOfDoubles);
         notes.push_back(diagnose("check-N02", std::move(text), print.place));
     }
     if (count > kMostPrinted)

@@ -17,6 +17,8 @@ struct Content {
     int components = 4;
     double step = 0;  ///< the distance of neighbouring values of a normalised format; 0: exact values
     std::vector<double> values;
+    bool isCube = false;       ///< the layers are faces
+    bool isOfDoubles = false;  ///< the values are doubles, not floats or integers
 
     [[nodiscard]] std::size_t size() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *

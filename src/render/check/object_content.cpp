@@ -43,7 +43,9 @@ Result<Content> textureContent(const scene::Scene& scene, DeviceScene& device,
     if (view.layer && *view.layer >= texture->layers(level))
         return refuse(fmt::format("has no layer {}", *view.layer));
     Result<Content> content = contentOf(*texture, level, view.layer);
-    if (content) content->name = declared.name;
+    if (!content) return content;
+    content->name = declared.name;
+    content->isCube = declared.target == scene::TextureTarget::cube;
     return content;
 }
 
@@ -64,6 +66,9 @@ Result<Content> bufferContent(const scene::Scene& scene, const DeviceBuffers& bu
     content.components =
         static_cast<int>(std::max<std::size_t>(1, hasArray ? pattern.element.size() : pattern.head.size()));
     content.width = static_cast<int>(content.values.size() / static_cast<std::size_t>(content.components));
+    content.isOfDoubles =
+        std::ranges::any_of(hasArray ? pattern.element : pattern.head,
+                            [](const auto& each) { return each.kind == plan::NumberKind::doublePrecision; });
     return content;
 }
 

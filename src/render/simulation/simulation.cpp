@@ -147,6 +147,24 @@ void Simulation::noteWrites(Block& block) {
         }
 }
 
+/// The first draw of the node whose shaders write the object; null if the node does not write it by a draw. A
+/// pass that no statement begins has no place of its own.
+static const scene::Draw* writerOf(const plan::FramePlan& frame, const scene::NodeIndex& node,
+                                   const scene::ObjectView& object) {
+    if (node.kind != scene::NodeIndex::Kind::pass) return nullptr;
+    const plan::Object wanted = plan::objectOf(object);
+    for (const auto& step : frame.passes.at(node.index).steps) {
+        const auto* draw = std::get_if<plan::PlannedDraw>(&step);
+        if (draw == nullptr) continue;
+        const auto uses = plan::shaderUses(frame.programs[draw->program], draw->textures);
+        if (std::ranges::any_of(uses, [&](const plan::ObjectUse& each) {
+                return each.writes && plan::objectOf(each.object) == wanted;
+            }))
+            return &frame.drawOf(*draw);
+    }
+    return nullptr;
+}
+
 Diagnostics Simulation::check(const plan::FramePlan& frame) const {
     Diagnostics diagnostics;
     for (std::size_t node = 0; node < frame.order.size(); ++node)
@@ -156,12 +174,15 @@ Diagnostics Simulation::check(const plan::FramePlan& frame) const {
                 return plan::objectOf(known.object) == plan::objectOf(each.object);
             });
             if (lasts == lasting_.end()) continue;
-            diagnostics.push_back(
-                diagnose("memory-E07",
-                         fmt::format("'{}' lasts, because {} writes it (line {}), so the frame may only read "
-                                     "it; write it in Step",
-                                     nameOf(parts_.scene, each.object), lasts->word, lasts->place.line),
-                         frame.placeOf(frame.order[node])));
+            const scene::Draw* const writer = writerOf(frame, frame.order[node], each.object);
+            diagnostics.push_back(diagnose(
+                "memory-E07",
+                fmt::format("'{}' lasts, because {} writes it (line {}), so the frame may only read it; {}",
+                            nameOf(parts_.scene, each.object), lasts->word, lasts->place.line,
+                            each.stores ? "write it in Step, or declare it readonly in the shaders here, "
+                                          "because what is not readonly counts as written"
+                                        : "write it in Step"),
+                writer != nullptr ? writer->place : frame.placeOf(frame.order[node])));
             return diagnostics;
         }
     return diagnostics;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
@@ -148,11 +149,11 @@ bool readContent(Interpreter& in, const Command& command, const Parts& parts, Bu
 void reportCut(Interpreter& in, const Value& content, const Buffer& buffer) {
     if (!buffer.type.starts_with('i') && !buffer.type.starts_with('u')) return;
     const auto cut =
-        std::ranges::find_if(buffer.values, [](double each) { return std::trunc(each) != each; });
+        std::ranges::find_if(buffer.values, [](double each) { return base::wholeNumber(each).isCut; });
     if (cut != buffer.values.end() && std::isfinite(*cut))
-        in.reportAt(
-            content, "glib-W27",
-            fmt::format("{} is cut to {}", glib::numberText(*cut), glib::numberText(std::trunc(*cut) + 0.0)));
+        in.reportAt(content, "glib-W27",
+                    fmt::format("{} is cut to {}", glib::numberText(*cut),
+                                glib::numberText(base::wholeNumber(*cut).value)));
 }
 
 void doBuffer(Interpreter& in, const Command& command) {
@@ -171,16 +172,15 @@ void doBuffer(Interpreter& in, const Command& command) {
         return;
     }
     if (parts.size != nullptr) {
-        const auto size = numberOf(in, *parts.size);
+        const auto size = wholeOf(in, *parts.size);
         if (!size) return;
-        const double whole = std::trunc(*size) + 0.0;  // never -0
-        if (!(whole >= 1 && whole <= kMostBufferElements)) {
-            refuse(in, whole > kMostBufferElements ? "glib-E15" : "glib-E26", command, parts.size->position,
-                   fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
+        if (!(*size >= 1 && *size <= kMostBufferElements)) {
+            refuse(in, *size > kMostBufferElements ? "glib-E15" : "glib-E26", command, parts.size->position,
+                   fmt::format("the count {} is not between 1 and {}", glib::numberText(*size),
                                base::groupedText(static_cast<long long>(kMostBufferElements))));
             return;
         }
-        buffer.count = static_cast<std::uint64_t>(whole);
+        buffer.count = static_cast<std::uint64_t>(*size);
     }
     if (parts.content != nullptr && !readContent(in, command, parts, buffer)) return;
     if (type && parts.content != nullptr) reportCut(in, *parts.content, buffer);
@@ -216,14 +216,14 @@ void doCompute(Interpreter& in, const Command& command) {
 /// Three counts from 1 to 2^31 - 1; missing ones are 1.
 std::optional<std::array<std::uint64_t, 3>> groupCounts(Interpreter& in, const Command& command,
                                                         std::span<const Value> values) {
-    const auto numbers = numbersOf(in, values);
+    const auto numbers = wholesOf(in, values);
     if (!numbers) return std::nullopt;
     if (numbers->empty() || numbers->size() > 3)
         return refuse(in, "glib-E26", command, values.front().position,
                       fmt::format("needs 1 to 3 numbers; the values here have {}", numbers->size()));
     std::array<std::uint64_t, 3> counts{1, 1, 1};
     for (std::size_t i = 0; i < numbers->size(); ++i) {
-        const double whole = std::trunc((*numbers)[i]) + 0.0;  // never -0
+        const double whole = (*numbers)[i];
         if (!(whole >= 1 && whole <= kMostGroups))
             return refuse(in, "glib-E26", command, values.front().position,
                           fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
@@ -315,7 +315,7 @@ std::optional<CountFrom> countFrom(Interpreter& in, const Command& command) {
     const KeyedValues* at = command.key("at");
     if (!buffer || at == nullptr) return buffer ? std::optional(CountFrom{*buffer}) : std::nullopt;
     constexpr auto kMostWords = static_cast<double>(kLargestBuffer / sizeof(std::uint32_t));
-    const auto word = numberIn(in, at->values.front(), command.word + ": at", 0, kMostWords);
+    const auto word = wholeIn(in, at->values.front(), command.word + ": at", 0, kMostWords);
     if (!word) return std::nullopt;
     return CountFrom{*buffer, static_cast<std::uint64_t>(*word)};
 }

@@ -126,7 +126,7 @@ std::span<const Value> afterName(const KeyedValues& key) {
 /// Reads Perspective, Ortho or Frustum. The box of Ortho is taken exactly.
 bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
     if (const KeyedValues* key = command.key("Perspective")) {
-        const Numbers n = numbersOf(in, key->values, 3, "Camera: Perspective");
+        const Numbers n = floatsOf(in, key->values, 3, "Camera: Perspective");
         if (!n) return false;
         const Perspective lens{(*n)[0], (*n)[1], (*n)[2]};
         if (!(lens.fieldOfView > 0 && lens.fieldOfView < 180 && lens.near > 0 && lens.far > lens.near)) {
@@ -148,7 +148,7 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
     const KeyedValues* ortho = command.key("Ortho");
     const KeyedValues* key = ortho != nullptr ? ortho : command.key("Frustum");
     if (key == nullptr) return false;
-    const Numbers n = numbersOf(in, key->values, 6, ortho != nullptr ? "Camera: Ortho" : "Camera: Frustum");
+    const Numbers n = floatsOf(in, key->values, 6, ortho != nullptr ? "Camera: Ortho" : "Camera: Frustum");
     if (!n) return false;
     const bool isFlat = (*n)[0] == (*n)[1] || (*n)[2] == (*n)[3] || (*n)[4] == (*n)[5];
     if (isFlat || (ortho == nullptr && !((*n)[4] > 0 && (*n)[5] > 0))) {
@@ -166,7 +166,7 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
 }
 
 std::optional<SceneCamera> lookAtCamera(Interpreter& in, const Command& command, const KeyedValues& key) {
-    const Numbers n = numbersOf(in, key.values, 9, "Camera: LookAt");
+    const Numbers n = floatsOf(in, key.values, 9, "Camera: LookAt");
     if (!n) return std::nullopt;
     const auto view = viewingMatrix(vectorAt(*n, 0), vectorAt(*n, 3), vectorAt(*n, 6));
     if (!view) {
@@ -180,9 +180,9 @@ std::optional<SceneCamera> lookAtCamera(Interpreter& in, const Command& command,
 
 std::optional<SceneCamera> atAxes(Interpreter& in, const Command& command, const KeyedValues& key) {
     const KeyedValues* axes = command.key("Axes");
-    const Numbers place = numbersOf(in, key.values, 3, "Camera: At");
+    const Numbers place = floatsOf(in, key.values, 3, "Camera: At");
     if (!place || axes == nullptr) return std::nullopt;
-    const Numbers n = numbersOf(in, axes->values, 9, "Camera: Axes");
+    const Numbers n = floatsOf(in, axes->values, 9, "Camera: Axes");
     if (!n) return std::nullopt;
     const glm::dmat4 frame(glm::dvec4(vectorAt(*n, 0), 0), glm::dvec4(vectorAt(*n, 3), 0),
                            glm::dvec4(vectorAt(*n, 6), 0), glm::dvec4(vectorAt(*place, 0), 1));
@@ -197,7 +197,7 @@ std::optional<SceneCamera> atAxes(Interpreter& in, const Command& command, const
 
 std::optional<SceneCamera> reflected(Interpreter& in, const Command& command, const KeyedValues& key) {
     auto camera = cameraNamed(in, key.values.front());
-    const Numbers n = numbersOf(in, afterName(key), 4, "Camera: Reflect");
+    const Numbers n = floatsOf(in, afterName(key), 4, "Camera: Reflect");
     if (!camera || !n) return std::nullopt;
     const glm::dvec3 normal = vectorAt(*n, 0);
     if (glm::dot(normal, normal) == 0) {
@@ -217,7 +217,7 @@ std::optional<SceneCamera> reflected(Interpreter& in, const Command& command, co
 
 std::optional<SceneCamera> shifted(Interpreter& in, const KeyedValues& key) {
     auto camera = cameraNamed(in, key.values.front());
-    const Numbers n = numbersOf(in, afterName(key), 3, "Camera: Shift");
+    const Numbers n = floatsOf(in, afterName(key), 3, "Camera: Shift");
     if (!camera || !n) return std::nullopt;
     const glm::dmat4 shift = translation(-vectorAt(*n, 0));
     camera->view = shift * camera->view;
@@ -226,9 +226,9 @@ std::optional<SceneCamera> shifted(Interpreter& in, const KeyedValues& key) {
 }
 
 std::optional<SceneCamera> ofFace(Interpreter& in, const Command& command, const KeyedValues& key) {
-    const Numbers n = numbersOf(in, key.values, 6, "Camera: Face");
+    const Numbers n = floatsOf(in, key.values, 6, "Camera: Face");
     if (!n) return std::nullopt;
-    const double face = std::trunc((*n)[0]), near = (*n)[4], far = (*n)[5];
+    const double face = base::wholeNumber((*n)[0]).value, near = (*n)[4], far = (*n)[5];
     if (face < 0 || face > 5 || !(near > 0 && far > near)) {
         refuseCamera(in, command, "Face needs a face from 0 to 5, and 0 < near < far");
         return std::nullopt;
@@ -245,7 +245,9 @@ std::optional<SceneCamera> ofMatrices(Interpreter& in, const Command& command) {
     static constexpr expression::Type kMatrix[] = {expression::Type::matrix(4)};
     const auto view = evaluate(in, command.values[1], {.types = kMatrix});
     const auto projection = evaluate(in, command.values[2], {.types = kMatrix});
-    if (!view || !projection) return std::nullopt;
+    if (!view || !projection || !fitFloats(in, command.values[1], view->all()) ||
+        !fitFloats(in, command.values[2], projection->all()))
+        return std::nullopt;
     SceneCamera camera;
     camera.view = view->mat4();
     camera.projection = projection->mat4();
@@ -296,9 +298,9 @@ void declareCamera(Interpreter& in, const Command& command) {
     const bool isArray = !target.path.empty() && !target.path.front().index.empty();
     double count = 1;
     if (isArray) {
-        const auto given = numberOf(in, target.path.front().index.front());
+        const auto given = wholeOf(in, target.path.front().index.front());
         if (!given) return;
-        count = std::trunc(*given);
+        count = *given;
         constexpr double kMostCameras = 256;
         if (!(count >= 1 && count <= kMostCameras))
             return refuseCamera(

@@ -194,9 +194,9 @@ class CheckReader {
         std::span<const Value> rest = std::span(key.values).subspan(1);
         if (const KeyedValues* at = firstAt()) {
             rest = at->values;
-            const auto index = numberIn(in_, rest.front(), "Expect: the index", 0, 1e12);
+            const auto index = wholeIn(in_, rest.front(), "Expect: the index", 0, 1e12);
             if (!index) return false;
-            check_.numbers = {std::trunc(*index)};
+            check_.numbers = {*index};
             rest = rest.subspan(1);
         }
         if (rest.empty()) return refuse("buffer needs a list of values");
@@ -348,9 +348,9 @@ void doPrint(Interpreter& in, const Command& command) {
     Print made{in.place(command), *buffer, command.values.front().text};
     const std::span<const Value> range = std::span(command.values).subspan(1);
     if (!range.empty()) {
-        const auto numbers = numbersOf(in, range);
+        const auto numbers = wholesOf(in, range);
         if (!numbers) return;
-        const double first = std::trunc(numbers->front()), last = std::trunc(numbers->back());
+        const double first = numbers->front(), last = numbers->back();
         if (numbers->size() > 2 || !(first >= 0 && last >= first && last < kMostPrintedIndex)) {
             refuse(in, "glib-E26", command, range.front().position,
                    "needs the first and the last element, from 0 on");

@@ -196,8 +196,8 @@ bool readBytes(Interpreter& in, const Command& command, ElementPart& part) {
         const KeyedValues* key = command.key(word);
         if (key == nullptr) continue;
         const bool isOffset = *word == 'o';
-        const auto bytes = numberIn(in, key->values.front(), fmt::format("Attribute: {}", word),
-                                    isOffset ? 0 : 4, kMostBytes);
+        const auto bytes = wholeIn(in, key->values.front(), fmt::format("Attribute: {}", word),
+                                   isOffset ? 0 : 4, kMostBytes);
         if (!bytes) return false;
         const auto whole = static_cast<std::uint64_t>(*bytes);
         if (whole % 4 != 0) {
@@ -235,7 +235,7 @@ void doAttribute(Interpreter& in, const Command& command) {
         }
         return bind(in, std::move(binding));
     }
-    const auto numbers = numbersOf(in, values);
+    const auto numbers = floatsOf(in, values);
     if (!numbers) return;
     if (numbers->empty() || numbers->size() > 4) {
         in.reportAt(command, "glib-E26",
@@ -249,7 +249,7 @@ void doAttribute(Interpreter& in, const Command& command) {
 }
 
 void doTessLevels(Interpreter& in, const Command& command) {
-    const auto levels = numbersOf(in, command.values, 6, "TessLevels");
+    const auto levels = floatsOf(in, command.values, 6, "TessLevels");
     if (!levels) return;
     std::array<double, 6> made{};
     std::copy(levels->begin(), levels->end(), made.begin());

@@ -166,7 +166,7 @@ struct Clearing {
 };
 
 std::optional<glm::dvec4> colorOf(Interpreter& in, const Command& command, const Value& value) {
-    const auto numbers = numbersOf(in, {&value, 1});
+    const auto numbers = floatsOf(in, {&value, 1});
     if (!numbers) return std::nullopt;
     if (numbers->size() == 1) return glm::dvec4(numbers->front());
     if (numbers->size() != 3 && numbers->size() != 4)
@@ -395,7 +395,7 @@ void doClearParts(Interpreter& in, const Command& command) {
 }
 
 std::optional<base::FractionRectangle> areaOf(Interpreter& in, const Command& command, bool mayBeEmpty) {
-    const auto numbers = numbersOf(in, command.values, 4, command.word);
+    const auto numbers = floatsOf(in, command.values, 4, command.word);
     if (!numbers) return std::nullopt;
     const base::FractionRectangle area{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
     constexpr double kFar = 64;  // times the target, so that pixels stay in the range of the driver

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -88,9 +87,9 @@ void doRepeat(Interpreter& in, const Command& command) {
     if (words != nullptr) {
         rounds = static_cast<double>(words->size());
     } else {
-        const auto count = numberOf(in, command.values.front());
+        const auto count = wholeOf(in, command.values.front());
         if (!count) return;
-        rounds = std::trunc(*count);
+        rounds = *count;
     }
     if (rounds > static_cast<double>(kMostStatements)) {
         in.reportAt(command, "glib-E28",

@@ -89,7 +89,7 @@ class StateReader {
     }
     bool readSwitch(const Value& value, bool& target) { return readWord(value, target, {"off", "on"}); }
     std::optional<int> stencilValue(const Value& value, std::string_view what) {
-        const auto number = numberIn(in_, value, what, 0, kLargestStencil);
+        const auto number = wholeIn(in_, value, what, 0, kLargestStencil);
         return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
     }
 
@@ -109,7 +109,7 @@ class StateReader {
         if (name == "offset" || name == "depthrange") return readPair(key, state);
         if (name == "blend") return readBlend(key, alpha, state);
         if (name == "blendcolor") {
-            const auto color = numbersOf(in_, key.values, 4, "State: blendcolor");
+            const auto color = floatsOf(in_, key.values, 4, "State: blendcolor");
             if (color) std::copy(color->begin(), color->end(), state.blendConstant.begin());
             return color.has_value();
         }
@@ -128,7 +128,7 @@ class StateReader {
     }
 
     bool readPair(const KeyedValues& key, base::RasterState& state) {
-        const auto pair = numbersOf(in_, key.values, 2, "State: " + key.key);
+        const auto pair = floatsOf(in_, key.values, 2, "State: " + key.key);
         if (!pair) return false;
         if (key.key == "offset") {
             state.offsetFactor = (*pair)[0];

@@ -63,7 +63,7 @@ void setNumbers(Interpreter& in, const KeyedValues& from, std::string key, std::
 /// Three or four components; a missing alpha is 1.
 std::optional<std::vector<double>> colorOfMember(Interpreter& in, const Command& command,
                                                  const KeyedValues& key) {
-    auto numbers = numbersOf(in, key.values);
+    auto numbers = floatsOf(in, key.values);
     if (!numbers) return std::nullopt;
     if (numbers->size() == 1) numbers->resize(3, numbers->front());
     if (numbers->size() == 3) numbers->push_back(1);
@@ -145,7 +145,7 @@ class LightReader {
     bool readKey(const KeyedValues& key) {
         if (key.key == "position") return readPosition(key);
         if (key.key == "spot") {
-            const auto numbers = numbersOf(in_, key.values, 3, "Light: spot");
+            const auto numbers = floatsOf(in_, key.values, 3, "Light: spot");
             if (!numbers) return false;
             std::vector<double> inWorld = transformed(in_.state.model, *numbers, 0);
             inWorld.resize(3);
@@ -157,7 +157,7 @@ class LightReader {
             return value && add(key, "spotExponent", {*value});
         }
         if (key.key == "attenuation") {
-            const auto factors = numbersOf(in_, key.values, 3, "Light: attenuation");
+            const auto factors = floatsOf(in_, key.values, 3, "Light: attenuation");
             if (!factors) return false;
             add(key, "constantAttenuation", {factors->at(0)});
             add(key, "linearAttenuation", {factors->at(1)});
@@ -168,7 +168,7 @@ class LightReader {
     }
 
     bool readPosition(const KeyedValues& key) {
-        const auto numbers = numbersOf(in_, key.values);
+        const auto numbers = floatsOf(in_, key.values);
         if (!numbers) return false;
         if (numbers->size() < 3 || numbers->size() > 4) {
             refuse(in_, "glib-E26", command_, key.position,

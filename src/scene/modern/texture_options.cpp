@@ -45,7 +45,7 @@ std::optional<T> valueOfWord(const std::pair<std::string_view, T> (&rows)[N], st
 /// The colour of a border: three or four components, or one for all of a depth texture.
 std::optional<std::array<double, 4>> borderColor(Interpreter& in, const Command& command,
                                                  const KeyedValues& key) {
-    const auto numbers = numbersOf(in, key.values);
+    const auto numbers = floatsOf(in, key.values);
     if (!numbers) return std::nullopt;
     const std::size_t count = numbers->size();
     if (count != 1 && count != 3 && count != 4)

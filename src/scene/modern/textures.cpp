@@ -81,12 +81,12 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
     const std::span<const Value> all(command.values);
     const std::span<const Value> sizes = all.subspan(1, all.size() - 2);
     const auto format = formatNamed(in, command, all.back());
-    const auto numbers = numbersOf(in, sizes, form.sizes, command.word + ": the size");
+    const auto numbers = wholesOf(in, sizes, form.sizes, command.word + ": the size");
     if (!format || !numbers) return std::nullopt;
     EmptySource source{.format = *format};
     const std::array targets{&source.width, &source.height, &source.depth};
     for (std::size_t i = 0; i < form.sizes; ++i) {
-        const double size = std::trunc((*numbers)[i]) + 0.0;  // never -0
+        const double size = (*numbers)[i];
         const bool isSmall = form.target == TextureTarget::texture3D || form.countsLayers(i);
         const int most = isSmall ? kLargestSide3 : kLargestSide;
         if (!(size >= 1 && size <= most))
@@ -250,8 +250,10 @@ void setPictureSize(Interpreter& in, const std::string& name, const Texture& tex
     const std::vector<FileIndex>& files = std::get<PictureSource>(texture.source).files;
     const auto size = sizeOfFile(in.scene.files[files.front()].source(), sideCount(texture.target));
     if (!size)
-        return names.forget(name + ".size",
-                            "the size of a file of this format is known only when it is read");
+        return names.forget(
+            name + ".size",
+            "the size of a file of this format is known only when it is read; PNG, JPEG, BMP and raw files "
+            "show theirs before");
     const auto [width, height, depth] = *size;
     const auto count = static_cast<double>(files.size());
     if (texture.target == TextureTarget::texture1DArray) return set(width, count, 1);

@@ -79,8 +79,8 @@ const expression::Value* find(const GivenVariables& given, const std::string& na
 
 /// A file that is included twice declares its variables twice.
 void addVariable(Interpreter& in, Variable variable) {
-    const auto isSame = [&](const Variable& each) { return each.name == variable.name; };
-    if (std::ranges::none_of(in.scene.variables, isSame)) in.scene.variables.push_back(std::move(variable));
+    if (in.modern.forms.emplace(variable.name, variable.form).second)
+        in.scene.variables.push_back(std::move(variable));
 }
 
 /// True if a number that the run gives a choice counts one of its words; reports one that does not.
@@ -137,7 +137,7 @@ void declareControl(Interpreter& in, const Command& command, const std::string& 
     Variable made;
     made.name = name;
     made.place = in.place(value);
-    const auto numbers = numbersOf(in, value.items);
+    const auto numbers = floatsOf(in, value.items);
     if (!numbers) return;
     made.written = *numbers;
     expression::Symbol symbol;
@@ -231,11 +231,11 @@ std::optional<expression::Type> typeOfElements(Interpreter& in, const std::strin
 
 void declareArray(Interpreter& in, const Command& command, const std::string& name, const Value& count,
                   const Value& value) {
-    const auto wanted = numberOf(in, count);
+    const auto wanted = wholeOf(in, count);
     if (!wanted) return;
     if (!(*wanted >= 1 && *wanted <= kMostVariableElements)) {
         in.reportAt(count, "glib-E26",
-                    fmt::format("'{}' cannot have {} elements; there are 1 to {}", name, std::trunc(*wanted),
+                    fmt::format("'{}' cannot have {} elements; there are 1 to {}", name, *wanted,
                                 kMostVariableElements));
         return;
     }
@@ -277,9 +277,7 @@ void runLet(Interpreter& in, const Command& command) {
     if (!declareName(in, command, name,
                      isComputed ? DeclaredName::Kind::computed : DeclaredName::Kind::variable))
         return;
-    const auto isSame = [&](const auto& each) { return each.first == name; };
-    if (std::ranges::none_of(in.modern.variables, isSame))
-        in.modern.variables.emplace_back(name, command.position);
+    if (in.modern.variableNames.insert(name).second) in.modern.variables.emplace_back(name, command.position);
     if (isGiven) return declare(in, command, name, variable(given->type), given->all());
     if (command.id == CommandId::bound) return declareControl(in, command, name, value);
     if (isArray && isRule) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
@@ -128,6 +129,25 @@ ReadExpression* supplied(Interpreter& in, const Value& value, const expression::
     return &read;
 }
 
+/// True for a value that another picture may have otherwise though nobody has changed the scene. Its
+/// fractions are cut on purpose.
+bool changesByItself(expression::Depends depends) {
+    using expression::Depends;
+    return changesWithTime(depends) || any(depends & (Depends::window | Depends::mouse));
+}
+
+/// Reports a fraction that is cut, once for each place.
+void reportCut(Interpreter& in, Diagnostic cut) {
+    const Place& place = cut.place;
+    if (in.reported.insert({cut.id, place.file, place.line, place.column}).second) in.report(std::move(cut));
+}
+void reportCut(Interpreter& in, const Value& value, double number) {
+    reportCut(in, diagnose("glib-W27",
+                           fmt::format("{} is cut to {}", glib::numberText(number),
+                                       glib::numberText(base::wholeNumber(number).value)),
+                           in.place(value)));
+}
+
 }  // namespace
 
 WrittenAt writtenAt(const Interpreter& in, const Value& value) {
@@ -178,23 +198,58 @@ std::optional<std::size_t> wordOf(Interpreter& in, const Value& value,
                                 : std::nullopt;
 }
 
+static std::nullopt_t outside(Interpreter& in, const Value& value, std::string_view what, double number,
+                              double least, double most) {
+    return in.reportAt(value, "glib-E26",
+                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(number),
+                                   glib::numberText(least), glib::numberText(most)));
+}
+
 std::optional<double> numberIn(Interpreter& in, const Value& value, std::string_view what, double least,
                                double most) {
     const auto number = numberOf(in, value);
     if (!number || (*number >= least && *number <= most)) return number;
-    return in.reportAt(value, "glib-E26",
-                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(*number),
-                                   glib::numberText(least), glib::numberText(most)));
+    return outside(in, value, what, *number, least, most);
+}
+
+std::optional<std::vector<double>> wholesOf(Interpreter& in, std::span<const Value> values) {
+    std::vector<double> wholes;
+    for (const Value& each : values) {
+        const DependsOnly collected(in);
+        const auto numbers = numbersOf(in, {&each, 1});
+        if (!numbers) return std::nullopt;
+        for (const double number : *numbers) {
+            const auto [whole, isCut] = base::wholeNumber(number);
+            wholes.push_back(whole);
+            if (isCut && !changesByItself(collected.depends())) reportCut(in, each, number);
+        }
+    }
+    return wholes;
+}
+
+std::optional<double> wholeOf(Interpreter& in, const Value& value) {
+    const DependsOnly collected(in);
+    const auto number = numberOf(in, value);
+    if (!number) return std::nullopt;
+    const auto [whole, isCut] = base::wholeNumber(*number);
+    if (isCut && !changesByItself(collected.depends())) reportCut(in, value, *number);
+    return whole;
+}
+
+std::optional<double> wholeIn(Interpreter& in, const Value& value, std::string_view what, double least,
+                              double most) {
+    const auto whole = wholeOf(in, value);
+    if (!whole || (*whole >= least && *whole <= most)) return whole;
+    return outside(in, value, what, *whole, least, most);
 }
 
 std::optional<int> integerIn(Interpreter& in, const Value& value, std::string_view what, int least,
                              int most) {
-    const auto number = numberOf(in, value);
-    if (!number) return std::nullopt;
-    const double whole = std::trunc(*number) + 0.0;  // never -0
-    if (whole >= least && whole <= most) return static_cast<int>(whole);
+    const auto whole = wholeOf(in, value);
+    if (!whole) return std::nullopt;
+    if (*whole >= least && *whole <= most) return static_cast<int>(*whole);
     return in.reportAt(value, "glib-E26",
-                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(whole),
+                       fmt::format("{} {} is not between {} and {}", what, glib::numberText(*whole),
                                    base::groupedText(least), base::groupedText(most)));
 }
 
@@ -216,14 +271,33 @@ std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Va
     return numbers;
 }
 
+bool fitFloats(Interpreter& in, const Value& value, std::span<const double> numbers) {
+    const auto large = std::ranges::find_if_not(numbers, base::fitsFloat);
+    if (large == numbers.end()) return true;
+    in.reportAt(value, "glib-E05",
+                fmt::format("{} is too large for a 32-bit float", glib::numberText(*large)));
+    return false;
+}
+
+std::optional<std::vector<double>> floatsOf(Interpreter& in, std::span<const Value> values) {
+    std::vector<double> all;
+    for (const Value& each : values) {
+        const auto numbers = numbersOf(in, {&each, 1});
+        if (!numbers || !fitFloats(in, each, *numbers)) return std::nullopt;
+        all.insert(all.end(), numbers->begin(), numbers->end());
+    }
+    return all;
+}
+
 std::optional<std::vector<glib::EvaluatedNumber>> evaluatedNumbers(Interpreter& in,
                                                                    std::span<const Value> values) {
     std::vector<glib::EvaluatedNumber> numbers;
     for (const Value& each : values) {
+        const DependsOnly collected(in);
         const auto own = numbersOf(in, {&each, 1});
         if (!own) return std::nullopt;
-        for (const double number : *own)
-            numbers.push_back({number, each.position, each.kind != Value::Kind::expression});
+        const bool reportsCut = !changesByItself(collected.depends());
+        for (const double number : *own) numbers.push_back({number, each.position, reportsCut});
     }
     return numbers;
 }
@@ -233,13 +307,19 @@ bool fillNumbers(Interpreter& in, const glib::CommandRow& row, std::span<const g
     glib::MessageLog log(in.script->path);
     glib::evaluateNumbers(row, command, numbers, log);
     const bool isRight = log.errorCount() == 0;
-    for (Diagnostic& each : log.take()) in.report(std::move(each));
+    for (Diagnostic& each : log.take()) {
+        if (each.id == "glib-W27")
+            reportCut(in, std::move(each));
+        else
+            in.report(std::move(each));
+    }
     return isRight;
 }
 
-std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Value> values,
-                                             std::size_t count, std::string_view what) {
-    auto numbers = numbersOf(in, values);
+/// The numbers if they are `count`; otherwise nothing with glib-E26 reported.
+static std::optional<std::vector<double>> exactly(Interpreter& in, std::optional<std::vector<double>> numbers,
+                                                  std::span<const Value> values, std::size_t count,
+                                                  std::string_view what) {
     if (!numbers || numbers->size() == count) return numbers;
     const glib::Position position = values.empty() ? glib::Position{} : values.front().position;
     in.report(diagnose("glib-E26",
@@ -247,6 +327,21 @@ std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Va
                                    base::counted(count, "number"), numbers->size()),
                        in.script->place(position)));
     return std::nullopt;
+}
+
+std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Value> values,
+                                             std::size_t count, std::string_view what) {
+    return exactly(in, numbersOf(in, values), values, count, what);
+}
+
+std::optional<std::vector<double>> floatsOf(Interpreter& in, std::span<const Value> values, std::size_t count,
+                                            std::string_view what) {
+    return exactly(in, floatsOf(in, values), values, count, what);
+}
+
+std::optional<std::vector<double>> wholesOf(Interpreter& in, std::span<const Value> values, std::size_t count,
+                                            std::string_view what) {
+    return exactly(in, wholesOf(in, values), values, count, what);
 }
 
 std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Value> values) {

@@ -31,15 +31,30 @@ std::optional<bool> truthOf(Interpreter&, const Value& value);
 
 /// The index of a word among `words`: a word as written, or an expression whose value is one of them.
 std::optional<std::size_t> wordOf(Interpreter&, const Value& value, std::span<const std::string_view> words);
-/// A number from `least` to `most`, cut toward zero if it is an integer. Nothing with glib-E26 reported:
-/// "Step: the rate 0 is not between 1e-06 and 1,000,000".
+/// A number from `least` to `most`. Nothing with glib-E26 reported: "Step: the rate 0 is not between 1e-06
+/// and 1,000,000".
 std::optional<double> numberIn(Interpreter&, const Value& value, std::string_view what, double least,
                                double most);
+
+/// Numbers that count something: base::wholeNumber(). A fraction is cut, and glib-W27 reported, unless the
+/// value follows time, window or mouse.
+std::optional<std::vector<double>> wholesOf(Interpreter&, std::span<const Value> values);
+std::optional<std::vector<double>> wholesOf(Interpreter&, std::span<const Value> values, std::size_t count,
+                                            std::string_view what);
+std::optional<double> wholeOf(Interpreter&, const Value& value);
+/// The same from `least` to `most`, as numberIn().
+std::optional<double> wholeIn(Interpreter&, const Value& value, std::string_view what, double least,
+                              double most);
 std::optional<int> integerIn(Interpreter&, const Value& value, std::string_view what, int least, int most);
 
 /// The numbers of several values in order. A vector or matrix gives as many as it has components. Nothing if
 /// an expression has no value. The values must not be words or texts.
 std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const Value> values);
+
+/// The same for numbers that are kept as 32-bit floats. Nothing, with glib-E05, if one is too large.
+std::optional<std::vector<double>> floatsOf(Interpreter&, std::span<const Value> values);
+/// False with glib-E05 reported if 32-bit floats do not hold the numbers of a value.
+bool fitFloats(Interpreter&, const Value& value, std::span<const double> numbers);
 
 /// The same with the place of each number.
 std::optional<std::vector<glib::EvaluatedNumber>> evaluatedNumbers(Interpreter&,
@@ -51,6 +66,8 @@ bool fillNumbers(Interpreter&, const glib::CommandRow& row, std::span<const glib
 /// What numbersOf() gives, if these are `count` numbers. Reports glib-E26 for fewer or more.
 std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const Value> values, std::size_t count,
                                              std::string_view what);
+std::optional<std::vector<double>> floatsOf(Interpreter&, std::span<const Value> values, std::size_t count,
+                                            std::string_view what);
 
 /// The value of a parameter or variable: an expression, the name of a variable, or one to four numbers.
 /// Nothing with the reason reported.

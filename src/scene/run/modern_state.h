@@ -172,6 +172,8 @@ struct ModernState {
     /// What faulty statements would have declared. Whoever misses one of these reports nothing.
     std::set<std::string, std::less<>> lostNames;
     std::vector<std::pair<std::string, glib::Position>> variables;  ///< of all Let statements, in order
+    std::set<std::string, std::less<>> variableNames;               ///< of `variables`
+    std::map<std::string, glib::UniformForm, std::less<>> forms;    ///< of Scene::variables, by name
     std::map<const glib::Command*, LostRaster> rasterLost;
     std::set<const glib::Command*> rasterUsed;  ///< statements that decide how something is drawn
     bool drawsClassicView = false;              ///< something is drawn that no Camera `eye` before it sees

@@ -21,9 +21,8 @@ namespace {
 
 /// The form of a variable that is a colour stays a colour, so that it fits three and four components.
 bool isColor(const Interpreter& in, const std::string& name) {
-    for (const Variable& each : in.scene.variables)
-        if (each.name == name) return each.form == glib::UniformForm::color;
-    return false;
+    const auto known = in.modern.forms.find(name);
+    return known != in.modern.forms.end() && known->second == glib::UniformForm::color;
 }
 
 /// The word of a choice.
@@ -200,9 +199,9 @@ std::optional<std::string> keyOfTag(Interpreter& in, const KeyedValues& tag) {
         if (!key.empty()) key += '.';
         key += each.name;
         if (each.index.empty()) continue;
-        const auto index = numberIn(in, each.index.front(), tag.key + ": subscript", 0, kMostSubscript);
+        const auto index = wholeIn(in, each.index.front(), tag.key + ": subscript", 0, kMostSubscript);
         if (!index) return std::nullopt;
-        key += fmt::format("[{:.0f}]", std::trunc(*index));
+        key += fmt::format("[{:.0f}]", *index);
     }
     return key;
 }
