@@ -85,13 +85,23 @@ double emittedBy(const CountedLoop& loop, const UniformValue& uniform) {
     return each == 0 ? 0 : roundsOf(loop, uniform) * each;
 }
 
+bool isOpen(const CountedLoop& loop, const UniformValue& uniform) {
+    return !(roundsOf(loop, uniform) > 0) ||
+           std::ranges::any_of(loop.inside, [&](const CountedLoop& each) { return isOpen(each, uniform); });
+}
+
+bool isUnrolled(const CountedLoop& loop) {
+    const UniformValue none = [](std::string_view) { return std::nullopt; };
+    return isConstant(loop.first) && isConstant(loop.bound) && isConstant(loop.step) &&
+           roundsOf(loop, none) > 0 && roundsOf(loop, none) <= kUnrolled &&
+           std::ranges::all_of(loop.inside, isUnrolled);
+}
+
 double totalRounds(const CountedLoop& loop, const UniformValue& uniform) {
     const double rounds = roundsOf(loop, uniform);
     double inside = 0;
     for (const CountedLoop& each : loop.inside) inside += totalRounds(each, uniform);
-    const bool isUnrolled = inside == 0 && rounds <= kUnrolled && isConstant(loop.first) &&
-                            isConstant(loop.bound) && isConstant(loop.step);
-    if (isUnrolled) return 0;
+    if (isUnrolled(loop)) return 0;
     return std::min(kMostRounds, std::max(rounds * (1 + inside), inside));
 }
 
