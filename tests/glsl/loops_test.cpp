@@ -203,6 +203,10 @@ TEST(Loops, ThatCannotBeCountedAreListed) {
         "int two(int m) { int s = 0; while (s < m) s += m; return s; }\n"
         "int two(float m) { return int(m); }\n";
     EXPECT_EQ(uncounted("for (int i = 0; i < uN; ++i) for (int j = 0; j < 5; ++j) n++;"), 0U);
+    EXPECT_EQ(uncounted("for (uint i = 9u; i > 0u; i--) n++;"), 0U);
+    EXPECT_EQ(uncounted("for (uint i = 9u; i >= 0u; i--) n++;"), 1U) << "it never is less";
+    EXPECT_EQ(uncounted("for (uint i = 9u; i > 0u; i -= 2u) n++;"), 1U) << "it steps over 0";
+    EXPECT_EQ(rounds("for (int i = 0; i != 5; i += 2) n++;"), 0) << "it steps over 5";
     EXPECT_EQ(uncounted("n++;", row), 0U) << "nothing calls it";
     EXPECT_EQ(uncounted("for (int i = 0; i < uN; ++i) for (int j = 0; j < i; ++j) n++;"), 1U);
     EXPECT_EQ(uncounted("n = row(9) + row(5);", row), 1U);

@@ -226,10 +226,21 @@ class LoopSearch {
                 loop->untilEqual = sign == equality;
                 loop->falling = ((sign.front() == '>') == isLeft) != ends;
                 loop->including = !loop->untilEqual && (sign.size() == 2) != ends;
+                if (mayWrap(*loop, sides[isLeft ? 0 : 1])) continue;
                 return loop;
             }
         }
         return std::nullopt;
+    }
+
+    /// True for an unsigned variable that may fall below zero, where it becomes the largest number.
+    [[nodiscard]] bool mayWrap(const CountedLoop& loop, Range side) const {
+        const LocalVariable* variable = unit_.onlyLocal(text(side.first));
+        const auto* step =
+            loop.step.steps.size() == 2 ? std::get_if<double>(&loop.step.steps.front()) : nullptr;
+        const bool isByOne = (step != nullptr && *step == 1) || loop.step.steps == Formula{{-1.}}.steps;
+        return loop.falling && variable != nullptr && variable->typeWord == "uint" &&
+               (loop.including || !isByOne);
     }
 
     /// A loop whose condition compares the variable in `side` with `bound`.

@@ -75,6 +75,7 @@ double roundsOf(const CountedLoop& loop, const UniformValue& uniform) {
     if (!first || !bound || !step || *step == 0) return 0;
     if (!loop.untilEqual && (*step < 0) != loop.falling) return 0;
     const double steps = (*bound - *first) / *step;
+    if (loop.untilEqual && steps != std::floor(steps)) return 0;  // it steps over the bound
     return std::clamp(loop.including ? std::floor(steps) + 1 : std::ceil(steps), 0., kMostRounds);
 }
 
