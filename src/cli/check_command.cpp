@@ -48,8 +48,7 @@ struct CheckArguments {
     bool run = false;
 };
 
-/// Writes each shader to the folder, which is made if it does not exist. This is done in the parent process,
-/// in the order of the scenes, since shaders of two scenes may have the same name.
+/// Writes each shader to the folder, which is made if it does not exist.
 Diagnostics writeShaders(const std::vector<render::TranslatedShader>& shaders,
                          const std::filesystem::path& folder, const ReadFiles& read) {
     if (shaders.empty()) return {};
@@ -72,6 +71,24 @@ bool hasErrorOfScene(const Diagnostics& diagnostics) {
     return std::ranges::any_of(diagnostics, [](const Diagnostic& each) {
         return each.severity == Severity::error && !each.id.starts_with("check-");
     });
+}
+
+/// The folder of each scene's shaders in `folder`: with several scenes one that has the scene's name, within
+/// the folders below the one that all of them are in.
+std::vector<std::filesystem::path> shaderFolders(const std::vector<std::string>& scenes,
+                                                 const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> folders(scenes.size(), folder);
+    if (scenes.size() < 2 || folder.empty()) return folders;
+    std::vector<std::filesystem::path> places;
+    for (const std::string& each : scenes)
+        places.push_back(
+            std::filesystem::absolute(each == kStandardInput ? "standard_input" : each).lexically_normal());
+    std::filesystem::path common = places.front().parent_path();
+    for (const std::filesystem::path& each : places)
+        while (std::ranges::mismatch(common, each).in1 != common.end()) common = common.parent_path();
+    for (std::size_t i = 0; i < places.size(); ++i)
+        folders[i] = folder / places[i].lexically_relative(common).replace_extension();
+    return folders;
 }
 
 /// Runs in a worker. It opens the context with its first scene and keeps it.
@@ -127,12 +144,15 @@ class CheckReport {
   public:
     /// What the scenes read is not written over by their translated shaders.
     CheckReport(const CheckArguments& arguments, ReadFiles read)
-        : arguments_(arguments), read_(std::move(read)), answers_(arguments.scenes.size()) {}
+        : arguments_(arguments),
+          read_(std::move(read)),
+          folders_(shaderFolders(arguments.scenes, arguments.translated)),
+          answers_(arguments.scenes.size()) {}
 
     void add(std::size_t index, Answer answer) {
         answers_[index] = std::move(answer);
         for (; next_ < answers_.size() && answers_[next_] && status_ != kNoDriver; ++next_) {
-            report(arguments_.scenes[next_], *answers_[next_]);
+            report(next_, *answers_[next_]);
             answers_[next_].emplace();  // shaders may be large
         }
     }
@@ -148,18 +168,19 @@ class CheckReport {
         return status;
     }
 
-    void report(const std::string& scene, Answer& answer) {
+    void report(std::size_t index, Answer& answer) {
         Diagnostics diagnostics = std::move(answer.remarks.general);
-        append(diagnostics, writeShaders(answer.shaders, arguments_.translated, read_));
+        append(diagnostics, writeShaders(answer.shaders, folders_[index], read_));
         status_ = std::max({status_, answer.status, statusOf(diagnostics)});
         if (arguments_.json && status_ != kNoDriver)
-            scenes_.push_back({scene, std::move(diagnostics)});
+            scenes_.push_back({arguments_.scenes[index], std::move(diagnostics)});
         else
             print(diagnostics, answer.lines);
     }
 
     const CheckArguments& arguments_;
     ReadFiles read_;
+    std::vector<std::filesystem::path> folders_;
     std::vector<std::optional<Answer>> answers_;
     std::size_t next_ = 0;  ///< the first scene that is not reported
     int status_ = kDone;
@@ -232,7 +253,8 @@ void addCheck(CommandLine& program, int& status) {
     addUntrustedOption(command, arguments->untrusted);
     command
         .option("--translated", arguments->translated,
-                "folder for the shaders after translation, as the driver compiles them")
+                "folder for the shaders after translation, as the driver compiles them; with several scenes "
+                "each has a folder of its name there")
         .written()
         .rare();
     command.find("--untrusted").rare();

@@ -122,6 +122,10 @@ void addRender(CommandLine& program, int& status) {
             "glow.level(2)=glow.png, sky.face(0)=px.png, Particles=particles.csv (or .npy)")
         .placeholder("NAME=FILE");
     command.flag("--explain", to.explain, "print what was made, what was skipped and why");
+    command.flag(
+        "--check-order", to.checkOrder,
+        "draw the picture again with the invocations of shaders that store in memory in another order, "
+        "and name what differs");
     command.flag("--trace", to.trace, "print the OpenGL calls of the picture, with places in the scene");
     addUntrustedOption(command, to.untrusted);
     command.option("--stats", to.statsFile,
@@ -129,7 +133,8 @@ void addRender(CommandLine& program, int& status) {
     for (const char* each : {"--driver", "--stats", "--save", "--untrusted", "--trace"})
         command.find(each).rare();
     excludePictureOptions(command, suite);
-    for (const char* each : {"--frames", "--fps", "--save", "--explain", "--trace", "--stats"})
+    for (const char* each :
+         {"--frames", "--fps", "--save", "--explain", "--check-order", "--trace", "--stats"})
         suite.excludes(command.find(each));
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
         if (timeout.isGiven()) arguments->suite.timeout = arguments->picture.timeout;

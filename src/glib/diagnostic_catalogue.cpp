@@ -207,6 +207,14 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"memory-W06",
      "Dispatch: there is one group along y, so only 8 of the 512 texels of 'heat' along y are reached; write "
      "'over heat' or the number of groups along y"},
+    {"memory-W07",
+     "Dispatch: 'list' depends on the order in which invocations run, which is open: in another order 62 of "
+     "its "
+     "64 values differ, the first in element 0, and so do 512 pixels of the picture"},
+    {"memory-N01",
+     "Dispatch: 'list' depends on the order in which invocations run, which is open: in another order 62 of "
+     "its "
+     "64 values differ, the first in element 0, but the picture does not"},
     // Shaders
     {"glsl-E01", "'vMC' : undeclared identifier"},
     {"glsl-E02", "'vN' is vec3 in dots.vert:4 and vec4 in dots.frag:6"},

@@ -161,6 +161,7 @@ void applyRules(ProgramUnits& program) {
         if (program.request->checksUndefined) recordUndefined(unit, program.result->undefinedSites);
         recordUserNames(unit, *program.result);
     }
+    recordCutLoops(program);
     program.result->placement = findPlacement(program);
     makePositionsInvariant(program);
     program.result->isOpaque = findOpacity(program);
@@ -199,6 +200,7 @@ void deliver(ProgramUnits& program) {
         stage.firstLine = unit.firstLine;
         LoopFacts loops = loopsOf(unit);
         stage.loops = std::move(loops.loops);
+        stage.uncounted = std::move(loops.uncounted);
         stage.emits = loops.emits;
         if (program.request->acceptsStorage || unit.stage == Stage::compute)
             stage.subscripts = subscriptsOf(unit);

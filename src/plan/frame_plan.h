@@ -56,6 +56,9 @@ struct PlannedProgram {
     std::vector<BlockUse> blocks{};          ///< in buffers of the scene
     std::vector<std::string> foundByName{};  ///< UniformResolution::foundByName
     std::vector<std::string> timed{};        ///< UniformResolution::timed
+    /// Its text and these values do not show that its loops are short enough for every driver, nor that they
+    /// are not.
+    bool hasOpenLoops = false;
 };
 
 /// What feeds the inputs of a program; one element per input of its interface.

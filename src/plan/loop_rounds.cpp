@@ -62,6 +62,16 @@ Diagnostics reportLostVertices(const PlannedProgram& program, const Measure& mea
     return {};
 }
 
+bool hasOpenLoops(const PlannedProgram& program, const Measure& measure) {
+    const glsl::UniformValue value = valuesOf(program, measure);
+    return std::ranges::any_of(program.interface->facts.stages, [&](const glsl::TranslatedStage& stage) {
+        double all = 0;
+        for (const glsl::CountedLoop& each : stage.loops) all += glsl::totalRounds(each, value);
+        return !stage.uncounted.empty() || all > kRoundsOfAnyDriver ||
+               std::ranges::any_of(stage.loops, [&](const auto& each) { return glsl::isOpen(each, value); });
+    });
+}
+
 Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<int()>& limit,
                             const Measure& measure) {
     Diagnostics diagnostics;

@@ -29,6 +29,10 @@ Measure measureOf(const scene::Scene& scene, const PlannedProgram& program, std:
 Diagnostics reportLongLoops(const PlannedProgram& program, const std::function<int()>& limit,
                             const Measure& measure = {});
 
+/// True if a stage may run more than kRoundsOfAnyDriver rounds, as far as its text and the planned values
+/// show: the number of rounds of a loop is not known, or too high.
+bool hasOpenLoops(const PlannedProgram& program, const Measure& measure = {});
+
 /// Returns glsl-W27 if the geometry stage emits more vertices than its layout allows, as far as the number is
 /// sure.
 Diagnostics reportLostVertices(const PlannedProgram& program, const Measure& measure = {});

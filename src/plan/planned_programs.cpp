@@ -47,7 +47,9 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     state.diagnostics = interface.facts.diagnostics;
     if (interface.usable) resolve(program, state, uniforms, file.empty() ? scene_.path : file);
     const Measure measure = measureOf(scene_, program, state.units);
-    append(state.diagnostics, reportLongLoops(program, [this] { return loopLimit(); }, measure));
+    Diagnostics longLoops = reportLongLoops(program, [this] { return loopLimit(); }, measure);
+    program.hasOpenLoops = interface.usable && longLoops.empty() && plan::hasOpenLoops(program, measure);
+    append(state.diagnostics, std::move(longLoops));
     append(state.diagnostics, reportLostVertices(program, measure));
     states_.push_back(std::move(state));
     return index = plan_.programs.add(std::move(program));
@@ -97,7 +99,7 @@ int PlannedPrograms::loopLimit() {
 }
 
 PlannedInputsIndex PlannedPrograms::inputsOf(const scene::Draw& draw, PlannedProgramIndex program) {
-    PlannedInputsIndex& index = inputs_[{program, draw.attributes}];
+    PlannedInputsIndex& index = inputs_[{(*this)[program].variant, draw.attributes}];
     if (!index)
         index = plan_.inputs.add({inputSources(scene_, draw.attributes, *(*this)[program].interface)});
     return index;

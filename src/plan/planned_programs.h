@@ -87,7 +87,8 @@ class PlannedPrograms {
     std::map<std::pair<ProgramVariant, scene::UniformSetIndex>, PlannedProgramIndex> programs_;
     scene::List<State, PlannedProgram> states_;
     std::map<std::tuple<PlannedProgramIndex, scene::SlotTableIndex, bool>, std::vector<TextureUse>> uses_;
-    std::map<std::pair<PlannedProgramIndex, scene::AttributeSetIndex>, PlannedInputsIndex> inputs_;
+    /// Values of uniforms do not matter, so that draws that differ only in them share a vertex array.
+    std::map<std::pair<ProgramVariant, scene::AttributeSetIndex>, PlannedInputsIndex> inputs_;
     std::optional<int> loopLimit_;
 };
 

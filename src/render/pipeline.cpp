@@ -1,6 +1,7 @@
 #include "render/pipeline.h"
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -34,7 +35,8 @@ Pipeline::Pipeline(gpu::Context& usedContext, RenderOptions usedOptions, Interpr
       ownParts(setup.hasProbes && !setup.shared ? std::make_unique<SharedParts>() : nullptr),
       parts(ownParts ? ownParts.get() : setup.shared),
       programs(context, scene, options, setup.isTiled, stats, parts),
-      device(context, scene, stats, parts, options.skip) {}
+      device(context, scene, stats, parts, options.skip),
+      watchesLoops_(setup.watchesLoops) {}
 
 int Pipeline::loopLimit() {
     if (!loopLimit_) loopLimit_ = gpu::measureLoopLimit(context);
@@ -66,7 +68,8 @@ Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool 
                                                            std::vector<scene::ObjectView> roots) mutable {
                                            listOptions.roots = std::move(roots);
                                            return planList(nodes, listOptions);
-                                       }},
+                                       },
+                                       [this](const plan::FramePlan& of) { recordLoops(of); }},
                        options.steps);
     Diagnostics diagnostics = simulation->plan(plan, framesDiffer, planOptions.roots);
     std::vector<const plan::FramePlan*> all = simulation->plans();
@@ -79,6 +82,20 @@ std::vector<const plan::FramePlan*> Pipeline::plans() const {
     std::vector<const plan::FramePlan*> all{&plan};
     if (simulation) std::ranges::copy(simulation->plans(), std::back_inserter(all));
     return all;
+}
+
+void Pipeline::recordLoops(const plan::FramePlan& of) {
+    const bool isOpen = std::ranges::any_of(of.programs, &plan::PlannedProgram::hasOpenLoops);
+    if (watchesLoops_ && isOpen && loopLimit() > 0) programs.countLoops(of);
+}
+
+bool Pipeline::recordsLoops() const {
+    return std::has_single_bit(frames_ + 1);
+}
+
+Diagnostics Pipeline::takeCutLoops() {
+    ++frames_;
+    return loopLimit_.value_or(0) > 0 ? programs.takeCutLoops(*loopLimit_) : Diagnostics();
 }
 
 void Pipeline::makeDrawer(Stats& stats) {
@@ -156,6 +173,7 @@ void Pipeline::lookFrom(const ViewState& state) {
 void Pipeline::changeValues(
     const std::function<std::vector<plan::PlannedProgramIndex>(plan::FramePlan&)>& change) {
     noteChange(false);
+    frames_ = 0;
     for (const plan::PlannedProgramIndex each : change(plan)) drawer->forgetLiterals(each);
     if (simulation) simulation->changeValues(change);
 }
@@ -181,15 +199,17 @@ plan::StillNodes Pipeline::stillNodes(int width, int height) const {
     if (!isComparable) return {};
     std::set<plan::Object> moved;
     std::vector<bool> isMovedNode(plan.order.size());
-    if (now.scene != drawnView_.scene || now.eye != drawnView_.eye)
+    if (now.scene != drawnView_.scene || now.eye != drawnView_.eye) {
+        const std::set<std::string> cameras = movedCameras(*plan.nodes);
         for (std::size_t node = 0; node < plan.order.size(); ++node) {
             const scene::NodeIndex& at = plan.order[node];
             if (at.kind != scene::NodeIndex::Kind::pass) continue;
             const scene::Pass& pass = plan.passOf(plan.passes[at.index]);
-            isMovedNode[node] = !pass.isWindow && isMoved(*plan.nodes, pass);
+            isMovedNode[node] = !pass.isWindow && cameras.contains(pass.rootCamera);
             if (!isMovedNode[node]) continue;
             moved.insert(plan.accesses[node].written.begin(), plan.accesses[node].written.end());
         }
+    }
     const bool hasRun = simulation && simulation->changes() != drawnChanges_;
     const plan::PlannedScene before =
         drawnBefore_

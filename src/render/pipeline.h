@@ -37,6 +37,7 @@ struct Pipeline {
         bool isTiled = false;           ///< programs can draw a part of a larger picture
         bool hasProbes = false;         ///< shares parts with pictures that answer questions
         SharedParts* shared = nullptr;  ///< parts of other scenes; it must outlive this
+        bool watchesLoops = false;      ///< frames may record loops that the driver ends
     };
     /// `stats` is of loading the scene and must outlive this. Needs no GL.
     Pipeline(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted, Stats& stats,
@@ -66,6 +67,14 @@ struct Pipeline {
 
     /// The rounds after which the driver ends a loop, measured once.
     int loopLimit();
+    /// Makes what records the loops that the driver ends (Frame::recordsLoops), if it ends any. Call it
+    /// before the first frame of a plan.
+    void recordLoops(const plan::FramePlan& of);
+    /// True if the next frame records: the first with the values of its uniforms, the second, the fourth and
+    /// so on, since buffers and time may lengthen loops.
+    [[nodiscard]] bool recordsLoops() const;
+    /// The loops that the driver has ended since the last call: draw-W08. Call it after each frame.
+    Diagnostics takeCutLoops();
     /// Answers all of a plan's questions, that of draws out of sight by `outOfSight`.
     [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
                                            decltype(plan::PlanQuestions::outOfSight) outOfSight = {});
@@ -112,7 +121,9 @@ struct Pipeline {
     /// (`ofScene`) are replaced.
     void noteChange(bool ofScene);
 
+    bool watchesLoops_;
     std::optional<int> loopLimit_;
+    std::uint64_t frames_ = 0;         ///< that were drawn with these values
     std::optional<double> eyeAspect_;  ///< that eyeDistance was computed for
     bool isViewSet_ = false;           ///< `view` was made by lookFrom() for this scene
     double setEyeDistance_ = 0;        ///< the eyeDistance in `view`

@@ -37,8 +37,14 @@ Diagnostics SceneState::drawTile(std::size_t index, double time, const plan::Sti
                                  Stats& stats) {
     const StageTimer timer(stats, "draw");
     const bool textures = index == 0 || !texturesComeFirst(plan);
-    Diagnostics diagnostics =
-        drawer->draw(*window, {view, width, height, tiles[index], time, textures, &still});
+    Diagnostics diagnostics = drawer->draw(*window, {.view = view,
+                                                     .width = width,
+                                                     .height = height,
+                                                     .tile = tiles[index],
+                                                     .time = time,
+                                                     .texturePasses = textures,
+                                                     .still = &still,
+                                                     .recordsLoops = recordsLoops()});
     if (axes) axes->draw(*window, scene, view, tiles[index], width, height);
     const bool isTimed = gpuTimes != nullptr && window->samples() > 1;
     if (isTimed) gpuTimes->beginWork({"means of the window's samples", 0});
@@ -87,6 +93,7 @@ void SceneState::finishPicture(image::Image& picture, const std::optional<LabelB
 
 void SceneState::endFrame(Diagnostics& diagnostics, Stats& stats) {
     noteDrawn(width, height, diagnostics);
+    append(diagnostics, takeCutLoops());
     stats.add("frames", 1);
     append(diagnostics, context.debugLog().takeDiagnostics());
     if (options.checkUndefined) append(diagnostics, programs.takeUndefined());

@@ -219,6 +219,7 @@ Diagnostics SceneState::checkTiles() const {
 
 void SceneState::makePictureDrawer(Stats& stats) {
     makeDrawer(stats);
+    recordLoops(plan);
     if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
     if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
     if (areSamplesChosen && options.samples > 1) drawer->shadeSamples();

@@ -26,7 +26,7 @@ struct SceneState : Pipeline {
     SceneState(gpu::Context& usedContext, const RenderOptions& usedOptions, InterpretedScene interpreted,
                bool isTiled, Stats& stats, SharedParts* shared)
         : Pipeline(usedContext, usedOptions, std::move(interpreted), stats,
-                   {isTiled, usedOptions.maxError > 0 && usedOptions.skip, shared}) {}
+                   {isTiled, usedOptions.maxError > 0 && usedOptions.skip, shared, true}) {}
 
     /// Needs no GL. Reports glib-E15 for a picture that is too large.
     static Result<std::unique_ptr<SceneState>> of(gpu::Context& context, InterpretedScene interpreted,

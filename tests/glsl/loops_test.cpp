@@ -188,5 +188,59 @@ TEST(Loops, WithoutAConditionEndAtTheirBreak) {
     EXPECT_EQ(rounds("while (true) { if (uM > 2.) break; }"), 0);
 }
 
+/// The number of loops that main runs and that cannot be counted.
+std::size_t uncounted(const std::string& body, const std::string& functions = "") {
+    const TranslatedProgram translated = translateSingle(
+        Stage::fragment, "#version 330\nout vec4 fColor;\nuniform int uN;\n" + functions +
+                             "void main() {\n  int n = 0;\n  " + body + "\n  fColor = vec4(n);\n}\n");
+    EXPECT_EQ(translated.stages.size(), 1U) << ids(translated.diagnostics);
+    return translated.stages.empty() ? 0 : translated.stages[0].uncounted.size();
+}
+
+TEST(Loops, ThatCannotBeCountedAreListed) {
+    const std::string row = "int row(int m) { int s = 0; for (int i = 0; i < m; i++) s++; return s; }\n";
+    const std::string two =
+        "int two(int m) { int s = 0; while (s < m) s += m; return s; }\n"
+        "int two(float m) { return int(m); }\n";
+    EXPECT_EQ(uncounted("for (int i = 0; i < uN; ++i) for (int j = 0; j < 5; ++j) n++;"), 0U);
+    EXPECT_EQ(uncounted("for (uint i = 9u; i > 0u; i--) n++;"), 0U);
+    EXPECT_EQ(uncounted("for (uint i = 9u; i >= 0u; i--) n++;"), 1U) << "it never is less";
+    EXPECT_EQ(uncounted("for (uint i = 9u; i > 0u; i -= 2u) n++;"), 1U) << "it steps over 0";
+    EXPECT_EQ(rounds("for (int i = 0; i != 5; i += 2) n++;"), 0) << "it steps over 5";
+    EXPECT_EQ(uncounted("n++;", row), 0U) << "nothing calls it";
+    EXPECT_EQ(uncounted("for (int i = 0; i < uN; ++i) for (int j = 0; j < i; ++j) n++;"), 1U);
+    EXPECT_EQ(uncounted("n = row(9) + row(5);", row), 1U);
+    EXPECT_EQ(uncounted("for (int i = 0; i < row(9); ++i) n++;", row), 1U) << "its own rounds";
+    EXPECT_EQ(uncounted("int i = 0; while (i++ < row(9)) n++;", row), 1U);
+    EXPECT_EQ(uncounted("n = two(9);", two), 1U);
+    EXPECT_EQ(uncounted("do n += n + 1; while (n < 99);"), 1U);
+    EXPECT_EQ(uncounted("while (true) { if (fract(float(n)) > 2.) break; }"), 1U);
+}
+
+/// The text of a program that records which loops a driver ends.
+TEST(Loops, RecordThatTheyAreLeftWhileTheyGoOn) {
+    ProgramRequest request;
+    request.target.version = 450;
+    request.recordsLoops = true;
+    request.stages = {{Stage::fragment, "a.frag",
+                       "#version 430\nout vec4 c;\nvoid main() {\nint n = 0;\n"
+                       "for (int i = 0; i < 8; ++i) n++;\n"
+                       "for (int i = 0; n < 80; ++i)\nfor (;;) if (n++ > i) break;\n"
+                       "while (bool goes = n > 0) { switch (n) { case 1: break; } n--; }\n"
+                       "do n++; while (n < 9 * n);\nc = vec4(n);\n}\n"}};
+    const TranslatedProgram translated = translate(request);
+    ASSERT_EQ(translated.stages.size(), 1U) << ids(translated.diagnostics);
+    std::vector<int> lines;
+    for (const Place& each : translated.loopSites) lines.push_back(each.line);
+    EXPECT_EQ(lines, (std::vector<int>{7, 6, 8, 9})) << "inner loops first; the first one is unrolled";
+    const std::string& source = translated.stages.front().source;
+    for (const char* each : {"glibra_goes(true, 0)", "{ glibra_inLoop[0 + glibra_NoLoop] = 0; break; }",
+                             "glibra_cutLoops[1] = 1; }", "early_fragment_tests"})
+        EXPECT_NE(source.find(each), std::string::npos) << each << "\n" << source;
+    EXPECT_NE(source.find("case 1: break;"), std::string::npos) << "it leaves no loop\n" << source;
+    request.recordsLoops = false;
+    EXPECT_EQ(translate(request).stages.front().source.find("glibra_goes"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace glibra::glsl::test

@@ -14,9 +14,9 @@ namespace {
 
 using test::has;
 
-GLenum told = GL_NO_ERROR;
+GLenum toldStatus = GL_NO_ERROR;
 GLenum tell() {
-    return told;
+    return toldStatus;
 }
 
 TEST(LostDevice, TheLibraryReportsItAndOpensAnotherContext) {
@@ -29,12 +29,12 @@ TEST(LostDevice, TheLibraryReportsItAndOpensAnotherContext) {
         gpu::WorkPlaces places;
         glad_glGetGraphicsResetStatus = tell;
         gpu::watchDevice(places);
-        told = status;
+        toldStatus = status;
         const Result<Picture> lost = renderer->render(scene);
         EXPECT_FALSE(lost);
         EXPECT_TRUE(has(lost.diagnostics, status == GL_GUILTY_CONTEXT_RESET ? "gpu-E06" : "gpu-E07"))
             << test::text(lost.diagnostics);
-        told = GL_NO_ERROR;
+        toldStatus = GL_NO_ERROR;
         const Result<Picture> again = renderer->render(scene);
         ASSERT_TRUE(again) << test::text(again.diagnostics);
         EXPECT_TRUE(test::isSame(*before, *again));

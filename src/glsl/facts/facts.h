@@ -44,10 +44,12 @@ StageFacts factsOf(const Unit& unit);
 bool mayReadTangents(const ProgramUnits& program);
 
 /// The loops that main runs, also in the functions that it calls, and the vertices that it emits outside of
-/// them. A call counts like the code of the function, if only one function has that name.
+/// them. A call counts like the code of the function, if only one function has that name; otherwise the call
+/// is a loop that cannot be counted, if the functions have any.
 struct LoopFacts {
     std::vector<CountedLoop> loops;
-    double emits = 0;  ///< TranslatedStage::emits
+    double emits = 0;                ///< TranslatedStage::emits
+    std::vector<Place> uncounted{};  ///< TranslatedStage::uncounted
 };
 LoopFacts loopsOf(const Unit& unit);
 

@@ -8,6 +8,7 @@
 
 #include "glsl/facts/facts.h"
 #include "glsl/facts/formula.h"
+#include "glsl/parse/statements.h"
 
 namespace glibra::glsl {
 namespace {
@@ -28,7 +29,7 @@ struct Counter {
 
 class LoopSearch {
   public:
-    explicit LoopSearch(const Unit& unit) : unit_(unit), search_(unit) {
+    explicit LoopSearch(const Unit& unit) : unit_(unit), search_(unit), statements_(unit) {
         for (const Declaration& each : unit.syntax.declarations) {
             if (each.kind != DeclarationKind::function) continue;
             const auto [entry, isNew] = functions_.try_emplace(text(each.name), &each);
@@ -39,7 +40,9 @@ class LoopSearch {
     LoopFacts find() {
         const Declaration* main = function("main");
         if (main == nullptr) return {};
-        return {loopsIn(main->body, 0, true), emitsIn(main->body, 0)};
+        std::vector<CountedLoop> loops = loopsIn(main->body, 0, true);
+        if (!search_.spend(0)) leaveOpen(main->name);
+        return {std::move(loops), emitsIn(main->body, 0), std::move(uncounted_)};
     }
 
   private:
@@ -53,10 +56,36 @@ class LoopSearch {
         return found == functions_.end() ? nullptr : found->second;
     }
 
+    /// True if a function of that name has a loop, or calls a function, in any of its overloads.
+    [[nodiscard]] bool hasLoops(std::string_view name) const {
+        if (!functions_.contains(name)) return false;
+        return std::ranges::any_of(unit_.syntax.declarations, [&](const Declaration& each) {
+            return each.kind == DeclarationKind::function && text(each.name) == name &&
+                   (unit_.hasAny(each.body, {"for", "while", "do"}) || callsIn(each.body));
+        });
+    }
+
+    /// Notes that what begins at `at` is, or has, a loop that cannot be counted.
+    void leaveOpen(std::uint32_t at) {
+        const Place place = unit_.place(at);
+        if (std::ranges::find(uncounted_, place) == uncounted_.end()) uncounted_.push_back(place);
+    }
+
+    /// True if the range calls a function of the stage.
+    [[nodiscard]] bool callsIn(Range range) const {
+        for (std::uint32_t at = range.first; at < range.end; ++at)
+            if (text(at + 1) == "(" && role(at) == WordRole::global && functions_.contains(text(at)))
+                return true;
+        return false;
+    }
+
     /// `isSure`: the range is executed whenever main is.
     std::vector<CountedLoop> loopsIn(Range range, int depth, bool isSure) {
         std::vector<CountedLoop> loops;
-        if (depth > kDeepestLoop) return loops;
+        if (depth > kDeepestLoop) {
+            if (!range.empty()) leaveOpen(range.first);
+            return loops;
+        }
         const auto take = [&loops](std::vector<CountedLoop> more) {
             std::move(more.begin(), more.end(), std::back_inserter(loops));
         };
@@ -65,42 +94,35 @@ class LoopSearch {
             const bool isSureHere = isSure && at >= conditional;
             if (text(at) == "do" && search_.isWord(at)) {
                 take(loopAt(at, range.end, depth, isSureHere));
-                at = std::max(at, afterDo(at, range.end) - 1);
+                at = std::max(at, statements_.afterDo(at, range.end) - 1);
                 continue;
             }
             if (!search_.isWord(at) || text(at + 1) != "(" || match(at + 1) >= range.end) continue;
             if (text(at) == "if" || text(at) == "switch")
-                conditional = std::max(conditional, statementEnd(at, range.end));
+                conditional = std::max(conditional, statements_.end(at, range.end));
             if (text(at) == "for" || text(at) == "while") {
                 take(loopAt(at, range.end, depth, isSureHere));
-                at = std::max(at, bodyOf(at, range.end).end - 1);
+                at = std::max(at, statements_.body(at, range.end).end - 1);
             } else if (role(at) == WordRole::global) {
                 if (const Declaration* called = function(text(at)))
                     take(loopsIn(called->body, depth + 1, isSureHere));
+                else if (hasLoops(text(at)))
+                    leaveOpen(at);
             }
         }
         return loops;
     }
 
-    /// The statement that the `for`, `while` or `do` at `at` repeats.
-    [[nodiscard]] Range bodyOf(std::uint32_t at, std::uint32_t end) const {
-        const std::uint32_t first = text(at) == "do" ? at + 1 : match(at + 1) + 1;
-        return {first, statementEnd(first, end)};
-    }
-
-    /// The index after `do ... while (...)`.
-    [[nodiscard]] std::uint32_t afterDo(std::uint32_t at, std::uint32_t end) const {
-        const std::uint32_t word = bodyOf(at, end).end;
-        const bool isWhole = text(word) == "while" && text(word + 1) == "(" && match(word + 1) < end;
-        return isWhole ? match(word + 1) + 1 : std::max(word, at + 1);
-    }
-
     /// The loop at `at`, or those in it if it cannot be counted.
     std::vector<CountedLoop> loopAt(std::uint32_t at, std::uint32_t end, int depth, bool isSure) {
-        const Range body = bodyOf(at, end);
+        const Range body = statements_.body(at, end);
         std::optional<CountedLoop> loop = text(at) == "for"     ? forAt(at, body)
                                           : text(at) == "while" ? whileAt(at, body)
                                                                 : doAt(at, body, end);
+        const std::uint32_t head = text(at) == "do" ? body.end : at;
+        const std::uint32_t headEnd =
+            text(at) == "do" ? statements_.afterDo(at, end) : statements_.afterHead(at, end);
+        if (!loop || callsIn({head, headEnd})) leaveOpen(at);
         if (!loop) return loopsIn(body, depth + 1, false);
         loop->inside = loopsIn(body, depth + 1, true);
         loop->emits = emitsIn(body, depth + 1);
@@ -117,41 +139,15 @@ class LoopSearch {
             const std::string_view word = text(at);
             if (!search_.isWord(at)) continue;
             if (word == "do") {
-                at = std::max(at, afterDo(at, range.end) - 1);
-            } else if (afterHead(at, range.end) > at) {
-                at = std::max(at, statementEnd(at, range.end) - 1);
+                at = std::max(at, statements_.afterDo(at, range.end) - 1);
+            } else if (statements_.afterHead(at, range.end) > at) {
+                at = std::max(at, statements_.end(at, range.end) - 1);
             } else if (text(at + 1) == "(" && role(at) == WordRole::global) {
                 if (word == "EmitVertex" || word == "EmitStreamVertex") ++emits;
                 if (const Declaration* called = function(word)) emits += emitsIn(called->body, depth + 1);
             }
         }
         return emits;
-    }
-
-    /// The index after the statement that begins at `at`.
-    [[nodiscard]] std::uint32_t statementEnd(std::uint32_t at, std::uint32_t end) const {
-        while (at < end) {
-            const std::uint32_t head = afterHead(at, end);
-            if (head > at) {
-                at = head;
-                continue;
-            }
-            while (at < end && text(at) != ";" && text(at) != "{")
-                at = search_.opens(at) && match(at) < end ? match(at) + 1 : at + 1;
-            at = at < end && text(at) == "{" && match(at) < end ? match(at) + 1 : std::min(at + 1, end);
-            if (at >= end || text(at) != "else") break;
-            ++at;
-        }
-        return std::min(at, end);
-    }
-
-    /// The index after `for (...)`, `while (...)`, `if (...)`, `switch (...)` or `do` at `at`; `at` if there
-    /// is none.
-    [[nodiscard]] std::uint32_t afterHead(std::uint32_t at, std::uint32_t end) const {
-        const std::string_view word = text(at);
-        if (word == "do") return at + 1;
-        const bool isHead = word == "for" || word == "while" || word == "if" || word == "switch";
-        return isHead && text(at + 1) == "(" && match(at + 1) < end ? match(at + 1) + 1 : at;
     }
 
     std::optional<CountedLoop> forAt(std::uint32_t at, Range body) {
@@ -176,7 +172,7 @@ class LoopSearch {
     }
 
     std::optional<CountedLoop> doAt(std::uint32_t at, Range body, std::uint32_t end) {
-        const std::uint32_t after = afterDo(at, end);
+        const std::uint32_t after = statements_.afterDo(at, end);
         if (after <= body.end) return std::nullopt;
         return loopWith(at, body, {body.end + 2, after - 1});
     }
@@ -196,7 +192,7 @@ class LoopSearch {
     /// A loop without a condition, counted by the first `if (i >= n) break;` of its body that can be counted.
     std::optional<CountedLoop> loopUntil(std::uint32_t at, Range body, const Counter& counter) {
         if (body.empty() || text(body.first) != "{") return std::nullopt;
-        for (std::uint32_t here = body.first + 1; here < body.end; here = statementEnd(here, body.end)) {
+        for (std::uint32_t here = body.first + 1; here < body.end; here = statements_.end(here, body.end)) {
             if (text(here) != "if" || text(here + 1) != "(" || match(here + 1) >= body.end) continue;
             const std::uint32_t then = match(here + 1) + 1;
             const std::uint32_t leave = text(then) == "{" ? then + 1 : then;
@@ -230,10 +226,21 @@ class LoopSearch {
                 loop->untilEqual = sign == equality;
                 loop->falling = ((sign.front() == '>') == isLeft) != ends;
                 loop->including = !loop->untilEqual && (sign.size() == 2) != ends;
+                if (mayWrap(*loop, sides[isLeft ? 0 : 1])) continue;
                 return loop;
             }
         }
         return std::nullopt;
+    }
+
+    /// True for an unsigned variable that may fall below zero, where it becomes the largest number.
+    [[nodiscard]] bool mayWrap(const CountedLoop& loop, Range side) const {
+        const LocalVariable* variable = unit_.onlyLocal(text(side.first));
+        const auto* step =
+            loop.step.steps.size() == 2 ? std::get_if<double>(&loop.step.steps.front()) : nullptr;
+        const bool isByOne = (step != nullptr && *step == 1) || loop.step.steps == Formula{{-1.}}.steps;
+        return loop.falling && variable != nullptr && variable->typeWord == "uint" &&
+               (loop.including || !isByOne);
     }
 
     /// A loop whose condition compares the variable in `side` with `bound`.
@@ -331,6 +338,8 @@ class LoopSearch {
 
     const Unit& unit_;
     TokenSearch search_;
+    Statements statements_;
+    std::vector<Place> uncounted_;
     std::unordered_map<std::string_view, const Declaration*> functions_;  ///< null: several of that name
 };
 

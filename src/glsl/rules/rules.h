@@ -42,7 +42,7 @@ void connectBuiltinVaryings(ProgramUnits& program, const std::vector<TokenWalk>&
 /// Performs ProgramRequest::tiled. Call it before connectBuiltinVaryings, whose EmitVertex calls the one from
 /// here.
 void placeInTile(ProgramUnits& program);
-/// Performs ProgramRequest::inPieces.
+/// Performs ProgramRequest::inPieces and reversesOrder.
 void runInPieces(ProgramUnits& program);
 /// Replaces gl_FragColor and gl_FragData, and assigns the locations of outputs (language, 7.6).
 void placeFragmentOutputs(ProgramUnits& program);
@@ -105,6 +105,9 @@ void applyRenames(Unit& unit, const TokenWalk& walk);
 /// Lets the stage record what is undefined where it happens (ProgramRequest::checksUndefined). Call it after
 /// applyRenames.
 void recordUndefined(Unit& unit, std::vector<UndefinedSite>& sites);
+
+/// Performs ProgramRequest::recordsLoops. Call it after all rules that add code.
+void recordCutLoops(ProgramUnits& program);
 
 /// What a texture function of an older version becomes.
 struct TextureFunction {

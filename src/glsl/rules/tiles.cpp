@@ -1,7 +1,7 @@
 // Draws a part of a larger picture. The positions from the last stage before rasterisation are moved and
 // scaled to the tile, and the fragment stage sees the coordinates of the whole picture. This happens after
 // the user's own arithmetic, so that it also works for positions that no matrix computes. The groups of a
-// compute program are counted likewise if they run in several dispatches.
+// compute program are counted likewise if they run in several dispatches, or in reverse.
 
 #include "glsl/rules/rules.h"
 
@@ -31,24 +31,36 @@ void placeInTile(ProgramUnits& program) {
 
 void runInPieces(ProgramUnits& program) {
     Unit* compute = program.find(Stage::compute);
-    if (!program.request->inPieces || !compute) return;
+    const bool inPieces = program.request->inPieces;
+    const bool isReversed = program.request->reversesOrder;
+    if ((!inPieces && !isReversed) || !compute) return;
     struct Row {
-        const char* name;
-        const char* uniform;
-        const char* seen;
+        std::string name, uniform, seen;
+        std::string count{};  ///< of what the name numbers
     };
-    constexpr Row kRows[] = {
-        {"gl_WorkGroupID", "glibra_FirstGroup", "(gl_WorkGroupID + glibra_FirstGroup)"},
+    const std::string groups = inPieces ? "glibra_GroupCount" : "gl_NumWorkGroups";
+    const Row rows[] = {
+        {"gl_WorkGroupID", "glibra_FirstGroup", "(gl_WorkGroupID + glibra_FirstGroup)", groups},
         {"gl_GlobalInvocationID", "glibra_FirstInvocation",
-         "(gl_GlobalInvocationID + glibra_FirstInvocation)"},
+         "(gl_GlobalInvocationID + glibra_FirstInvocation)", groups + " * gl_WorkGroupSize"},
         {"gl_NumWorkGroups", "glibra_GroupCount", "glibra_GroupCount"},
+        {"gl_LocalInvocationID", "", "", "gl_WorkGroupSize"},
+        {"gl_LocalInvocationIndex", "", "", "gl_WorkGroupSize.x * gl_WorkGroupSize.y * gl_WorkGroupSize.z"},
     };
-    for (const Row& row : kRows) {
+    for (const Row& row : rows) {
         if (!compute->isUsed(row.name) || compute->isDeclared(row.name)) continue;
-        compute->declare(std::string("uniform uvec3 ") + row.uniform + ";");
-        compute->renames[row.name] = row.seen;
+        const bool isOfPieces = inPieces && !row.uniform.empty();
+        const bool isCounted = isReversed && !row.count.empty();
+        if (!isOfPieces && !isCounted) continue;
+        const auto uniform = [&](const std::string& name) {
+            compute->declare("uniform uvec3 " + name + ";");
+        };
+        if (isOfPieces) uniform(row.uniform);
+        if (isCounted && row.count.starts_with("glibra_")) uniform(groups);
+        const std::string seen = isOfPieces ? row.seen : row.name;
+        compute->renames[row.name] = isCounted ? "(" + row.count + " - 1u - " + seen + ")" : seen;
     }
-    program.result->inPieces = true;
+    program.result->inPieces = inPieces;
 }
 
 }  // namespace glibra::glsl

@@ -75,6 +75,7 @@ double roundsOf(const CountedLoop& loop, const UniformValue& uniform) {
     if (!first || !bound || !step || *step == 0) return 0;
     if (!loop.untilEqual && (*step < 0) != loop.falling) return 0;
     const double steps = (*bound - *first) / *step;
+    if (loop.untilEqual && steps != std::floor(steps)) return 0;  // it steps over the bound
     return std::clamp(loop.including ? std::floor(steps) + 1 : std::ceil(steps), 0., kMostRounds);
 }
 
@@ -85,13 +86,23 @@ double emittedBy(const CountedLoop& loop, const UniformValue& uniform) {
     return each == 0 ? 0 : roundsOf(loop, uniform) * each;
 }
 
+bool isOpen(const CountedLoop& loop, const UniformValue& uniform) {
+    return !(roundsOf(loop, uniform) > 0) ||
+           std::ranges::any_of(loop.inside, [&](const CountedLoop& each) { return isOpen(each, uniform); });
+}
+
+bool isUnrolled(const CountedLoop& loop) {
+    const UniformValue none = [](std::string_view) { return std::nullopt; };
+    return isConstant(loop.first) && isConstant(loop.bound) && isConstant(loop.step) &&
+           roundsOf(loop, none) > 0 && roundsOf(loop, none) <= kUnrolled &&
+           std::ranges::all_of(loop.inside, isUnrolled);
+}
+
 double totalRounds(const CountedLoop& loop, const UniformValue& uniform) {
     const double rounds = roundsOf(loop, uniform);
     double inside = 0;
     for (const CountedLoop& each : loop.inside) inside += totalRounds(each, uniform);
-    const bool isUnrolled = inside == 0 && rounds <= kUnrolled && isConstant(loop.first) &&
-                            isConstant(loop.bound) && isConstant(loop.step);
-    if (isUnrolled) return 0;
+    if (isUnrolled(loop)) return 0;
     return std::min(kMostRounds, std::max(rounds * (1 + inside), inside));
 }
 

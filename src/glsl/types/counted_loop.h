@@ -46,8 +46,13 @@ struct CountedLoop {
 /// The greatest number of rounds of this loop alone; 0 if it is not known.
 double roundsOf(const CountedLoop& loop, const UniformValue& uniform);
 
-/// The number of rounds of the loop and of all loops in it together. An innermost loop that compilers unroll,
-/// because its rounds are few and constant, counts 0.
+/// True if the number of rounds of the loop, or of one in it, is not known.
+bool isOpen(const CountedLoop& loop, const UniformValue& uniform);
+
+/// True if compilers unroll the loop, because its rounds are few and constant, and no other loop is in it.
+bool isUnrolled(const CountedLoop& loop);
+
+/// The number of rounds of the loop and of all loops in it together. A loop that isUnrolled() counts 0.
 double totalRounds(const CountedLoop& loop, const UniformValue& uniform);
 
 /// The number of vertices that the loop emits as far as that is sure; a lower bound.

@@ -79,6 +79,11 @@ struct ProgramRequest {
     bool inPieces = false;
     /// Records at run time what GLSL leaves undefined: TranslatedProgram::undefinedSites. Needs version 430.
     bool checksUndefined = false;
+    /// Records at run time which loops the driver ends: TranslatedProgram::loopSites. Needs version 430.
+    bool recordsLoops = false;
+    /// The invocations of a compute program have their numbers in reverse, within the group and among the
+    /// groups, so that they run in another order.
+    bool reversesOrder = false;
     std::string geometryInput;             ///< from GeometryInput, a lower-case GLSL word, or empty
     std::string geometryOutput;            ///< from GeometryOutput, likewise
     int geometryVerticesOut = 0;           ///< 0: not given

@@ -89,6 +89,7 @@ struct TranslatedStage {
     std::string path;                ///< the stage's own file
     int firstLine = 1;               ///< of its text, after blank lines
     std::vector<CountedLoop> loops;  ///< the countable loops that main runs, also in the functions it calls
+    std::vector<Place> uncounted{};  ///< the other loops that main runs
     StageFacts facts{};
     std::vector<TypeMismatch> mismatches{};
     double emits = 0;  ///< EmitVertex() calls of main outside of conditions and loops
@@ -115,6 +116,8 @@ struct UndefinedSite {
     Place place;
 };
 inline constexpr const char* kUndefinedBlock = "glibra_Undefined";
+inline constexpr std::size_t kNumbersPerSite = 3;
+inline constexpr const char* kCutLoopsBlock = "glibra_CutLoops";
 
 /// How a program places its vertices, as far as its text proves it. A program with a known placement has only
 /// a vertex stage, or a vertex and a fragment stage, and has no effects except on the picture.
@@ -168,6 +171,10 @@ struct TranslatedProgram {
     std::string tessellationOutput;  ///< "triangles", "lines" or "points" that the evaluation stage delivers
     int fragmentOutputs = 1;         ///< number of colour locations written; 0 without a fragment stage
     std::vector<UndefinedSite> undefinedSites;  ///< of all stages (ProgramRequest::checksUndefined)
+    /// With ProgramRequest::recordsLoops: the loops of all stages. Loop i writes 1 to element i of an array
+    /// of numbers in the storage block `glibra_CutLoops` if it is left though its condition holds, which
+    /// happens where a driver ends loops early.
+    std::vector<Place> loopSites{};
     Placement placement = Placement::unknown;
     bool isOpaque = false;  ///< the text proves that the only colour written always has alpha 1
 

@@ -1,6 +1,10 @@
 #include "gpu/format/pixel_format.h"
 
 #include <array>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
 
 namespace glibra::gpu {
 namespace {
@@ -20,12 +24,30 @@ const GlRow& glRowOf(TexelFormat format) {
     return kRows.at(static_cast<std::size_t>(format));
 }
 
-/// The driver's answer about textures of that format in that use; GL_NONE for no.
-GLint ask(GLenum target, TexelFormat format, GLenum what) {
-    GLint answer = GL_NONE;
-    glGetInternalformativ(target, internalFormat(format), what, 1, &answer);
-    return answer;
-}
+/// The driver's answers about textures of a format. Each is asked for once, since every target needs some.
+class FormatAnswers {
+  public:
+    FormatAnswers(const Capabilities& capabilities, TexelFormat format)
+        : known_(answers()[{capabilities.renderer, capabilities.version, format}]), format_(format) {}
+
+    /// The answer for that use; GL_NONE for no.
+    GLint operator()(GLenum target, GLenum what) {
+        const auto [answer, isNew] = known_.try_emplace({target, what}, GL_NONE);
+        if (isNew) glGetInternalformativ(target, internalFormat(format_), what, 1, &answer->second);
+        return answer->second;
+    }
+
+  private:
+    using OfFormat = std::map<std::pair<GLenum, GLenum>, GLint>;
+    using OfDrivers = std::map<std::tuple<std::string, std::string, TexelFormat>, OfFormat>;
+    static OfDrivers& answers() {
+        thread_local OfDrivers all;
+        return all;
+    }
+
+    OfFormat& known_;
+    TexelFormat format_;
+};
 
 /// What every driver of GL 4.1 or 4.2 supports (OpenGL 4.2 core, 3.8.1 and table 3.21).
 FormatUse guaranteedUse(const Capabilities& capabilities, TexelFormat format) {
@@ -55,20 +77,20 @@ Transfer nativeTransfer(TexelFormat format) {
 FormatUse useOf(const Capabilities& capabilities, TexelFormat format) {
     FormatUse use = guaranteedUse(capabilities, format);
     if (!capabilities.atLeast(4, 3)) return use;
-    use.color = ask(GL_TEXTURE_2D, format, GL_COLOR_RENDERABLE) == GL_TRUE &&
-                ask(GL_TEXTURE_2D, format, GL_FRAMEBUFFER_RENDERABLE) != GL_NONE;
-    use.depth = use.depth && ask(GL_TEXTURE_2D, format, GL_DEPTH_RENDERABLE) == GL_TRUE &&
-                ask(GL_TEXTURE_2D, format, GL_FRAMEBUFFER_RENDERABLE) != GL_NONE;
-    use.stencil = use.stencil && use.depth && ask(GL_TEXTURE_2D, format, GL_STENCIL_RENDERABLE) == GL_TRUE;
-    use.filter = use.filter && ask(GL_TEXTURE_2D, format, GL_FILTER) != GL_NONE;
-    use.blend =
-        use.color && !isInteger(format) && ask(GL_TEXTURE_2D, format, GL_FRAMEBUFFER_BLEND) != GL_NONE;
-    use.image = use.image && ask(GL_TEXTURE_2D, format, GL_SHADER_IMAGE_LOAD) != GL_NONE &&
-                ask(GL_TEXTURE_2D, format, GL_SHADER_IMAGE_STORE) != GL_NONE;
+    FormatAnswers ask(capabilities, format);
+    use.color = ask(GL_TEXTURE_2D, GL_COLOR_RENDERABLE) == GL_TRUE &&
+                ask(GL_TEXTURE_2D, GL_FRAMEBUFFER_RENDERABLE) != GL_NONE;
+    use.depth = use.depth && ask(GL_TEXTURE_2D, GL_DEPTH_RENDERABLE) == GL_TRUE &&
+                ask(GL_TEXTURE_2D, GL_FRAMEBUFFER_RENDERABLE) != GL_NONE;
+    use.stencil = use.stencil && use.depth && ask(GL_TEXTURE_2D, GL_STENCIL_RENDERABLE) == GL_TRUE;
+    use.filter = use.filter && ask(GL_TEXTURE_2D, GL_FILTER) != GL_NONE;
+    use.blend = use.color && !isInteger(format) && ask(GL_TEXTURE_2D, GL_FRAMEBUFFER_BLEND) != GL_NONE;
+    use.image = use.image && ask(GL_TEXTURE_2D, GL_SHADER_IMAGE_LOAD) != GL_NONE &&
+                ask(GL_TEXTURE_2D, GL_SHADER_IMAGE_STORE) != GL_NONE;
     use.samples = 0;
     // GL_SAMPLES lists the numbers of samples in descending order.
-    if ((use.color || use.depth) && ask(GL_TEXTURE_2D_MULTISAMPLE, format, GL_NUM_SAMPLE_COUNTS) > 0)
-        use.samples = ask(GL_TEXTURE_2D_MULTISAMPLE, format, GL_SAMPLES);
+    if ((use.color || use.depth) && ask(GL_TEXTURE_2D_MULTISAMPLE, GL_NUM_SAMPLE_COUNTS) > 0)
+        use.samples = ask(GL_TEXTURE_2D_MULTISAMPLE, GL_SAMPLES);
     return use;
 }
 

@@ -96,7 +96,7 @@ Result<Target> Target::textures(const Capabilities& capabilities, std::span<cons
 
 Result<Target> Target::parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
                              const std::optional<TexturePart>& depth, SharedDepth implicitDepth,
-                             TexelFormat implicitFormat) {
+                             std::optional<TexelFormat> implicitFormat) {
     if (colors.empty() && !depth) return diagnose("gpu-E05", "a render target needs at least one texture");
     if (auto problem = countProblem(capabilities, colors.size())) return *std::move(problem);
     std::vector<TexturePart> all(colors.begin(), colors.end());
@@ -133,21 +133,21 @@ Result<Target> Target::parts(const Capabilities& capabilities, std::span<const T
     Attachment depthAttachment = kNothing;
     if (depth) {
         depthAttachment = *depth;
-    } else if (first.isLayered()) {
+    } else if (implicitFormat && first.isLayered()) {
         // 3D textures hold no depth; all other shapes are drawn with depth of their own shape.
         const TextureShape drawn = first.texture->shape();
         const TextureShape shape = drawn == TextureShape::texture3D ? TextureShape::array2D : drawn;
         const int layers = shape == TextureShape::cube ? 1 : first.texture->layers(first.level);
         auto own = Texture::create(
             capabilities,
-            {shape, implicitFormat, {size.width, size.height, layers}, 1, first.texture->samples()});
+            {shape, *implicitFormat, {size.width, size.height, layers}, 1, first.texture->samples()});
         if (!own) return own.diagnostics;
         target.layeredDepth_ = kept(std::move(*own));
         depthAttachment = TexturePart{target.layeredDepth_.get()};
-    } else {
+    } else if (implicitFormat) {
         if (!implicitDepth) {
             auto own =
-                Renderbuffer::create(capabilities, size.width, size.height, implicitFormat, target.samples_);
+                Renderbuffer::create(capabilities, size.width, size.height, *implicitFormat, target.samples_);
             if (!own) return own.diagnostics;
             implicitDepth = kept(std::move(*own));
         }

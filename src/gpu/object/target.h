@@ -30,12 +30,12 @@ class Target {
 
     /// Makes a target of parts of textures, which must outlive it: colour output i goes to colors[i], depth
     /// and stencil to `depth`. All have the same size and number of samples; layered and other parts do not
-    /// go together. With colours only, the target makes a depth buffer of `implicitFormat`; a given one must
-    /// fit, and only targets without layers use it. Nothing is resolved. Reports gpu-E05 if they do not fit
-    /// together.
+    /// go together. With colours only, the target makes a depth buffer of `implicitFormat`, if that is one; a
+    /// given one must fit, and only targets without layers use it. Nothing is resolved. Reports gpu-E05 if
+    /// they do not fit together.
     static Result<Target> parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
                                 const std::optional<TexturePart>& depth, SharedDepth implicitDepth = {},
-                                TexelFormat implicitFormat = TexelFormat::depth24);
+                                std::optional<TexelFormat> implicitFormat = TexelFormat::depth24);
 
     /// Binds the target for drawing and sets the viewport to the whole of it.
     void bind() const;

@@ -10,6 +10,7 @@
 #include "render/check/nan_search.h"
 #include "render/check/object_content.h"
 #include "render/check/open_checks.h"
+#include "render/check/order_check.h"
 #include "render/consequences.h"
 #include "render/scene_state.h"
 
@@ -59,9 +60,12 @@ Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& 
         return each.kind == scene::Check::Kind::primitives || each.kind == scene::Check::Kind::samples;
     };
     // What Once and Step draw is not counted, so they run before.
-    if (std::ranges::any_of(state.scene.checks, isCounted))
-        if (Result<image::Image> before = state.draw(moment, stats); !before)
-            return std::move(before.diagnostics);
+    Diagnostics wrong;
+    if (std::ranges::any_of(state.scene.checks, isCounted)) {
+        Result<image::Image> before = state.draw(moment, stats);
+        append(wrong, std::move(before.diagnostics));
+        if (!before) return wrong;
+    }
     state.forgetDrawn();  // all nodes count
     // Parts of draws would count again.
     const double share = state.drawer->timeShare();
@@ -73,7 +77,8 @@ Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& 
     samples.end();
     primitives.end();
     if (state.drawer) state.drawer->setTimeShare(share);
-    if (!picture) return std::move(picture.diagnostics);
+    append(wrong, std::move(picture.diagnostics));
+    if (!picture) return wrong;
     CheckQuestions questions;
     questions.primitives = [&] { return primitives.result(); };
     questions.samples = [&] { return samples.result(); };
@@ -95,7 +100,6 @@ Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& 
             return std::vector<double>();
         });
     };
-    Diagnostics wrong = std::move(picture.diagnostics);
     if (moment == open.time()) append(wrong, printedBy(state));
     for (const scene::Check& each : open.take(moment, state.scene.checks))
         if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
@@ -168,6 +172,9 @@ Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, 
     if (!renderer) return answerWithoutPicture(path, options, std::move(reported));
     Diagnostics wrong = answerChecks(*renderer, options.time, reported, stats);
     append(reported, std::move(wrong));
+    const bool isOpen = mayDependOnOrder(renderer->state());
+    renderer.value.reset();  // its memory is needed no longer
+    if (isOpen) append(reported, checkOrder(context, path, options));
     if (options.checkNan)
         if (Result<NanSearch> search = NanSearch::load(context, path, options))
             append(reported, search->at(options.time));

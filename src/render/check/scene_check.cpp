@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <map>
 
 #include "base/text.h"
 #include "render/consequences.h"
@@ -54,17 +56,21 @@ constexpr const char* kNotShown =
 
 std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
     const scene::Scene& scene = state.scene;
-    const plan::FramePlan& plan = state.plan;
+    std::map<plan::ProgramVariant, const plan::PlannedProgram*> programs;  // uniforms do not matter
+    for (const plan::FramePlan* plan : state.plans())
+        for (const plan::PlannedProgram& each : plan->programs) programs.emplace(each.variant, &each);
     std::vector<TranslatedShader> shaders;
-    for (const plan::PlannedProgramIndex i : plan.programs.indices()) {
-        const scene::ProgramIndex program = plan.programs[i].variant.program;
+    std::size_t number = 0;
+    for (const auto& [variant, planned] : programs) {
+        const scene::ProgramIndex program = variant.program;
         std::string name = program ? scene.programs[program].name : "built-in";
         for (char& c : name)
             if (!base::isOfName(c)) c = '_';
         const bool isHidden = !state.programs.hiddenSource(program).empty();
-        for (const glsl::TranslatedStage& each : plan.programs[i].interface->facts.stages)
-            shaders.push_back({fmt::format("{}-{}.{}", i.position(), name, suffix(each.stage)),
+        for (const glsl::TranslatedStage& each : planned->interface->facts.stages)
+            shaders.push_back({fmt::format("{}-{}.{}", number, name, suffix(each.stage)),
                                isHidden ? std::string(kNotShown) : portable(each.source)});
+        ++number;
     }
     return shaders;
 }

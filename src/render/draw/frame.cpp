@@ -272,7 +272,8 @@ void FrameDrawer::completeReads(const std::vector<plan::TextureUse>& textures) {
 void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& target) {
     const scene::Pass& begun = plan_.passOf(pass);
     context_.debugLog().setPlace(begun.place);
-    isAsWindow_ = isMoved(*plan_.nodes, begun);
+    if (!movedCameras_) movedCameras_ = movedCameras(*plan_.nodes);
+    isAsWindow_ = movedCameras_->contains(begun.rootCamera);
     if (!isAsWindow_) {
         passView_ = frame_->view.unmoved();
     } else if (begun.shift != glm::dmat4(1)) {

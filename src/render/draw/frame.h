@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "gpu/context/context.h"
 #include "gpu/object/target.h"
@@ -43,6 +44,9 @@ struct Frame {
     /// The drawer may keep what it knows of the context's state for its next frame. Nothing else uses the
     /// context until then, or until FrameDrawer::close().
     bool staysOpen = false;
+    /// Programs with open loops record which of them the driver ends (ProgramLibrary::countLoops). Those that
+    /// store in memory do so in place of the others, the rest beside them, without changing a pixel.
+    bool recordsLoops = false;
 };
 
 /// True if every pass into textures, dispatch and clear comes before every pass into the window, so that
@@ -189,8 +193,18 @@ class FrameDrawer {
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
+    /// The program that records the loops of this frame in place of, or beside, the given one; null: none.
+    [[nodiscard]] const BuiltProgram* loopCounterOf(plan::PlannedProgramIndex program,
+                                                    const BuiltProgram& built) const;
+    /// Uses a program's loop counter with the values that the program has.
+    void useCounter(const BuiltProgram& built);
+    /// Draws with the loop counter of the program, whose state is set. True if that is the draw itself.
+    bool recordLoops(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                     const base::RasterState& raster);
     /// Submits a draw whose state is set, in parts if it may take long (work_share.h).
     void submitInShares(const plan::PlannedDraw& planned, const BuiltProgram& built);
+    /// Submits a draw whose state is set in parts of the target, from the last to the first.
+    void submitInReverse(const plan::PlannedDraw& planned);
     /// Does all rows by `work`, in parts if the program is not known to be quick. Returns their number.
     int workInShares(const BuiltProgram& built, int rows, double pixels,
                      const std::function<void(int first, int end)>& work);
@@ -203,8 +217,9 @@ class FrameDrawer {
     [[nodiscard]] Diagnostics checkCounts(const scene::Draw& draw) const;
     /// Draws with counts that buffers hold.
     void submitIndirect(const scene::Draw& draw, const Elements& elements, GLenum mode) const;
-    void setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
-                   Diagnostics& diagnostics);
+    /// Returns the state that it has set.
+    base::RasterState setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
+                                Diagnostics& diagnostics);
     /// Viewport and scissor are fractions of the whole picture. Programs that are made for tiles map the
     /// viewport themselves; this leaves the rest to the scissor.
     void fitToTile(scene::RasterState& raster, const BuiltProgram& built, bool isWindow) const;
@@ -213,7 +228,7 @@ class FrameDrawer {
     /// Runs the groups in as many pieces as the scene wants, along the last axis with several groups. After
     /// each piece the driver gets the commands, so that none of them takes long.
     Diagnostics dispatchPieces(const BuiltProgram& built, const GroupCounts& groups,
-                               const scene::Dispatch& dispatch);
+                               const scene::Dispatch& dispatch, bool recordsLoops);
     /// The same in parts that follow from the time that the first ones take (work_share.h). `run` does the
     /// groups of that range along the axis.
     Diagnostics dispatchInShares(
@@ -253,6 +268,7 @@ class FrameDrawer {
     bool runsPerSample_ = false;  ///< as set
     bool isAsWindow_ = true;      ///< the current pass is seen as the window is
     ViewMatrices passView_;       ///< for the other passes
+    std::optional<std::set<std::string>> movedCameras_;
     gpu::RasterTracker raster_;
     gpu::BindingTracker bindings_;
     std::set<const gpu::Target*> seenTargets_;

@@ -59,6 +59,8 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
     bindings_.use(*built->program);
     bindBlocks(planned.program, *built);
     bindTextures(planned.textures, *built);
+    const bool recordsLoops = loopCounterOf(planned.program, *built) != nullptr;
+    if (recordsLoops) useCounter(*built);
     Diagnostics remarks;
     if (const auto* from = std::get_if<scene::GroupsFrom>(&dispatch.groups)) {
         if (const gpu::Buffer* counts = device_.buffers().buffer(from->first.buffer)) {
@@ -71,7 +73,7 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
             gpu::dispatchFrom(*counts, from->first.word * sizeof(GLuint));
         }
     } else {
-        remarks = dispatchPieces(*built, groupsOf(planned, *built), dispatch);
+        remarks = dispatchPieces(*built, groupsOf(planned, *built), dispatch, recordsLoops);
         if (hasError(remarks)) return remarks;
     }
     noteStores(planned.program, planned.textures);
@@ -80,7 +82,7 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
 }
 
 Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCounts& groups,
-                                        const scene::Dispatch& dispatch) {
+                                        const scene::Dispatch& dispatch, bool recordsLoops) {
     if (!built.interface.facts.inPieces) {
         const Result<std::array<unsigned, 3>> checked =
             checkedGroups(groups, context_.capabilities(), dispatch.place);
@@ -101,6 +103,7 @@ Diagnostics FrameDrawer::dispatchPieces(const BuiltProgram& built, const GroupCo
         if (!checked) return checked.diagnostics;
         if (remarks.empty()) remarks = checked.diagnostics;  // once for all pieces
         setPiece(built, first, groups);
+        if (recordsLoops) useCounter(built);
         context_.debugLog().setPlace(dispatch.place);  // waiting has ended what was dispatched before
         gpu::dispatch(*checked);
         return {};

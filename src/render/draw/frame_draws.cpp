@@ -73,8 +73,8 @@ void FrameDrawer::fitToTile(scene::RasterState& raster, const BuiltProgram& buil
     raster.viewport = all;
 }
 
-void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
-                            Diagnostics& diagnostics) {
+base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                         bool isWindow, Diagnostics& diagnostics) {
     scene::RasterState raster = plan_.drawOf(planned).raster;
     if (!blendsOpaque_ && built.interface.facts.isOpaque)
         for (base::Blend& each : raster.blend)
@@ -101,7 +101,7 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     for (int i = before; i < distances; ++i) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     for (int i = distances; i < after; ++i) glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     clipDistances_ = distances;
-    if (planned.submission.topology != geometry::Topology::patches) return;
+    if (planned.submission.topology != geometry::Topology::patches) return raster;
     if (patchVertices_ != planned.submission.patchVertices) {
         patchVertices_ = planned.submission.patchVertices;
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
@@ -110,6 +110,7 @@ void FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram
     if (const auto& given = plan_.drawOf(planned).tessellationLevels)
         std::ranges::transform(*given, levels.begin(), [](double each) { return static_cast<float>(each); });
     setTessellationLevels(levels);
+    return raster;
 }
 
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
@@ -322,13 +323,13 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     if (isUsable) bindBlocks(planned.program, built);
     setConstantInputs(planned, built, facts.color);
     bindTextures(planned.textures, built);
-    setRaster(planned, built, isWindow, diagnostics);
+    const base::RasterState raster = setRaster(planned, built, isWindow, diagnostics);
     runPerSample(shadesSamples_ && isWindow && isUsable &&
                  plan::paintedEdges(plan_.programs[planned.program], planned.textures) ==
                      plan::PaintedEdges::shown);
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
-    submitInShares(planned, built);
+    if (!recordLoops(planned, built, raster)) submitInShares(planned, built);
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();

@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -57,7 +58,28 @@ int FrameDrawer::workInShares(const BuiltProgram& built, int rows, double pixels
     return shares.parts;
 }
 
+void FrameDrawer::submitInReverse(const plan::PlannedDraw& planned) {
+    constexpr int kParts = 8;  // along each side
+    const gpu::PixelRectangle all = raster_.drawnPixels();
+    const auto edge = [](int side, int part) { return side * part / kParts; };
+    for (int row = kParts; row-- > 0;)
+        for (int column = kParts; column-- > 0;) {
+            const int left = edge(all.width, column), bottom = edge(all.height, row);
+            const int width = edge(all.width, column + 1) - left, height = edge(all.height, row + 1) - bottom;
+            if (width == 0 || height == 0) continue;
+            raster_.narrowTo({all.x + left, all.y + bottom, width, height});
+            submit(planned, true);
+        }
+    raster_.narrowTo(all);
+}
+
 void FrameDrawer::submitInShares(const plan::PlannedDraw& planned, const BuiltProgram& built) {
+    const auto stores = [](const glsl::TranslatedStage& each) { return each.facts.writesMemory; };
+    const auto& stages = built.interface.facts.stages;
+    // Every part runs the stages before the fragment stage again.
+    if (programs_.isReversed() && std::ranges::count_if(stages, stores) == 1 &&
+        stages.back().stage == glsl::Stage::fragment && stores(stages.back()))
+        return submitInReverse(planned);
     if (!mayTakeLong(planned, built)) return submit(planned, true);
     const gpu::PixelRectangle all = raster_.drawnPixels();
     const int parts =

@@ -159,8 +159,7 @@ void FrameDrawer::bindTextures(const std::vector<plan::TextureUse>& textures, co
 }
 
 void FrameDrawer::bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built) {
-    if (built.undefined)
-        bindings_.bindBase(*built.undefined, GL_SHADER_STORAGE_BUFFER, built.undefinedBinding);
+    if (built.record) bindings_.bindBase(*built.record, GL_SHADER_STORAGE_BUFFER, built.recordBinding);
     const std::vector<gpu::Buffer>& blocks = states_[program].blocks;
     for (std::size_t i = 0; i < blocks.size(); ++i)
         if (blocks[i].size() > 0) bindings_.bindBase(blocks[i], GL_UNIFORM_BUFFER, static_cast<GLuint>(i));

@@ -73,6 +73,13 @@ bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass) {
     });
 }
 
+std::set<std::string> movedCameras(const scene::NodeList& nodes) {
+    std::set<std::string> cameras;
+    for (const scene::Pass& each : nodes.passes)
+        if (each.isWindow) cameras.insert(each.rootCamera);
+    return cameras;
+}
+
 ViewMatrices ViewMatrices::shifted(const glm::dmat4& shift) const {
     if (shift == glm::dmat4(1) || state_.eye == kIdentity) return *this;
     ViewMatrices moved = *this;

@@ -4,6 +4,8 @@
 #include <glibra/render.h>
 
 #include <glm/mat4x4.hpp>
+#include <set>
+#include <string>
 
 #include "scene/scene.h"
 
@@ -15,6 +17,9 @@ Matrix asNumbers(const glm::dmat4& matrix);
 /// True if the window's transforms move what the pass draws: it is seen by the camera of a pass into the
 /// window, or both cameras are derived from one. In classic scenes all passes are.
 bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass);
+
+/// PassSetup::rootCamera of the passes that isMoved() is true for.
+std::set<std::string> movedCameras(const scene::NodeList& nodes);
 
 class ViewMatrices {
   public:

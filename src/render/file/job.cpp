@@ -22,6 +22,7 @@
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/check/nan_search.h"
+#include "render/check/order_check.h"
 #include "render/check/run_checks.h"
 #include "render/consequences.h"
 #include "render/file/animation.h"
@@ -194,6 +195,7 @@ class JobRun {
                                      const std::string& whyNothing) {
         Diagnostics remarks = std::move(picture.diagnostics);
         if (search_) append(remarks, search_->at(timeOf(index)));
+        if (picture && job_.checkOrder && index == 0) append(remarks, checkedOrder());
         if (picture) append(remarks, printed(scene));
         if (picture) append(remarks, remarksOn(*picture, job_.scene, whyNothing, options_.checkNan));
         applyStrict(remarks, options_.strict);
@@ -201,6 +203,12 @@ class JobRun {
         keepFirst(std::move(remarks), index);
         // What a missing file did not feed is shown all the same; the job has failed.
         return hasErrors() && !options_.incomplete ? std::nullopt : std::move(picture.value);
+    }
+
+    [[nodiscard]] Diagnostics checkedOrder() const {
+        RenderOptions first = options_;
+        first.time = timeOf(0);
+        return checkOrder(context_, job_.scene, first);
     }
 
     /// Writes the textures and buffers of Job::saves.

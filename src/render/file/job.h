@@ -22,7 +22,8 @@ struct JobOptions {
     int frames = 1;
     double framesPerSecond = 30;
     bool explain = false;
-    bool trace = false;  ///< lists the GL calls of the last frame
+    bool trace = false;       ///< lists the GL calls of the last frame
+    bool checkOrder = false;  ///< of the first frame
 };
 
 struct Job : JobOptions {

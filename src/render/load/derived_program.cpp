@@ -40,6 +40,10 @@ void copyUniforms(const BuiltProgram& from, const gpu::Program& program,
         for (std::size_t i = 0; i < from.interface.blocks.size(); ++i)
             if (from.interface.blocks[i].name == to.name)
                 glUniformBlockBinding(program.id(), to.index, static_cast<GLuint>(i));
+    for (const base::StorageBlock& to : reflected.storageBlocks)
+        for (std::size_t i = 0; i < from.interface.storageBlocks.size(); ++i)
+            if (from.interface.storageBlocks[i].name == to.name)
+                glShaderStorageBlockBinding(program.id(), to.index, static_cast<GLuint>(i));
 }
 
 }  // namespace glibra::render

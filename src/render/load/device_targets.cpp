@@ -29,6 +29,15 @@ std::optional<Diagnostic> problemOf(const scene::Texture& texture, const std::st
     return std::nullopt;
 }
 
+/// True if nothing of the pass tests or changes depth or stencil.
+bool isWithoutDepth(const scene::Pass& pass) {
+    return !pass.depth && !pass.clearDepth && !pass.clearStencil &&
+           std::ranges::all_of(pass.steps, [](const auto& step) {
+               const auto* draw = std::get_if<scene::Draw>(&step);
+               return draw != nullptr && draw->isFill && !draw->raster.depthTest && !draw->raster.stencilTest;
+           });
+}
+
 }  // namespace
 
 void DeviceTargets::forget(const std::set<const gpu::Texture*>& gone) {
@@ -45,8 +54,8 @@ void DeviceTargets::forget(const std::set<const gpu::Texture*>& gone) {
 Result<gpu::Target> DeviceTargets::make(const scene::Pass& pass) {
     const gpu::Texture* first = pass.targets.empty() ? nullptr : textures_.texture(pass.targets.front());
     const gpu::TextureSize size = first == nullptr ? gpu::TextureSize{} : first->size();
-    gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height}];
     if (!scene_.isModern) {
+        gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height}];
         std::vector<const gpu::Texture*> textures;
         for (const scene::TextureIndex each : pass.targets) textures.push_back(textures_.texture(each));
         Result<gpu::Target> made = gpu::Target::textures(context_.capabilities(), textures, 1, depth);
@@ -69,6 +78,9 @@ Result<gpu::Target> DeviceTargets::make(const scene::Pass& pass) {
     std::optional<gpu::TexturePart> depthPart;
     if (pass.depth) depthPart = partOf(pass.depth->texture, {pass.depth->level, pass.depth->layer});
     if (!problems.empty()) return problems;
+    if (isWithoutDepth(pass))
+        return gpu::Target::parts(context_.capabilities(), colors, std::nullopt, {}, std::nullopt);
+    gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height}];
     Result<gpu::Target> made =
         gpu::Target::parts(context_.capabilities(), colors, depthPart, depth, depthFormat(scene_));
     if (made && made->depth()) depth = made->depth();
@@ -76,10 +88,11 @@ Result<gpu::Target> DeviceTargets::make(const scene::Pass& pass) {
 }
 
 Result<const gpu::Target*> DeviceTargets::of(const scene::Pass& pass) {
+    const bool needsDepth = !scene_.isModern || !isWithoutDepth(pass);
     // This runs in every frame, so it compares without making a key.
     const auto isSame = [&](const Made& known) {
         if (known.depthBuffer != pass.depthBuffer || known.targets != pass.targets ||
-            known.parts != pass.parts || known.depth != pass.depth)
+            known.parts != pass.parts || known.depth != pass.depth || (needsDepth && !known.hasDepth))
             return false;
         for (std::size_t i = 0; i < pass.targets.size(); ++i)
             if (known.textures[i] != textures_.texture(pass.targets[i])) return false;
@@ -92,7 +105,7 @@ Result<const gpu::Target*> DeviceTargets::of(const scene::Pass& pass) {
         for (Diagnostic& each : made.diagnostics) each.place = pass.place;
         return std::move(made.diagnostics);
     }
-    Made kept{pass.targets, pass.parts, pass.depth, pass.depthBuffer, {}, std::move(*made)};
+    Made kept{pass.targets, pass.parts, pass.depth, pass.depthBuffer, needsDepth, {}, std::move(*made)};
     for (const scene::TextureIndex each : pass.targets) kept.textures.push_back(textures_.texture(each));
     if (pass.depth) kept.textures.push_back(textures_.texture(pass.depth->texture));
     return &made_.emplace_back(std::move(kept)).target;

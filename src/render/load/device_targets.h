@@ -36,6 +36,7 @@ class DeviceTargets {
         std::vector<scene::TargetPart> parts;
         std::optional<scene::TextureView> depth;
         int depthBuffer = 0;
+        bool hasDepth = true;
         std::vector<const gpu::Texture*> textures;  ///< of the targets and the depth
         gpu::Target target;
     };

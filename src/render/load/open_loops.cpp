@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
+#include <functional>
+#include <set>
 #include <string_view>
-#include <utility>
 
 #include "base/text.h"
 
@@ -37,12 +37,10 @@ void forEachWord(std::string_view text, const Use& use) {
     }
 }
 
-/// Notes the places of the loops whose rounds are known and few, those in `open` otherwise.
-void sortLoop(const glsl::CountedLoop& loop, const glsl::UniformValue& uniform, std::vector<Place>& counted,
-              std::vector<Place>& open) {
-    counted.push_back(loop.place);
-    if (!(glsl::roundsOf(loop, uniform) > 0)) open.push_back(loop.place);
-    for (const glsl::CountedLoop& each : loop.inside) sortLoop(each, uniform, counted, open);
+/// Adds the places of the loops whose rounds are not known.
+void addUnknown(const glsl::CountedLoop& loop, const glsl::UniformValue& uniform, std::vector<Place>& to) {
+    if (!(glsl::roundsOf(loop, uniform) > 0)) to.push_back(loop.place);
+    for (const glsl::CountedLoop& each : loop.inside) addUnknown(each, uniform, to);
 }
 
 void addOnce(std::vector<Place>& places, const Place& place) {
@@ -52,34 +50,17 @@ void addOnce(std::vector<Place>& places, const Place& place) {
 }  // namespace
 
 std::vector<Place> openLoops(const glsl::TranslatedStage& stage, const glsl::UniformValue& uniform) {
-    std::vector<Place> counted, open, result;
+    std::vector<Place> open, result;
     double rounds = 0;
     for (const glsl::CountedLoop& each : stage.loops) {
-        sortLoop(each, uniform, counted, open);
+        addUnknown(each, uniform, open);
         const double own = glsl::totalRounds(each, uniform);
         rounds += own;
         if (own > kManyRounds) addOnce(open, each.place);
     }
     if (rounds > kManyRounds && open.empty()) open.push_back(stage.loops.front().place);
     for (const Place& each : open) addOnce(result, each);
-    // Loops that are not counted: a line has more of their words than counted loops. A `do` ends with a
-    // `while`, so only the latter is looked for.
-    std::map<std::pair<int, int>, int> words;  // by file and line
-    std::size_t from = 0, line = 0;
-    forEachWord(stage.source, [&](std::string_view word, std::size_t at) {
-        if (word != "for" && word != "while") return;
-        for (; from < at; ++from)
-            if (stage.source[from] == '\n') ++line;
-        if (line >= stage.lineMap.lines.size() || stage.lineMap.lines[line].file < 0) return;
-        ++words[{stage.lineMap.lines[line].file, stage.lineMap.lines[line].line}];
-    });
-    for (const auto& [key, number] : words) {
-        const Place place{stage.lineMap.files[static_cast<std::size_t>(key.first)], key.second, 1};
-        std::vector<Place> here;
-        for (const Place& each : counted)
-            if (each.line == place.line && each.file == place.file) addOnce(here, each);
-        if (static_cast<std::size_t>(number) > here.size()) addOnce(result, place);
-    }
+    for (const Place& each : stage.uncounted) addOnce(result, each);
     return result;
 }
 
@@ -102,9 +83,17 @@ std::vector<Place> endlessLoops(const glsl::TranslatedStage& stage) {
     const auto next = [&](std::size_t at) {
         return std::min(source.find_first_not_of(" \t\r\n", at), source.size());
     };
-    /// True if the word may get another value there.
-    const auto isChange = [&](const Word& word) {
-        const std::string_view after = source.substr(next(word.at + word.text.size())).substr(0, 3);
+    const auto textAt = [&](std::size_t at, std::size_t length) {
+        return source.substr(std::min(at, source.size()), length);
+    };
+    /// True if the word, or a part of its value, is assigned to, incremented or decremented there.
+    const auto isWritten = [&](const Word& word) {
+        std::size_t at = next(word.at + word.text.size());
+        for (; textAt(at, 1) == "[" || textAt(at, 1) == "."; at = next(at))
+            for (at = textAt(at, 1) == "[" ? matching(at, '[', ']') + 1 : next(at + 1);
+                 at < source.size() && base::isOfName(source[at]);)
+                ++at;
+        const std::string_view after = textAt(at, 3);
         const std::size_t last =
             word.at == 0 ? std::string_view::npos : source.find_last_not_of(" \t\r\n", word.at - 1);
         const std::string_view before =
@@ -114,9 +103,41 @@ std::vector<Place> endlessLoops(const glsl::TranslatedStage& stage) {
                                                              std::string_view("+-*/%&|^").find(after[0]) !=
                                                                  std::string_view::npos;
         return isAssigned || after.starts_with("<<=") || after.starts_with(">>=") ||
-               after.starts_with("++") || after.starts_with("--") || before == "++" || before == "--" ||
-               after.starts_with('[') || after.starts_with('.') ||
-               (!before.empty() && (before.back() == '(' || before.back() == ','));
+               after.starts_with("++") || after.starts_with("--") || before == "++" || before == "--";
+    };
+    /// True if the word may get another value there, also as an argument of a function.
+    const auto isChange = [&](const Word& word) {
+        const std::size_t last =
+            word.at == 0 ? std::string_view::npos : source.find_last_not_of(" \t\r\n", word.at - 1);
+        const bool isArgument =
+            last != std::string_view::npos && (source[last] == '(' || source[last] == ',');
+        return isArgument || isWritten(word);
+    };
+    /// True if a function that is called in the range, or by such a function, may change a variable of that
+    /// name, or waits for other invocations that may.
+    const auto isChangedByCalls = [&](std::string_view name, std::size_t from, std::size_t to) {
+        std::set<std::string_view> called;
+        const std::function<bool(std::size_t, std::size_t)> search = [&](std::size_t first, std::size_t end) {
+            return std::any_of(words.begin(), words.end(), [&](const Word& word) {
+                if (word.at < first || word.at >= end || textAt(next(word.at + word.text.size()), 1) != "(")
+                    return false;
+                if (word.text.find("arrier") != std::string_view::npos) return true;
+                if (!called.insert(word.text).second) return false;
+                return std::any_of(words.begin(), words.end(), [&](const Word& defined) {
+                    const std::size_t open = next(defined.at + defined.text.size());
+                    if (defined.text != word.text || textAt(open, 1) != "(") return false;
+                    const std::size_t body = next(matching(open, '(', ')') + 1);
+                    if (textAt(body, 1) != "{") return false;
+                    const std::size_t last = matching(body, '{', '}');
+                    return search(body, last) ||
+                           std::any_of(words.begin(), words.end(), [&](const Word& inside) {
+                               return inside.at > body && inside.at < last && inside.text == name &&
+                                      isChange(inside);
+                           });
+                });
+            });
+        };
+        return search(from, to);
     };
     std::vector<Place> places;
     for (const Word& loop : words) {
@@ -138,6 +159,7 @@ std::vector<Place> endlessLoops(const glsl::TranslatedStage& stage) {
             return word.at >= from && word.at < to;
         };
         const bool mayEnd = std::any_of(words.begin(), words.end(), [&](const Word& word) {
+            if (isIn(word, begin, end)) return isWritten(word) || isChangedByCalls(word.text, begin, last);
             if (!isIn(word, end, last)) return false;
             if (word.text == "break" || word.text == "return" || word.text == "discard") return true;
             const bool isTested = std::any_of(words.begin(), words.end(), [&](const Word& tested) {

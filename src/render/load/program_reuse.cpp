@@ -19,14 +19,14 @@ namespace {
 std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     const auto& [name, place, stages, include, target, shim, hasLights, setsLights, suppliesFragment,
                  suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors, colorTargets,
-                 tiled, inPieces, checksUndefined, geometryInput, geometryOutput, geometryVerticesOut,
-                 reportsGeometryConflicts, samplerKindsOfTag] = asked;
+                 tiled, inPieces, checksUndefined, recordsLoops, reversesOrder, geometryInput, geometryOutput,
+                 geometryVerticesOut, reportsGeometryConflicts, samplerKindsOfTag] = asked;
     static_cast<void>(target);  // that of the context, which owns what is shared
     std::string key = fmt::format("{}\n{}:{}:{} {} {} {} {} ", name, place.file, place.line, place.column,
                                   colorTargets, geometryInput, geometryOutput, geometryVerticesOut);
-    for (const bool each :
-         {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex, acceptsStorage,
-          suppliesFullScreenVertex, flatColors, tiled, inPieces, checksUndefined, reportsGeometryConflicts})
+    for (const bool each : {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex,
+                            acceptsStorage, suppliesFullScreenVertex, flatColors, tiled, inPieces,
+                            checksUndefined, recordsLoops, reversesOrder, reportsGeometryConflicts})
         key += each ? '1' : '0';
     key += '\n';
     for (const auto& [stage, path, text] : stages)

@@ -109,6 +109,7 @@ ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& 
 glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant, Diagnostics& diagnostics) {
     glsl::ProgramRequest request = sources_.request(variant, tiled_, diagnostics);
     request.target = glslTargetOf(context_.capabilities());
+    request.reversesOrder = isReversed_;
     return request;
 }
 
@@ -142,7 +143,8 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     if (!context_.capabilities().atLeast(4, 3))
         built.interface.outputs = declaredOutputs(translated, *outcome.program);
     built.program = std::move(outcome.program);
-    countUndefined(translated, built, diagnostics);
+    takeRecord(glsl::kUndefinedBlock, glsl::kNumbersPerSite * translated.undefinedSites.size(), built,
+               diagnostics);
     return true;
 }
 

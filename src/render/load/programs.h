@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -47,9 +46,13 @@ struct BuiltProgram {
         nullptr;  ///< the part of a FrameDrawer whose constants the uniforms have; null: none
     /// The first group of the piece of a dispatch and the groups of the whole, as the uniforms say them.
     mutable std::optional<std::array<std::array<std::uint64_t, 3>, 2>> piece;
-    /// With RenderOptions::checkUndefined: what facts.undefinedSites count, and where it is bound.
-    std::optional<gpu::Buffer> undefined;
-    unsigned undefinedBinding = 0;
+    /// With RenderOptions::checkUndefined: what facts.undefinedSites count; of a loop counter: which of
+    /// facts.loopSites the driver has ended. And where it is bound.
+    std::optional<gpu::Buffer> record{};
+    unsigned recordBinding = 0;
+    /// The program with ProgramRequest::recordsLoops, which makes the same and stores in the same places.
+    /// countLoops() makes it; null: none.
+    std::unique_ptr<BuiltProgram> loopCounter{};
     std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
 };
 
@@ -90,6 +93,15 @@ class ProgramLibrary {
     void stopObserving() { observed_.reset(); }
     /// What the programs did since the last call that GLSL leaves undefined: glsl-W29 ... W32.
     Diagnostics takeUndefined();
+    /// Makes BuiltProgram::loopCounter of the planned programs with open loops, if the driver has means for
+    /// it.
+    void countLoops(const plan::FramePlan& plan);
+    /// The loops of programs with a counter that the driver has ended since the last call, after `limit`
+    /// rounds: draw-W08, once for each place.
+    Diagnostics takeCutLoops(int limit);
+    /// The invocations of compute programs that are made from now on run in reverse.
+    void reverseOrder() { isReversed_ = true; }
+    [[nodiscard]] bool isReversed() const { return isReversed_; }
     /// ProgramSources::hiddenSource; it is known after interfaceOf.
     [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const {
         return sources_.hiddenSource(program);
@@ -113,9 +125,10 @@ class ProgramLibrary {
                                     const glsl::TranslatedProgram& translated) const;
     /// The program's name, and its index among the programs of that name.
     [[nodiscard]] std::pair<int, std::string> identityOf(const plan::ProgramVariant& variant) const;
-    /// Separates the block that counts what is undefined from those of the scene.
-    void countUndefined(const glsl::TranslatedProgram& translated, BuiltProgram& built,
-                        Diagnostics& diagnostics) const;
+    /// Separates the block of that name, in which the program records in `numbers` numbers what happens, from
+    /// those of the scene.
+    static void takeRecord(const char* block, std::size_t numbers, BuiltProgram& built,
+                           Diagnostics& diagnostics);
     BuiltProgram* earlierByKey(const std::string& key);
     BuiltProgram* lastGoodOf(const plan::ProgramVariant& variant);
     bool compile(const plan::ProgramVariant& variant, const glsl::TranslatedProgram& translated,
@@ -133,6 +146,8 @@ class ProgramLibrary {
     using KnownProgram = std::pair<plan::ProgramVariant, std::unique_ptr<BuiltProgram>>;
     std::vector<KnownProgram> programs_;
     std::optional<KnownProgram> observed_;
+    Diagnostics cutLoops_;  ///< that were reported
+    bool isReversed_ = false;
 };
 
 }  // namespace glibra::render

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -46,6 +47,7 @@ struct Simulation::Block {
     bool isOfStep = false;                      ///< a Once that was planned while a step ran
     glm::dmat4 view{1.0};
     std::optional<ViewMatrices> seen;  ///< by `view`; made when the block first runs
+    std::uint64_t runs = 0;            ///< with these values
 
     [[nodiscard]] const char* word() const { return isOnce ? "Once" : "Step"; }
 };
@@ -263,8 +265,10 @@ void Simulation::changeValues(
     const std::function<std::vector<plan::PlannedProgramIndex>(plan::FramePlan&)>& change) {
     for (const auto* list : {&once_, &steps_})
         for (const auto& block : *list)
-            for (const plan::PlannedProgramIndex each : change(block->plan))
+            for (const plan::PlannedProgramIndex each : change(block->plan)) {
+                block->runs = 0;
                 if (block->drawer) block->drawer->forgetLiterals(each);
+            }
 }
 
 void Simulation::takeOver(Simulation& previous) {
@@ -416,8 +420,11 @@ Diagnostics Simulation::planAgain(Block& block, const scene::NodeList& nodes) {
 
 Diagnostics Simulation::run(Block& block, double time) {
     if (block.plan.order.empty()) return {};
-    if (!block.drawer)
+    if (!block.drawer) {
+        closeDrawer();  // the limit of loops may be measured
+        parts_.recordLoops(block.plan);
         block.drawer.emplace(parts_.context, block.plan, parts_.programs, parts_.device, parts_.stats);
+    }
     if (!block.seen) block.seen.emplace(ViewState(), block.view, 0);
     if (open_ != &*block.drawer) closeDrawer();
     const Run run{block.isOnce, block.rate, block.place, block.plan, *block.drawer};
@@ -425,8 +432,11 @@ Diagnostics Simulation::run(Block& block, double time) {
     // Steps of one block come one after the other, and nothing else uses the context between them.
     const bool staysOpen = !hook_ && !block.isOnce;
     if (staysOpen) open_ = &*block.drawer;
-    Diagnostics diagnostics =
-        block.drawer->run({*block.seen, 1, 1, {0, 0, 1, 1}, time, true, nullptr, staysOpen});
+    Diagnostics diagnostics = block.drawer->run({.view = *block.seen,
+                                                 .tile = {0, 0, 1, 1},
+                                                 .time = time,
+                                                 .staysOpen = staysOpen,
+                                                 .recordsLoops = std::has_single_bit(++block.runs)});
     if (hook_) hook_(run, false);
     return diagnostics;
 }

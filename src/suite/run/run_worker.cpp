@@ -9,6 +9,7 @@
 
 #include "base/contained.h"
 #include "image/write.h"
+#include "render/check/order_check.h"
 #include "suite/golden/hash_key.h"
 #include "suite/run/background.h"
 #include "suite/run/worker_count.h"
@@ -93,6 +94,9 @@ Attempt ShotWorker::attempt(const ShotReference& reference, std::span<const Shot
         return found ? std::optional(renderer_->render(*found)) : std::nullopt;
     };
     attempt.own = renderer_->render(shot, coming);
+    // A golden must not show one order of threads out of many.
+    if (plan_.options.update && attempt.own.picture)
+        append(attempt.own.diagnostics, render::checkOrder(*context_, shot.script, shot.options));
     // What lacks something is shown, but never judged.
     if (plan_.options.onlyRender.empty() && hasError(attempt.own.diagnostics)) attempt.own.picture.reset();
     if (attempt.own.picture) {
