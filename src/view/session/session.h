@@ -188,6 +188,10 @@ class Session {
     /// Sets the samples per pixel on the screen, limited to what the driver has; 0 or 1: one. Hardcopies and
     /// renderOptions() keep theirs.
     void setSamples(int samples);
+    /// Takes over all that the last picture of `other` depends on besides its scene: size, samples, time, view,
+    /// camera, mouse, what is shown, and the values of what has the same name here. The transforms of objects
+    /// are named by lines; they stay out unless both show the same file.
+    void showLike(const Session& other);
     /// Sets the shape that a perspective shows whole: width / height; 0: a perspective keeps its vertical
     /// angle. In pictures that are narrower, the scene then becomes smaller, and nothing of it is cropped.
     void setWholeShape(double aspect);
@@ -292,6 +296,7 @@ class Session {
     std::optional<DebugRenderer> debugRenderer_;  ///< made for live_
     int width_ = 600, height_ = 600;
     int samples_ = 1;
+    double pictureTime_ = 0;  ///< of the last picture, which another process may have drawn
     double wholeShape_ = 0, drawnShrinking_ = 1;
     std::optional<gpu::Texture> received_;  ///< the picture of process_; target_ refers to it
     std::optional<gpu::Target> target_;

@@ -104,7 +104,7 @@ Session::Elsewhere Session::drawElsewhere() {
         state.samples = 1;
     }
     drawnShrinking_ = shrinking();
-    const DrawingOrder order{orderText(state), state.width, state.height, state.loading};
+    const DrawingOrder order{orderText(state), state.width, state.height, state.time, state.loading};
     if (!isShown && order.text == tried_) return Elsewhere::tried;
     const DrawingProcess::State answer = process_.draw(order, drawLimit_);
     switch (answer) {
@@ -132,6 +132,7 @@ Session::Elsewhere Session::drawElsewhere() {
         return Elsewhere::no;
     }
     ++framesDrawn_;
+    pictureTime_ = process_.order().time;
     isStale_ = process_.order() != order;
     return isStale_ ? Elsewhere::waits : Elsewhere::shown;
 }

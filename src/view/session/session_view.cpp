@@ -35,6 +35,30 @@ void Session::setView(ViewState view) {
     isStale_ = true;
 }
 
+void Session::showLike(const Session& other) {
+    resize(other.width_, other.height_);
+    setSamples(other.samples_);
+    setWholeShape(other.wholeShape_);
+    Clock clock = other.clock_;
+    clock.setTime(other.pictureTime_);
+    if (clock.time() != clock_.time()) setClock(clock);
+    for (const Knob& each : other.knobs_) {
+        const Knob* known = knob(each.title, each.tag);
+        if (!known) known = knob("", each.tag);
+        if (known && known->current.size() == each.current.size())
+            setValue(static_cast<std::size_t>(known - knobs_.data()), each.current);
+    }
+    ViewState view = other.view_;
+    if (path_ != other.path_) view.objects.clear();
+    setView(std::move(view));
+    if (camera_ != other.camera_) setCamera(other.camera_);
+    setAxes(other.axes_);
+    setWireframe(other.wireframe_);
+    setDebugView(other.debugView_);
+    setNormalLength(other.normalLength_);
+    setMouse(other.mouse_.x, other.mouse_.y, other.mouse_.isDown);
+}
+
 void Session::resetTransforms() {
     ViewState view;
     view.projection = view_.projection;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "view/session/comparison.h"
 #include "view/window/panels/shown_texture.h"
@@ -24,7 +25,7 @@ struct CompareWindow {
     std::string problem;                     ///< why the other scene cannot be read
     std::optional<gpu::Texture> own, other;  ///< of the last pictures
     bool isSolution = false;                 ///< of the tab's scene, an exercise
-    bool needsFrames = false;
+    bool isNew = false;                      ///< the textures are of earlier pictures
 };
 
 std::optional<gpu::Texture> uploaded(const Ui& ui, const image::Image* picture) {
@@ -48,14 +49,11 @@ void picture(Ui& ui, const char* title, const char* name, const std::optional<gp
 /// Both pictures, as large as the window shows them side by side, and how they differ.
 void sideBySide(Ui& ui, CompareWindow& window) {
     Comparison& comparison = *window.comparison;
-    const bool isNew = comparison.follow(ui.session);
-    ui.frame.isFollowed = ui.frame.isFollowed || comparison.isDrawing();
-    if (isNew) {
+    if (std::exchange(window.isNew, false)) {
         window.own.reset();  // before the new one needs memory
         window.own = uploaded(ui, comparison.own());
         window.other.reset();
         window.other = uploaded(ui, comparison.other());
-        window.needsFrames = true;  // the tab's own picture may still be drawn in this frame
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -77,11 +75,12 @@ void sideBySide(Ui& ui, CompareWindow& window) {
 class ComparePanel final : public Panel {
   public:
     void update(Ui& ui) override {
-        window_.needsFrames = false;
         if (!ui.wanted.compared) return;
         const fs::path& scene = *ui.wanted.compared;
         window_ = {};
-        window_.comparison = std::make_unique<Comparison>(ui.context, ui.session.renderOptions());
+        RenderOptions options = ui.session.renderOptions();
+        options.sceneText.reset();  // of the tab's scene, with the files that were chosen
+        window_.comparison = std::make_unique<Comparison>(ui.context, options);
         window_.comparison->setContained(true);
         window_.problem = window_.comparison->open(scene);
         window_.isSolution = scene == solutionOf(ui.session.path());
@@ -100,7 +99,13 @@ class ComparePanel final : public Panel {
         }
         ImGui::End();
     }
-    [[nodiscard]] bool needsFrames() const override { return window_.needsFrames; }
+    /// The picture of this frame is drawn: the other one follows it.
+    void drawOver(Ui& ui) override {
+        if (!isOpen || !window_.comparison) return;
+        window_.isNew = window_.comparison->follow(ui.session) || window_.isNew;
+        ui.frame.isFollowed = ui.frame.isFollowed || window_.comparison->isDrawing();
+    }
+    [[nodiscard]] bool needsFrames() const override { return window_.isNew; }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         if (!isOpen || !window_.comparison) return;
         nlohmann::ordered_json json = {{"scene", window_.comparison->path().string()},
