@@ -114,7 +114,7 @@ std::vector<MessageFix> fixesOf(const Diagnostic& message, const LiveScene& live
 
 std::string searchedFor(const Diagnostic& message, const LiveScene& live) {
     if (message.id != "file-E01" || message.subject.empty()) return {};
-    const scene::SearchFolders folders = scene::searchFolders(live.scene().path);
+    const scene::SearchFolders folders = live.searchFolders();
     std::string text;
     std::error_code failure;
     const auto add = [&](const fs::path& folder) {
