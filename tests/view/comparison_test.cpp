@@ -116,10 +116,7 @@ TEST_F(ComparisonTest, ASceneShownInAnyWayEqualsItsCopy) {
         {"wireframe", [&] { own.setWireframe(true); }},
         {"the time", [&] { own.advance(.25); }},
         {"a debug view", [&] { own.setDebugView(view::DebugView::facing); }},
-        {"the view",
-         [&] {
-             own.drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 4}, {60, 90}});
-         }},
+        {"the view", [&] { own.drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 4}, {60, 90}}); }},
     };
     std::vector<std::byte> before = picture();
     for (const auto& [what, change] : changes) {

@@ -34,7 +34,8 @@ class Woken {
     /// False if nothing is reported in time.
     bool waitsShortly() {
         std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, std::chrono::seconds(20), [this] { return std::exchange(count_, 0) > 0; });
+        return changed_.wait_for(lock, std::chrono::seconds(20),
+                                 [this] { return std::exchange(count_, 0) > 0; });
     }
 
   private:
@@ -208,10 +209,11 @@ TEST_F(ReplacedFolders, AFurtherNameOfAFileAndALinkAreReported) {
     EXPECT_TRUE(isReported(file));
     takeAll();
     fs::remove(folder / "work/v1/sub/a.frag");
-    fs::create_symlink(other, folder / "work/v1/sub/a.frag");
+    folder.write("work/v1/third.frag", "another one");
+    fs::create_symlink(folder / "work/v1/third.frag", folder / "work/v1/sub/a.frag");
     EXPECT_TRUE(isReported(file));
     takeAll();
-    folder.write("other.frag", "the target is saved");
+    folder.write("work/v1/third.frag", "the target is saved");
     EXPECT_TRUE(isReported(file));
 }
 

@@ -65,7 +65,7 @@ FileWatch::~FileWatch() {
 }
 
 FileWatch::Identity FileWatch::identityOf(const fs::path& file) {
-    struct stat found {};
+    struct stat found{};
     if (::stat(file.c_str(), &found) != 0) return {};
     return {found.st_dev, found.st_ino, found.st_size, found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
 }
@@ -197,7 +197,8 @@ int FileWatch::millisecondsToRemoved() {
     return static_cast<int>(std::clamp<std::int64_t>(milliseconds, 0, kAway.count()));
 }
 
-/// One event about the name in a folder, or about the folder itself. Seen::moved: the paths lead elsewhere now.
+/// One event about the name in a folder, or about the folder itself. Seen::moved: the paths lead elsewhere
+/// now.
 FileWatch::Seen FileWatch::readEvent(int descriptor, std::uint32_t what, const std::string& name) {
     if ((what & IN_Q_OVERFLOW) != 0) return Seen::moved;
     const auto folder = folders_.find(descriptor);
@@ -214,7 +215,7 @@ FileWatch::Seen FileWatch::readEvent(int descriptor, std::uint32_t what, const s
         return Seen::nothing;
     }
     if ((what & (IN_CREATE | IN_MOVED_TO)) != 0) {
-        struct stat made {};
+        struct stat made{};
         if (::lstat(path.c_str(), &made) == 0 && S_ISLNK(made.st_mode)) return Seen::moved;
         // A new file is written and closed; only a further name of one is complete as it is made.
         if ((what & IN_CREATE) != 0 && made.st_nlink < 2) return Seen::nothing;

@@ -25,9 +25,9 @@ class Comparison {
     void setContained(bool on) { other_.setContained(on); }
     [[nodiscard]] bool isDrawing() const { return other_.isDrawing(); }
 
-    /// Draws the other scene like the last picture of `own` (Session::showLike), and keeps both pictures. They
-    /// are always of one moment: another process may draw the other scene, and until its picture is there the
-    /// earlier two stay. Returns true if the pictures are new.
+    /// Draws the other scene like the last picture of `own` (Session::showLike), and keeps both pictures.
+    /// They are always of one moment: another process may draw the other scene, and until its picture is
+    /// there the earlier two stay. Returns true if the pictures are new.
     bool follow(const Session& own);
     /// RGBA in bytes, top row first; null before both are drawn.
     [[nodiscard]] const image::Image* own() const { return own_ ? &*own_ : nullptr; }

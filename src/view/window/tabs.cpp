@@ -1,6 +1,7 @@
 #include "view/window/tabs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -111,12 +112,26 @@ std::vector<fs::path> Tabs::unsaved() const {
     return files;
 }
 
+double Tabs::keepValues(bool now) {
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    double due = -1;
+    for (const std::unique_ptr<Tab>& each : tabs_) {
+        if (now) each->values.keepNow(each->session);
+        const double left = each->values.keep(each->session, seconds);
+        if (left >= 0 && (due < 0 || left < due)) due = left;
+    }
+    return due;
+}
+
 void Tabs::watch(FileWatch& watch) const {
     std::vector<fs::path> files;
     for (const std::unique_ptr<Tab>& each : tabs_) {
         if (!each->session.hasScene()) continue;
         for (fs::path& file : allFiles(each->session.live())) files.push_back(std::move(file));
     }
+    const std::vector<fs::path>& copies = shared_.copies.copies();
+    files.insert(files.end(), copies.begin(), copies.end());
     watch.watch(files);
 }
 
