@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kNarrowestPanel = 220, kUsualPanel = 376;
 constexpr float kWidestPart = .7F;
-constexpr float kRoomOfPicture = 320;
+constexpr float kRoomOfPicture = 200;
 
 void showAt(Ui& ui, PanelPlace place) {
     for (const PanelUse& each : ui.panels)
@@ -70,8 +70,8 @@ float panel(Ui& ui) {
     const float narrowest = std::min(kNarrowestPanel * ui.shared.scale, widest);
     // The width that the user has chosen stays while a small window cannot have it.
     float width = panelWidth(ui);
-    // Without the user's choice, half of a narrow window is the picture's.
-    if (!(ui.settings.panelWidth > 0))
+    // Unless somebody has chosen a size, a narrow window leaves half of itself to the picture.
+    if (!(ui.settings.panelWidth > 0) && !ui.shared.shape)
         width = std::min(width, std::max(window.x / 2, window.x - kRoomOfPicture * ui.shared.scale));
     const float wanted = std::floor(std::clamp(width, narrowest, widest));
     ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
