@@ -373,12 +373,36 @@ FileReference findFile(std::string_view written, const Place& place, const Searc
     return reference;
 }
 
-FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
-                          const InterpretOptions& options, FolderListings& listings) {
+std::vector<fs::path> placesOf(std::string_view written, const SearchFolders& folders) {
+    std::vector<fs::path> places;
+    const CleanName name = clean(written.substr(0, kLongestName));
+    if (name.parts.empty()) return places;
+    const auto add = [&](const fs::path& folder, const std::vector<std::string>& parts) {
+        fs::path& place = places.emplace_back(folder);
+        for (const std::string& part : parts) place /= part;
+    };
+    if (name.isAbsolute && !name.isNetwork) add("/", name.parts);
+    for (const fs::path& each : folders.beside) {
+        if (!name.isAbsolute) add(each, name.parts);
+        if (name.hasFolders && !name.last.empty()) add(each, {name.last});
+    }
+    if (!name.isAbsolute)
+        for (const fs::path& each : folders.library) add(each, name.parts);
+    return places;
+}
+
+SearchFolders includeFolders(std::string_view includingPath, std::string_view scenePath,
+                             const InterpretOptions& options) {
     SearchFolders folders = searchFolders(scenePath, options);
     const fs::path including = fs::path(includingPath).parent_path();
     if (including != folders.beside.front()) folders.beside.insert(folders.beside.begin(), including);
-    return findFile(name, Place{std::string(includingPath), 1, 1}, folders, listings);
+    return folders;
+}
+
+FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
+                          const InterpretOptions& options, FolderListings& listings) {
+    return findFile(name, Place{std::string(includingPath), 1, 1},
+                    includeFolders(includingPath, scenePath, options), listings);
 }
 
 }  // namespace glibra::scene

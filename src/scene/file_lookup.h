@@ -75,6 +75,13 @@ base::Roots shownRoots(const SearchFolders& folders);
 FileReference findFile(std::string_view name, const Place& place, const SearchFolders& folders,
                        FolderListings& listings);
 
+/// The paths at which a file that is missing would be found as it is named.
+std::vector<std::filesystem::path> placesOf(std::string_view name, const SearchFolders& folders);
+
+/// The folders for a file that another file includes: searchFolders(), and the folder of that file first.
+SearchFolders includeFolders(std::string_view includingPath, std::string_view scenePath,
+                             const InterpretOptions& options);
+
 /// Looks up a file for #include: like findFile, but first beside the including file.
 FileReference findInclude(std::string_view name, std::string_view includingPath, std::string_view scenePath,
                           const InterpretOptions& options, FolderListings& listings);

@@ -4,6 +4,10 @@
 #include "view/session/solution_check.h"
 
 #include <cstring>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
@@ -87,6 +91,58 @@ TEST_F(ComparisonTest, EqualScenesDoNotDiffer) {
     ASSERT_TRUE(comparison.score());
     EXPECT_EQ(comparison.score()->flip, 0);
     EXPECT_EQ(comparison.score()->structure, 0);
+}
+
+TEST_F(ComparisonTest, ASceneShownInAnyWayEqualsItsCopy) {
+    const auto slanted = [](double depth) {
+        return kHead + "Timer 1\nPerspective 60\nLookAt 0 0 " + std::to_string(depth) +
+               "  0 0 0  0 1 0\nRotate 20 0 0 1\nVertex a.vert\nFragment a.frag\n"
+               "Program P uR <0. .2 1.>\nSphere 1\n";
+    };
+    folder.write("task.glib", slanted(4));
+    folder.write("scene.glib", slanted(4) + "# the same\n");
+    own.open(folder / "task.glib");
+    comparison.open(folder.scene());
+    const auto picture = [&] {
+        own.drawIfNeeded();
+        EXPECT_TRUE(comparison.follow(own));
+        return comparison.own() ? comparison.own()->data : std::vector<std::byte>();
+    };
+    const std::vector<std::pair<const char*, std::function<void()>>> changes{
+        {"samples", [&] { own.setSamples(4); }},
+        {"size", [&] { own.resize(60, 90); }},
+        {"the whole shape", [&] { own.setWholeShape(2); }},
+        {"a value", [&] { own.setValue(knobIndex(own, "uR"), {.9}); }},
+        {"axes", [&] { own.setAxes(true); }},
+        {"wireframe", [&] { own.setWireframe(true); }},
+        {"the time", [&] { own.advance(.25); }},
+        {"a debug view", [&] { own.setDebugView(view::DebugView::facing); }},
+        {"the view", [&] { own.drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 4}, {60, 90}}); }},
+    };
+    std::vector<std::byte> before = picture();
+    for (const auto& [what, change] : changes) {
+        change();
+        const std::vector<std::byte> after = picture();
+        EXPECT_NE(after, before) << what;
+        ASSERT_TRUE(comparison.other());
+        EXPECT_EQ(comparison.other()->data, after) << what;
+        ASSERT_TRUE(comparison.score());
+        EXPECT_EQ(comparison.score()->flip, 0) << what;
+        EXPECT_EQ(comparison.score()->structure, 0) << what;
+        before = after;
+    }
+}
+
+TEST_F(ComparisonTest, WhileTimeRunsBothPicturesAreOfOneMoment) {
+    folder.write("task.glib", scene("a.frag"));
+    own.reload();
+    for (int frame = 0; frame < 3; ++frame) {
+        own.drawIfNeeded();
+        own.advance(.2);  // the window does so before it shows the comparison
+        ASSERT_TRUE(comparison.follow(own));
+        EXPECT_EQ(greenAt(comparison.own(), 20, 20), 51 * frame);
+        EXPECT_EQ(greenAt(comparison.other(), 20, 20), 51 * frame);
+    }
 }
 
 TEST_F(ComparisonTest, ABrokenSceneHasAProblem) {

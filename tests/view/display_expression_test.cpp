@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <cmath>
+
 #include "scene_folder.h"
 
 namespace glibra::test {
@@ -33,6 +35,15 @@ TEST(DisplayExpression, ComputesTexels) {
     EXPECT_NEAR(shown("vec3(st, size.x)", 3).at(0), 1. / 6, 1e-6);
     EXPECT_NEAR(shown("vec3(st, size.x)", 3).at(1), .75, 1e-6);
     EXPECT_EQ(shown("vec3(st, size.x)", 3).at(2), 3);
+    // A division by 0 is that of IEEE 754, whether the driver sees a constant or not.
+    for (const char* zero : {"0.", ".0", "0.e0", "(1. - 1.)", "vec4(0.)", "(color.r - color.r)"}) {
+        const std::vector<double> quotient = shown(std::string("color / ") + zero, 1);
+        ASSERT_EQ(quotient.size(), 4U);
+        EXPECT_TRUE(std::isinf(quotient[0])) << zero << ": .25 / 0 is " << quotient[0];
+        EXPECT_TRUE(std::isinf(quotient[1])) << zero;
+        EXPECT_TRUE(std::isnan(quotient[2])) << zero << ": 0 / 0 is " << quotient[2];
+    }
+    EXPECT_EQ(shown("vec3(1.5e1, 5 / 2, 0x10)", 0), (std::vector<double>{15, 2, 16, 1}));
     EXPECT_EQ(shown("texel", 5), (std::vector<double>{2, 1, 0, 1}));
     EXPECT_EQ(shown("color.r > 1.", 0), (std::vector<double>{0, 0, 0, 1}));
 }

@@ -104,5 +104,35 @@ TEST(EditedFile, ADeletedFileIsWrittenAgain) {
     EXPECT_EQ(folder.read("a.frag"), "two");
 }
 
+TEST(EditedFile, AChangeByThisProgramIsNoConflictAndReachesUnsavedText) {
+    const SceneFolder folder("", {{"a.glib", "one\r\nvalue 1\r\nthree\r\nvalue 1\r\n"}});
+    EditedFile file(folder / "a.glib");
+    file.text() = "new\none\nvalue 1\nthree, typed\nvalue 1\n";
+    const Diagnostics problems = file.changeFile("one\r\nvalue 1\r\nthree\r\nvalue 2\r\n");
+    EXPECT_TRUE(problems.empty()) << text(problems);
+    EXPECT_EQ(folder.read("a.glib"), "one\r\nvalue 1\r\nthree\r\nvalue 2\r\n");
+    EXPECT_EQ(file.text(), "new\none\nvalue 1\nthree, typed\nvalue 2\n");
+    file.lookAtDisk();
+    EXPECT_FALSE(file.hasConflict());
+    EXPECT_TRUE(file.isChanged()) << "what was typed is not saved";
+    EXPECT_TRUE(file.save().empty());
+    EXPECT_FALSE(file.hasConflict());
+    EXPECT_EQ(folder.read("a.glib"), "new\r\none\r\nvalue 1\r\nthree, typed\r\nvalue 2\r\n");
+}
+
+TEST(EditedFile, AChangeOfALineThatWasTypedInIsRefused) {
+    const SceneFolder folder("", {{"a.glib", "one\nvalue 1\n"}});
+    EditedFile file(folder / "a.glib");
+    file.text() = "one\nvalue 1  # typed\n";
+    EXPECT_TRUE(hasError(file.changeFile("one\nvalue 2\n")));
+    EXPECT_EQ(folder.read("a.glib"), "one\nvalue 1\n");
+    EXPECT_EQ(file.text(), "one\nvalue 1  # typed\n");
+    EXPECT_TRUE(file.isChanged());
+    folder.write("a.glib", "of another program\n");
+    EXPECT_TRUE(hasError(file.changeFile("one\nvalue 2\n")));
+    EXPECT_TRUE(file.hasConflict());
+    EXPECT_EQ(folder.read("a.glib"), "of another program\n");
+}
+
 }  // namespace
 }  // namespace glibra::test

@@ -487,5 +487,30 @@ TEST(BeforeAndAfter, KeepsThePictureFromBeforeAnEdit) {
     EXPECT_EQ(view::contentOf(*session.shownPicture(), false).at(20 * 40 + 20)[1], 1) << "green";
 }
 
+TEST(BeforeAndAfter, BothPicturesAreOfOneMoment) {
+    const std::string head =
+        "WindowSize 40 40\nTimer 1\nOrtho -1 1 -1 1 -1 1\nVertex a.vert\nFragment a.frag\n";
+    const std::string shader = "#version 330\nout vec4 c;\nvoid main() { c = vec4(Timer, 0., 0., 1.); }\n";
+    const SceneFolder folder(head + "Program P\nQuadXY 0 1\n",
+                             {{"a.vert", kPlainVertex}, {"a.frag", shader}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.advance(.25);
+    session.drawIfNeeded();
+    folder.write("a.frag", "// edited\n" + shader);
+    ASSERT_TRUE(session.reload());
+    session.drawIfNeeded();
+    session.advance(.5);
+    session.drawIfNeeded();
+    session.showBefore(true);
+    session.drawIfNeeded();
+    EXPECT_FALSE(session.isMoving());
+    EXPECT_EQ(pixelOf(session, 20, 20)[0], 64) << "the one after the edit";
+    EXPECT_NEAR(view::contentOf(*session.shownPicture(), false).at(20 * 40 + 20)[0], 64. / 255, 1e-3);
+    session.showBefore(false);
+    session.drawIfNeeded();
+    EXPECT_EQ(pixelOf(session, 20, 20)[0], 64);
+}
+
 }  // namespace
 }  // namespace glibra::test

@@ -66,6 +66,26 @@ TEST(MessageFixes, StubsOfAllStagesCompileAndShowSomething) {
     EXPECT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
 }
 
+TEST(MessageFixes, CorrectAMisspeltUniformAndAddNoSliderBesideIt) {
+    const SceneFolder folder(kHead +
+                                 "Background 0 0 0\nVertex a.vert\nFragment a.frag\n"
+                                 "Program P \\\n uAm 1 uAmout <0. .8 1.>\nQuadXY 0 1\n",
+                             {{"a.vert", kPlainVertex},
+                              {"a.frag",
+                               "#version 330\nuniform float uAmount, uAm; out vec4 c;\n"
+                               "void main() { c = vec4(uAmount * uAm); }\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    ASSERT_EQ(labelsIn(session), (std::vector<std::string>{"Rename to 'uAmount'"}))
+        << text(session.diagnostics());
+    carryOut(folder, fixesIn(session).front());
+    EXPECT_NE(folder.read("scene.glib").find(" uAm 1 uAmount <0. .8 1.>\n"), std::string::npos)
+        << folder.read("scene.glib");
+    ASSERT_TRUE(session.reload());
+    EXPECT_TRUE(session.diagnostics().empty()) << text(session.diagnostics());
+    EXPECT_EQ(session.knobs().at(knobIndex(session, "uAmount")).current, std::vector<double>{.8});
+}
+
 TEST(MessageFixes, AddASliderForAUniformThatIsNotSet) {
     for (const auto& [type, use] : std::map<std::string, std::string>{{"float", "uX"},
                                                                       {"int", "float(uX)"},

@@ -46,5 +46,16 @@ TEST(TextSearch, ReplacesThePlacesOnly) {
     EXPECT_EQ(view::replaced(kText, {}, "x"), kText);
 }
 
+TEST(TextSearch, FindsTheEndOfAWord) {
+    const std::string_view text = "  vec3 uA_1 += .5;\n  next";
+    EXPECT_EQ(view::endOfWord(text, 0), 6U) << "after blanks";
+    EXPECT_EQ(view::endOfWord(text, 3), 6U);
+    EXPECT_EQ(view::endOfWord(text, 6), 11U);
+    EXPECT_EQ(view::endOfWord(text, 12), 14U) << "signs";
+    EXPECT_EQ(view::endOfWord(text, 18), 19U) << "a line end";
+    EXPECT_EQ(view::endOfWord(text, 19), text.size());
+    EXPECT_EQ(view::endOfWord(text, text.size()), text.size());
+}
+
 }  // namespace
 }  // namespace glibra::test

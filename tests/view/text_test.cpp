@@ -48,6 +48,18 @@ TEST(SavedValues, ReplaceTheirOwnTextAndNothingElse) {
     EXPECT_EQ(session.knob("", "uV")->current, (std::vector<double>{5, -6.5}));
 }
 
+TEST(SavedValues, AreNotWrittenWhereAnotherValueStandsNow) {
+    const std::string scene = kHead + "Vertex a.vert\nFragment a.frag\nProgram P uA <0 .25 1>\n";
+    const SceneFolder folder(scene + "Box 1 2 3\n", kTextFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.setValue(knobIndex(session, "uA"), {.75});
+    const std::string moved = kHead + "Vertex a.vert\nFragment a.frag\nProgram P uX <0 .75 3>\n";
+    folder.write("scene.glib", moved);
+    EXPECT_TRUE(hasError(view::saveValues(session.path(), session.knobs())));
+    EXPECT_EQ(folder.read("scene.glib"), moved);
+}
+
 TEST(SavedValues, OfVectorsAndExpressionsKeepTheirBrackets) {
     const SceneFolder folder(
         "Let v <-5 0 3 2 5>  # a vector\nLet w <0 (min(1, .5)) 2>\nTranslate (v)\nBox (w)\n", {});

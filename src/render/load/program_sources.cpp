@@ -169,7 +169,12 @@ glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant
                                       fmt::format("Glsl {} (line {})", name, given->second.place.line)};
         }
         const scene::FileReference found = scene::findInclude(name, from, scene_.path, search_, listings_);
-        if (found.path.empty()) return std::nullopt;
+        if (found.path.empty()) {
+            for (std::filesystem::path& each :
+                 scene::placesOf(name, scene::includeFolders(from, scene_.path, search_)))
+                missing_.insert(std::move(each));
+            return std::nullopt;
+        }
         stats_.add("files read", 1);
         noteIfHidden(program, found.path.string());
         const auto bytes = image::readFile(found.source(), {found.name, found.place}, kLargestSource);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,8 @@ class ProgramSources {
     void hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const;
     /// Every file that was read for a program, including #include files.
     [[nodiscard]] std::vector<std::filesystem::path> filesRead() const;
+    /// The paths at which #include files that are missing would be found.
+    [[nodiscard]] const std::set<std::filesystem::path>& filesMissing() const { return missing_; }
 
   private:
     /// Notes that the program has a source that may not be shown (scene::shownRoots), if the file is one.
@@ -61,6 +64,7 @@ class ProgramSources {
     Stats& stats_;
     std::map<scene::FileIndex, SourceFile> sources_;
     std::map<std::filesystem::path, std::string> included_;  ///< what #include has read, with its text
+    std::set<std::filesystem::path> missing_;
     scene::FolderListings listings_;
     scene::InterpretOptions search_;
     base::Roots shown_;

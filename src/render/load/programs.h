@@ -72,6 +72,9 @@ class ProgramLibrary {
     void forgetPrevious() { previous_ = nullptr; }
     /// Every file that was read for a program, including #include files.
     [[nodiscard]] std::vector<std::filesystem::path> filesRead() const { return sources_.filesRead(); }
+    [[nodiscard]] const std::set<std::filesystem::path>& filesMissing() const {
+        return sources_.filesMissing();
+    }
     /// How the program places its vertices. This translates the program but does not compile it.
     glsl::Placement placementOf(const plan::ProgramVariant& variant);
     /// The translation; null if a source is missing.

@@ -1,15 +1,19 @@
 #include "view/debug_view/display_expression.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
 #include "gpu/object/texture.h"
@@ -27,6 +31,7 @@ constexpr std::string_view kBegin =
     "#version 410 core\n"
     "uniform sampler2D glibra_texels;\n"
     "out vec4 glibra_shown;\n"
+    "uniform float glibra_zero;\n"
     "vec4 near(int glibra_x, int glibra_y) {\n"
     "    ivec2 glibra_most = textureSize(glibra_texels, 0) - 1;\n"
     "    return texelFetch(glibra_texels,\n"
@@ -64,6 +69,40 @@ std::vector<float> asSampled(const render::Content& content) {
     return texels;
 }
 
+/// The expression with a uniform that is 0 added to each number with a point. Drivers compute with constants
+/// as they compile, and make anything of a division by a constant 0.
+std::string withoutConstants(std::string_view expression) {
+    std::string text;
+    const auto isDigit = [&](std::size_t at) {
+        return at < expression.size() && std::isdigit(static_cast<unsigned char>(expression[at])) != 0;
+    };
+    for (std::size_t at = 0; at < expression.size();) {
+        const std::size_t begin = at;
+        if (base::isOfName(expression[at]) && !isDigit(at)) {
+            while (at < expression.size() && base::isOfName(expression[at])) ++at;
+            text += expression.substr(begin, at - begin);
+            continue;
+        }
+        if (!isDigit(at) && !(expression[at] == '.' && isDigit(at + 1))) {
+            text += expression[at++];
+            continue;
+        }
+        bool isReal = false;
+        for (; at < expression.size() && (base::isOfName(expression[at]) || expression[at] == '.'); ++at) {
+            const bool isExponent = (expression[at] == 'e' || expression[at] == 'E') && !isReal;
+            isReal = isReal || expression[at] == '.' || isExponent;
+            const bool isSigned = (expression[at] == 'e' || expression[at] == 'E') &&
+                                  at + 2 < expression.size() &&
+                                  (expression[at + 1] == '-' || expression[at + 1] == '+') && isDigit(at + 2);
+            if (isSigned) ++at;
+        }
+        const std::string_view number = expression.substr(begin, at - begin);
+        const bool isHexadecimal = number.starts_with("0x") || number.starts_with("0X");
+        text += isReal && !isHexadecimal ? fmt::format("({} + glibra_zero)", number) : std::string(number);
+    }
+    return text;
+}
+
 /// "0:1(9): error: `colour' undeclared" without the place.
 std::string firstMessage(const gpu::BuildOutcome& built) {
     std::string log = built.linkLog;
@@ -81,7 +120,7 @@ Displayed displayedBy(gpu::Context& context, const render::Content& content, con
     if (expression.find_first_of(";{}#\n\\") != std::string::npos)
         return {std::nullopt, "one expression, such as color.rgb * 10"};
     const gpu::Capabilities& capabilities = context.capabilities();
-    const std::string text = std::string(kBegin) + expression + "\n    );\n}\n";
+    const std::string text = std::string(kBegin) + withoutConstants(expression) + "\n    );\n}\n";
     const std::array<gpu::StageSource, 2> stages{{{GL_VERTEX_SHADER, kWhole}, {GL_FRAGMENT_SHADER, text}}};
     const gpu::BuildOutcome built = gpu::buildProgram(capabilities, {.stages = stages});
     // Its messages are about that text.

@@ -47,8 +47,12 @@ constexpr std::array<std::string_view, 5> kEquations{"+", "-", "reversed -", "mi
 std::string textOf(const base::BlendFunction& function) {
     const std::string equation = wordOf(function.equation, kEquations);
     if (function.equation >= base::BlendEquation::min) return equation;
-    return fmt::format("{} x source {} {} x stored", wordOf(function.source, kFactors), equation,
-                       wordOf(function.destination, kFactors));
+    const auto factor = [](auto value) {
+        const std::string word = wordOf(value, kFactors);
+        return word.starts_with("1 - ") ? "(" + word + ")" : word;
+    };
+    return fmt::format("{} x source {} {} x stored", factor(function.source), equation,
+                       factor(function.destination));
 }
 
 std::string textOf(const base::Blend& blend) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/utf8.h"
 #include "base/whole_file.h"
@@ -53,6 +54,37 @@ std::optional<std::string> toLatin(std::string_view text) {
 
 std::string replaceEach(std::string_view text, const std::string& from, std::string_view to) {
     return replaced(text, findAll(text, {from, true}), to);
+}
+
+std::vector<std::string_view> linesOf(std::string_view text) {
+    std::vector<std::string_view> lines;
+    for (;;) {
+        const std::size_t end = text.find('\n');
+        lines.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return lines;
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// `text` with the lines that differ between `before` and `after`, each of which it must have as often as
+/// `before` does.
+std::optional<std::string> withChangedLines(std::string_view before, std::string_view after,
+                                            std::string_view text) {
+    const std::vector<std::string_view> old = linesOf(before), wanted = linesOf(after);
+    std::vector<std::string_view> lines = linesOf(text);
+    const std::vector<std::string_view> mine = lines;
+    if (old.size() != wanted.size()) return std::nullopt;
+    for (std::size_t i = 0; i < old.size(); ++i) {
+        if (old[i] == wanted[i]) continue;
+        if (std::ranges::count(mine, old[i]) != std::ranges::count(old, old[i])) return std::nullopt;
+        auto nth = std::count(old.begin(), old.begin() + static_cast<std::ptrdiff_t>(i), old[i]);
+        for (std::size_t k = 0; k < mine.size(); ++k)
+            if (mine[k] == old[i] && nth-- == 0) lines[k] = wanted[i];
+    }
+    std::string result;
+    for (const std::string_view each : lines) result.append(each).append("\n");
+    result.pop_back();
+    return result;
 }
 
 }  // namespace
@@ -159,6 +191,38 @@ void EditedFile::takeDisk() {
     diskBytes_ = std::move(bytes);
     decode(diskBytes_);
     recordWhole();
+}
+
+Diagnostics EditedFile::changeFile(const std::string& bytes) {
+    const auto refuse = [&](const char* why) {
+        return Diagnostics{diagnose("view-E01", why, {path_.string(), 1, 1})};
+    };
+    std::string onDisk;
+    if (!readBytes(onDisk)) return refuse("the file cannot be read");
+    if (onDisk != diskBytes_ && isChanged()) {
+        hasConflict_ = true;
+        return refuse("another program has changed this file");
+    }
+    const bool wasChanged = isChanged();
+    const std::string before = savedText_, mine = text_;
+    decode(bytes);
+    std::optional<std::string> merged = wasChanged ? withChangedLines(before, text_, mine) : text_;
+    Diagnostics problems;
+    if (!merged)
+        problems =
+            refuse("the text that is not saved has other lines where these values stand; save it first");
+    else
+        problems = image::writeFileAtomically(path_, std::as_bytes(std::span(bytes)));
+    if (!problems.empty()) {
+        decode(diskBytes_);
+        text_ = mine;
+        return problems;
+    }
+    diskBytes_ = bytes;
+    isGone_ = false;
+    text_ = std::move(*merged);
+    recordWhole();
+    return {};
 }
 
 Diagnostics EditedFile::save() {

@@ -45,6 +45,10 @@ class EditedFile {
     /// Writes the file atomically, with the line ends, byte order mark and encoding that it had. If another
     /// program has changed it meanwhile, nothing is written and hasConflict() is true.
     Diagnostics save();
+    /// Writes other bytes into the file, for a change that is not typed. Text that is not saved gets the
+    /// lines that change, too, and stays unsaved. Nothing is written if it has not these lines as the file
+    /// has them, or if another program has changed the file meanwhile: view-E01.
+    Diagnostics changeFile(const std::string& bytes);
 
   private:
     void decode(std::string_view bytes);

@@ -7,6 +7,7 @@
 
 #include "base/suggest.h"
 #include "scene/file_lookup.h"
+#include "view/edit/text_search.h"
 
 namespace glibra::view {
 namespace {
@@ -85,12 +86,26 @@ std::string sliderFor(const plan::ActiveUniform& uniform) {
     return {};
 }
 
+/// True if the scene sets a name that comes near to the uniform's and that no uniform has: what is right is
+/// to correct that name.
+bool isMisspelt(std::string_view uniform, const scene::Program& program,
+                const plan::ProgramInterface& interface) {
+    std::vector<std::string_view> unknown;
+    for (const glib::UniformSpec& each : program.uniforms)
+        if (std::ranges::find(interface.uniforms, each.tag, &plan::ActiveUniform::name) ==
+            interface.uniforms.end())
+            unknown.push_back(each.tag);
+    return !base::nearestName(uniform, unknown).empty();
+}
+
 void addSlider(const Diagnostic& message, const LiveScene& live, std::vector<MessageFix>& fixes) {
     for (const plan::PlannedProgram& each : live.plan().programs) {
         if (!each.variant.program || live.scene().programs[each.variant.program].place != message.place)
             continue;
         for (const plan::ActiveUniform& uniform : each.interface->uniforms) {
             if (uniform.name != message.subject) continue;
+            if (isMisspelt(uniform.name, live.scene().programs[each.variant.program], *each.interface))
+                return;
             if (const std::string value = sliderFor(uniform); !value.empty())
                 fixes.push_back(
                     {.label = value.find('<') == std::string::npos ? "Add a value" : "Add a slider",
@@ -109,12 +124,18 @@ std::vector<MessageFix> fixesOf(const Diagnostic& message, const LiveScene& live
     if (message.subject.empty() || message.place.file.empty()) return fixes;
     if (message.id == "file-E01") addFileFixes(message, live.scene().path, fixes);
     if (message.id == "glib-W37") addSlider(message, live, fixes);
+    if (message.id == "glib-W23" && !message.suggestion.empty())
+        fixes.push_back({.label = "Rename to '" + message.suggestion + "'",
+                         .file = message.place.file,
+                         .line = message.place.line,
+                         .from = message.subject,
+                         .to = message.suggestion});
     return fixes;
 }
 
 std::string searchedFor(const Diagnostic& message, const LiveScene& live) {
     if (message.id != "file-E01" || message.subject.empty()) return {};
-    const scene::SearchFolders folders = scene::searchFolders(live.scene().path);
+    const scene::SearchFolders folders = live.searchFolders();
     std::string text;
     std::error_code failure;
     const auto add = [&](const fs::path& folder) {
@@ -137,8 +158,9 @@ std::string withFix(std::string_view text, const MessageFix& fix) {
     std::string line(text.substr(begin, end - begin));
     if (!fix.from.empty()) {
         const std::size_t quoted = line.find('"' + fix.from + '"');
-        const std::size_t at = quoted != std::string::npos ? quoted : line.find(fix.from);
-        if (at == std::string::npos) return std::string(text);
+        const std::vector<TextRange> words = findAll(line, {fix.from, true, true});
+        if (quoted == std::string::npos && words.empty()) return std::string(text);
+        const std::size_t at = quoted != std::string::npos ? quoted : words.front().begin;
         line.replace(at, fix.from.size() + (quoted != std::string::npos ? 2 : 0), fix.to);
     } else {
         const std::string_view statement = std::string_view(line).substr(0, line.find('#'));

@@ -1,12 +1,22 @@
 #include "view/edit/recovery.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
+#include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
+#include <utility>
 
 #include "base/whole_file.h"
 #include "image/file.h"
@@ -18,11 +28,11 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::uint64_t kLargestKept = 8ULL << 20;
 
-/// The file for a text, named after the absolute path of its own file.
-fs::path keptFile(const fs::path& folder, const fs::path& file) {
+/// Names the copies of a file, after its absolute path.
+std::string nameOf(const fs::path& file) {
     std::error_code failure;
     const std::string path = fs::absolute(file, failure).lexically_normal().string();
-    return folder / (suite::toText(suite::hashOf(std::as_bytes(std::span(path)))) + ".json");
+    return suite::toText(suite::hashOf(std::as_bytes(std::span(path))));
 }
 
 std::string timeNow() {
@@ -33,44 +43,151 @@ std::string timeNow() {
     return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local)};
 }
 
+fs::path lockOf(const fs::path& folder, const std::string& owner) {
+    return folder / "windows" / (owner + ".lock");
+}
+
+/// True if the path still leads to the open file.
+bool isAt(int descriptor, const fs::path& path) {
+    struct stat opened{}, named{};
+    return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+           opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+std::optional<RecoveredText> readCopy(const fs::path& copy) {
+    const auto bytes = image::readFile(copy, {copy.string(), {}}, kLargestKept);
+    if (!bytes) return std::nullopt;
+    const nlohmann::json json = nlohmann::json::parse(base::asText(*bytes), nullptr, false);
+    const auto word = [&](const char* key) {
+        return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>()
+                                                                               : std::string();
+    };
+    if (!json.is_object() || !json.contains("text")) return std::nullopt;
+    return RecoveredText{word("text"), word("when"), copy};
+}
+
 }  // namespace
 
-fs::path recoveryFolder() {
+fs::path stateFolder() {
     if (const char* folder = std::getenv("XDG_STATE_HOME"); folder && *folder)
-        return fs::path(folder) / "glibra" / "unsaved";
+        return fs::path(folder) / "glibra";
     if (const char* home = std::getenv("HOME"); home && *home)
-        return fs::path(home) / ".local" / "state" / "glibra" / "unsaved";
+        return fs::path(home) / ".local" / "state" / "glibra";
     return {};
 }
 
-void keepText(const fs::path& folder, const fs::path& file, const std::string& text) {
-    if (folder.empty()) return;
+SafetyCopies::~SafetyCopies() {
+    if (lock_ < 0) return;
     std::error_code failure;
-    fs::create_directories(folder, failure);
+    fs::remove(lockOf(folder_, owner_), failure);
+    ::close(lock_);
+}
+
+/// Gets a lock of a new name, which the system gives back when the process ends, however it does.
+bool SafetyCopies::own() {
+    if (lock_ >= 0) return true;
+    if (folder_.empty()) return false;
+    std::error_code failure;
+    fs::create_directories(folder_ / "windows", failure);
+    constexpr int kTries = 10;
+    for (int i = 0; i < kTries; ++i) {
+        const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+        const std::string owner = fmt::format("{}-{:x}", ::getpid(), now);
+        const fs::path path = lockOf(folder_, owner);
+        const int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+        if (lock < 0) return false;
+        // Another window may have removed it before it was locked.
+        if (::flock(lock, LOCK_EX | LOCK_NB) == 0 && isAt(lock, path)) {
+            lock_ = lock;
+            owner_ = owner;
+            return true;
+        }
+        ::close(lock);
+    }
+    return false;
+}
+
+bool SafetyCopies::isAlive(const std::string& owner) const {
+    if (owner.empty()) return false;  // of earlier versions, which had no locks
+    const fs::path path = lockOf(folder_, owner);
+    const int lock = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (lock < 0) return false;
+    const bool isHeld = ::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    std::error_code failure;
+    if (!isHeld) fs::remove(path, failure);
+    ::close(lock);
+    return isHeld;
+}
+
+fs::path SafetyCopies::copyOf(const fs::path& file) const {
+    return folder_ / "unsaved" / (nameOf(file) + "." + owner_ + ".json");
+}
+
+void SafetyCopies::keep(const fs::path& file, const std::string& text) {
+    if (!own()) return;
+    std::error_code failure;
+    fs::create_directories(folder_ / "unsaved", failure);
     const nlohmann::ordered_json json{
         {"file", fs::absolute(file, failure).string()}, {"when", timeNow()}, {"text", text}};
     const std::string bytes = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
-    image::writeFileAtomically(keptFile(folder, file), std::as_bytes(std::span(bytes)));
+    const fs::path copy = copyOf(file);
+    image::writeFileAtomically(copy, std::as_bytes(std::span(bytes)));
+    if (std::ranges::find(copies_, copy) != copies_.end()) return;
+    copies_.push_back(copy);
+    ++timesChanged_;
 }
 
-void forgetText(const fs::path& folder, const fs::path& file) {
-    if (folder.empty()) return;
+void SafetyCopies::forget(const fs::path& file) {
+    if (owner_.empty()) return;
+    const fs::path copy = copyOf(file);
     std::error_code failure;
-    fs::remove(keptFile(folder, file), failure);
+    fs::remove(copy, failure);
+    timesChanged_ += std::erase(copies_, copy);
 }
 
-std::optional<RecoveredText> keptText(const fs::path& folder, const fs::path& file) {
-    if (folder.empty()) return std::nullopt;
-    const fs::path kept = keptFile(folder, file);
+void SafetyCopies::forgetAll() {
     std::error_code failure;
-    if (!fs::exists(kept, failure)) return std::nullopt;
-    const auto bytes = image::readFile(kept, {kept.string(), {}}, kLargestKept);
-    if (!bytes) return std::nullopt;
-    const nlohmann::json json = nlohmann::json::parse(base::asText(*bytes), nullptr, false);
-    if (!json.is_object() || !json.contains("text") || !json["text"].is_string()) return std::nullopt;
-    return RecoveredText{json["text"].get<std::string>(), json.contains("when") && json["when"].is_string()
-                                                              ? json["when"].get<std::string>()
-                                                              : ""};
+    for (const fs::path& each : std::exchange(copies_, {})) fs::remove(each, failure);
+}
+
+bool SafetyCopies::isKept(const fs::path& file) const {
+    std::error_code failure;
+    return !owner_.empty() && fs::exists(copyOf(file), failure);
+}
+
+SafetyCopies::Others SafetyCopies::othersOf(const fs::path& file) const {
+    Others others;
+    if (folder_.empty()) return others;
+    const std::string name = nameOf(file);
+    std::error_code failure;
+    fs::file_time_type newest;
+    for (fs::directory_iterator each(folder_ / "unsaved", failure), end; !failure && each != end;
+         each.increment(failure)) {
+        // NAME.OWNER.json, or NAME.json of earlier versions
+        const fs::path path = each->path();
+        if (path.extension() != ".json" || !path.filename().native().starts_with(name)) continue;
+        const std::string rest = path.stem().string().substr(name.size());
+        if (!rest.empty() && rest.front() != '.') continue;
+        const std::string owner = rest.empty() ? rest : rest.substr(1);
+        if (!owner_.empty() && owner == owner_) continue;
+        if (isAlive(owner)) {
+            others.isOpen = true;
+            continue;
+        }
+        std::error_code unknown;
+        const fs::file_time_type time = fs::last_write_time(path, unknown);
+        if (others.left && time <= newest) continue;
+        if (std::optional<RecoveredText> text = readCopy(path)) {
+            others.left = std::move(text);
+            newest = time;
+        }
+    }
+    return others;
+}
+
+void SafetyCopies::remove(const RecoveredText& text) {
+    std::error_code failure;
+    fs::remove(text.copy, failure);
 }
 
 }  // namespace glibra::view

@@ -73,6 +73,18 @@ std::string changedText(std::string_view old, std::string_view wanted) {
     return text + std::string(old.substr(copied));
 }
 
+/// True if all of the text is numbers, and others than those that the knob was made from: the place has
+/// another value now.
+bool isOther(std::string_view text, const Knob& knob) {
+    std::vector<double> numbers;
+    for (const auto& [begin, end] : piecesOf(text)) {
+        const auto number = numberIn(text.substr(begin, end - begin));
+        if (!number) return false;
+        numbers.push_back(*number);
+    }
+    return numbers != knob.written;
+}
+
 /// The end of the value that begins at `begin`: after its closing bracket, or at the end of the number.
 std::optional<std::size_t> valueEnd(std::string_view text, std::size_t begin) {
     constexpr std::string_view kOpening = "<[{(";
@@ -133,7 +145,7 @@ Result<std::string> withValues(std::string_view text, std::span<const Knob> knob
         if (!each.isChanged() || !each.words.empty()) continue;
         const auto begin = offsetOf(text, each.place);
         const auto end = begin ? valueEnd(text, *begin) : std::nullopt;
-        if (!end)
+        if (!end || isOther(text.substr(*begin, *end - *begin), each))
             return diagnose(
                 "view-E01",
                 fmt::format("the value of '{}' is no longer at this place; reload the scene", each.tag),
@@ -189,7 +201,7 @@ bool hasChangedValues(std::span<const Knob> knobs) {
 }
 
 Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs,
-                       std::span<const ChosenFile> files) {
+                       std::span<const ChosenFile> files, EditedFile* edited) {
     if (isExample(scene))
         return {diagnose("view-E03", "this scene is an example of glibra; save a copy to keep your values",
                          {scene.string(), 1, 1})};
@@ -197,6 +209,7 @@ Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob>
     if (!bytes) return bytes.diagnostics;
     const Result<std::string> text = withValues(withFiles(base::asText(*bytes), files), knobs);
     if (!text) return text.diagnostics;
+    if (edited != nullptr) return edited->changeFile(*text);
     return image::writeFileAtomically(scene, std::as_bytes(std::span(*text)));
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "view/edit/edited_file.h"
 #include "view/scene/knobs.h"
 
 namespace glibra::view {
@@ -35,9 +36,10 @@ std::optional<ChosenFile> chosenFile(std::string_view text, const Place& place,
 /// lines stay.
 std::string withFiles(std::string_view text, std::span<const ChosenFile> files);
 
-/// Writes values and names of files into the text of a scene, which is written atomically.
+/// Writes values and names of files into the text of a scene, which is written atomically. `edited`: the text
+/// of the scene in an editor, which gets them too (EditedFile::changeFile); may be null.
 Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs,
-                       std::span<const ChosenFile> files = {});
+                       std::span<const ChosenFile> files = {}, EditedFile* edited = nullptr);
 
 /// True if a value differs from that of the file.
 bool hasChangedValues(std::span<const Knob> knobs);

@@ -1,6 +1,7 @@
 #include "view/edit/text_search.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "base/text.h"
 
@@ -59,6 +60,23 @@ std::string replaced(std::string_view text, const std::vector<TextRange>& places
         done = each.end;
     }
     return result += text.substr(done);
+}
+
+std::size_t endOfWord(std::string_view text, std::size_t at) {
+    const auto kindOf = [](char letter) {
+        if (letter == '\n') return 0;
+        if (letter == ' ' || letter == '\t') return 1;
+        const bool isName = letter == '_' || static_cast<unsigned char>(letter) >= 0x80U ||
+                            std::isalnum(static_cast<unsigned char>(letter)) != 0;
+        return isName ? 2 : 3;
+    };
+    const auto skip = [&](int kind) {
+        while (at < text.size() && kindOf(text[at]) == kind) ++at;
+    };
+    if (at < text.size() && text[at] == '\n') return at + 1;
+    skip(1);
+    if (at < text.size() && text[at] != '\n') skip(kindOf(text[at]));
+    return at;
 }
 
 }  // namespace glibra::view

@@ -31,4 +31,8 @@ std::size_t previousFound(const std::vector<TextRange>& found, std::size_t from)
 /// The text with each match, as findAll returns them, replaced by `by`.
 std::string replaced(std::string_view text, const std::vector<TextRange>& places, std::string_view by);
 
+/// The end of the word that begins at that byte, after blanks: a run of letters, digits and '_', or of other
+/// signs. At the end of a line, the beginning of the next one.
+std::size_t endOfWord(std::string_view text, std::size_t at);
+
 }  // namespace glibra::view

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -70,6 +71,10 @@ class KeptValues {
     void keep(const scene::Scene& scene, std::span<const Knob> knobs);
     void restore(const scene::Scene& scene, std::span<Knob> knobs);
     void forget() { values_.clear(); }
+    /// As JSON, for another run of the program; empty if there are no values.
+    [[nodiscard]] std::string text() const;
+    /// No values if the text is not of text().
+    static KeptValues ofText(std::string_view text);
 
   private:
     /// The name, and the index among the programs of that name; empty for variables.

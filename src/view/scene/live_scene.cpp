@@ -91,6 +91,23 @@ std::vector<std::filesystem::path> LiveScene::files() const {
     return files;
 }
 
+scene::SearchFolders LiveScene::searchFolders() const {
+    return scene::searchFolders(state_->scene.path, {.libraryRoots = state_->options.libraryRoots});
+}
+
+std::vector<std::filesystem::path> LiveScene::missingFiles() const {
+    const std::set<std::filesystem::path>& included = state_->programs.filesMissing();
+    std::vector<std::filesystem::path> paths(included.begin(), included.end());
+    std::optional<scene::SearchFolders> folders;
+    for (const scene::FileReference& each : state_->scene.files) {
+        if (!each.path.empty()) continue;
+        if (!folders) folders = searchFolders();
+        for (std::filesystem::path& place : scene::placesOf(each.name, *folders))
+            paths.push_back(std::move(place));
+    }
+    return paths;
+}
+
 std::vector<glsl::EmittedLine> LiveScene::translatedLines(const Place& place) const {
     return state_->programs.refusedLines(place);
 }

@@ -19,6 +19,7 @@
 #include "render/load/vertex_box.h"
 #include "render/simulation/simulation.h"
 #include "render/stats.h"
+#include "scene/file_lookup.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"
 #include "view/scene/tried_state.h"
@@ -55,6 +56,10 @@ class LiveScene {
     [[nodiscard]] bool showsEarlierProgram(scene::ProgramIndex program) const;
     /// Every file that was read for it, the scene first. Missing files are left out.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
+    /// Where its files are looked for.
+    [[nodiscard]] scene::SearchFolders searchFolders() const;
+    /// The paths at which files that are missing would be found (scene::placesOf).
+    [[nodiscard]] std::vector<std::filesystem::path> missingFiles() const;
     /// The core GLSL that was made from a shader's line, if the driver rejected that shader; otherwise empty.
     [[nodiscard]] std::vector<glsl::EmittedLine> translatedLines(const Place& place) const;
     /// Times and counts of the last loading: translating, compiling, reading files.

@@ -55,37 +55,17 @@ std::string Comparison::open(const fs::path& scene) {
 
 bool Comparison::follow(const Session& own) {
     if (!own.hasScene() || !other_.hasScene()) return false;
-    if (other_.width() != own.width() || other_.height() != own.height())
-        other_.resize(own.width(), own.height());
-    if (other_.clock().time() != own.clock().time()) other_.setClock(own.clock());
-    for (const Knob& each : own.knobs()) {
-        const Knob* known = other_.knob(each.title, each.tag);
-        if (!known) known = other_.knob("", each.tag);
-        if (!known || known->current.size() != each.current.size()) continue;
-        std::vector<double> values = each.current;
-        if (each.words != known->words) {  // the words of a choice may stand in another order
-            const auto index = static_cast<std::size_t>(values.front());
-            const auto word = index < each.words.size() ? std::ranges::find(known->words, each.words[index])
-                                                        : known->words.end();
-            if (word == known->words.end()) continue;
-            values.front() = static_cast<double>(word - known->words.begin());
-        }
-        if (known->current != values)
-            other_.setValue(static_cast<std::size_t>(known - other_.knobs().data()), values);
-    }
-    ViewState view = own.view();
-    view.objects.clear();  // they are named by lines, and the other scene has other lines
-    if (!(other_.view() == view)) other_.setView(std::move(view));
-    if (other_.camera() != own.camera()) other_.setCamera(own.camera());
-    const bool isNew = other_.drawIfNeeded();
-    const bool isOwnNew = own.framesDrawn() != ownFrames_ || own.timesLoaded() != ownLoads_ || !own_;
-    if (isNew || !picture_) picture_ = pictureOf(context_, other_.picture());
-    if (isOwnNew) {
-        own_ = pictureOf(context_, own.picture());
+    if (!waiting_ && (!own_ || own.framesDrawn() != ownFrames_)) {
+        waiting_ = pictureOf(context_, own.picture());
+        if (!waiting_) return false;
         ownFrames_ = own.framesDrawn();
-        ownLoads_ = own.timesLoaded();
+        other_.showLike(own);
     }
-    if (!isNew && !isOwnNew) return false;
+    if (!waiting_) return false;
+    other_.drawIfNeeded();
+    if (other_.isDrawing()) return false;
+    own_ = std::exchange(waiting_, std::nullopt);
+    picture_ = other_.isStopped() ? std::nullopt : pictureOf(context_, other_.picture());
     score_.reset();
     return true;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Another scene beside the shown one, as the solution of an exercise beside a student's work: it gets the
-// size, time, values and view of the shown scene, and both pictures are compared.
+// size, samples, time, values and view of the shown scene, and both pictures are compared.
 
 #include <cstdint>
 #include <filesystem>
@@ -25,8 +25,9 @@ class Comparison {
     void setContained(bool on) { other_.setContained(on); }
     [[nodiscard]] bool isDrawing() const { return other_.isDrawing(); }
 
-    /// Draws the other scene like `own`, and keeps both pictures. Returns true if one of them is new. Values
-    /// go to what has their name there.
+    /// Draws the other scene like the last picture of `own` (Session::showLike), and keeps both pictures.
+    /// They are always of one moment: another process may draw the other scene, and until its picture is
+    /// there the earlier two stay. Returns true if the pictures are new.
     bool follow(const Session& own);
     /// RGBA in bytes, top row first; null before both are drawn.
     [[nodiscard]] const image::Image* own() const { return own_ ? &*own_ : nullptr; }
@@ -53,6 +54,7 @@ class Comparison {
   private:
     void forgetPictures() {
         own_.reset();
+        waiting_.reset();
         picture_.reset();
         score_.reset();
     }
@@ -60,8 +62,9 @@ class Comparison {
     gpu::Context& context_;
     Session other_;
     std::optional<image::Image> own_, picture_;
+    std::optional<image::Image> waiting_;  ///< the next own_, until the other scene is drawn like it
     std::optional<Score> score_;
-    std::uint64_t ownFrames_ = 0, ownLoads_ = 0;
+    std::uint64_t ownFrames_ = 0;
 };
 
 /// The scene that solves the exercise: the file beside the scene names it (suite/file/exercise_file.h). Empty

@@ -20,6 +20,7 @@ namespace glibra::view {
 struct DrawingOrder {
     std::string text;  ///< JSON, see drawing_service.h
     int width = 0, height = 0;
+    double time = 0;            ///< of the scene, seconds
     std::uint64_t loading = 0;  ///< another number: the scene is another one
     friend bool operator==(const DrawingOrder&, const DrawingOrder&) = default;
 };

@@ -61,6 +61,15 @@ bool History::redo(Session& session) {
     return true;
 }
 
+void History::takeBack(const Session& session) {
+    if (at_ == 0) return;
+    --at_;
+    if (isCurrent(session))
+        states_.resize(at_ + 1);
+    else
+        ++at_;
+}
+
 void History::clear() {
     states_.clear();
     at_ = 0;

@@ -17,6 +17,9 @@ class History {
     bool undo(Session& session);
     /// Returns false if there is nothing to redo.
     bool redo(Session& session);
+    /// The last change was taken back by other means, and is to be forgotten: nothing happens unless the
+    /// session is as before that change.
+    void takeBack(const Session& session);
     void clear();
 
     static constexpr std::size_t kMost = 500;  ///< states; the oldest is dropped

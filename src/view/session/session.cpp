@@ -152,6 +152,7 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
         kept_.forget();
     }
     isReleased_ = isStopped_ = isWaiting_ = showsBefore_ = false;
+    slowFrames_ = 0;
     openLoops_.reset();
     if (picked_) {
         const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());

@@ -58,6 +58,9 @@ class Session {
     /// Scenes with loops that may not end (LiveScene::openLoops) are drawn by a process of their own, which
     /// is ended after two seconds. The last picture stays then, and view-E05 names the loops.
     void setContained(bool on) { isContained_ = on; }
+    /// Reports how long the last frame of the session has taken on this process. A scene that moves and has
+    /// taken long several times in a row is drawn by that process from then on, so that the window goes on.
+    void noteDrawn(double seconds);
     /// True while that process draws a picture that is wanted; drawIfNeeded() asks for its result.
     [[nodiscard]] bool isDrawing() const { return isWaiting_; }
     /// A scene that was stopped because it took too long is drawn again, for up to 20 seconds.
@@ -101,6 +104,10 @@ class Session {
     bool undoAnimations();
     /// The knob's values, or those from before its animation.
     [[nodiscard]] const std::vector<double>& restingValue(std::size_t knob) const;
+    /// The values that differ from the file's, those of animations as they were before.
+    [[nodiscard]] KeptValues keptValues() const;
+    /// Sets them, as far as the scene says the same about them as then. Returns true if a value has changed.
+    bool setKeptValues(KeptValues kept);
     /// Sets a value given as "NAME=VALUE", as on the command line. Returns what is wrong with it.
     Diagnostics setByText(const std::string& argument);
 
@@ -188,6 +195,10 @@ class Session {
     /// Sets the samples per pixel on the screen, limited to what the driver has; 0 or 1: one. Hardcopies and
     /// renderOptions() keep theirs.
     void setSamples(int samples);
+    /// Takes over all that the last picture of `other` depends on besides its scene: size, samples, time,
+    /// view, camera, mouse, what is shown, and the values of what has the same name here. The transforms of
+    /// objects are named by lines; they stay out unless both show the same file.
+    void showLike(const Session& other);
     /// Sets the shape that a perspective shows whole: width / height; 0: a perspective keeps its vertical
     /// angle. In pictures that are narrower, the scene then becomes smaller, and nothing of it is cropped.
     void setWholeShape(double aspect);
@@ -223,8 +234,10 @@ class Session {
 
     /// The picture from before the last edit: of the files as they were last. Null if there is none.
     [[nodiscard]] const gpu::Target* pictureBefore() const { return before_ ? &*before_ : nullptr; }
-    /// While it is on, shownPicture() is that picture. Another edit turns it off.
-    void showBefore(bool on) { showsBefore_ = on && before_; }
+    /// While it is on, shownPicture() is that picture. Another edit turns it off. A scene that uses time
+    /// pauses at the time of that picture, so that the one after the edit is of the same moment; not one with
+    /// Step, which would begin anew.
+    void showBefore(bool on);
     [[nodiscard]] bool showsBefore() const { return showsBefore_; }
     [[nodiscard]] const gpu::Target* shownPicture() const {
         return showsBefore_ ? pictureBefore() : picture();
@@ -292,12 +305,14 @@ class Session {
     std::optional<DebugRenderer> debugRenderer_;  ///< made for live_
     int width_ = 600, height_ = 600;
     int samples_ = 1;
+    double pictureTime_ = 0;  ///< of the last picture, which another process may have drawn
     double wholeShape_ = 0, drawnShrinking_ = 1;
     std::optional<gpu::Texture> received_;  ///< the picture of process_; target_ refers to it
     std::optional<gpu::Target> target_;
     std::optional<gpu::Target> plain_;  ///< plainPicture() of frame number `plainFrame_`
     std::uint64_t plainFrame_ = 0;
     std::optional<gpu::Target> before_;  ///< pictureBefore()
+    double beforeTime_ = 0;              ///< of that picture
     bool showsBefore_ = false;
     bool isOfFiles_ = true;  ///< the scene was loaded without texts that are not saved
     std::vector<Animation> animations_;
@@ -307,6 +322,7 @@ class Session {
     std::string tried_;                            ///< what the process has drawn
     double drawLimit_ = kUsualDrawLimit;           ///< seconds
     bool isContained_ = false, isWaiting_ = false;
+    int slowFrames_ = 0;        ///< of this process, one after the other
     bool drawsItself_ = false;  ///< others read what frames leave on the device
     bool hasOtherSamples_ = false;
     bool isStale_ = true;

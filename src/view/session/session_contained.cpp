@@ -9,6 +9,14 @@
 #include "view/session/session.h"
 
 namespace glibra::view {
+namespace {
+
+/// As many slow frames make a scene slow. Drivers compile programs in the first two.
+constexpr int kMostSlowFrames = 4;
+/// After the other process has not managed it.
+constexpr int kNeverSlow = -1'000'000;
+
+}  // namespace
 
 void Session::setTexts(std::map<std::filesystem::path, std::string> texts) {
     options_.texts = std::move(texts);
@@ -82,10 +90,18 @@ void Session::stopOpenLoops(DrawingProcess::State why) {
             each));
 }
 
+void Session::noteDrawn(double seconds) {
+    constexpr double kSlow = .3;
+    if (slowFrames_ >= kMostSlowFrames) return;
+    const bool isSlow = seconds > kSlow && isMoving();
+    slowFrames_ = isSlow ? slowFrames_ + 1 : std::min(slowFrames_, 0);
+}
+
 /// Has the other process draw the frame, if the scene is one for it. `tried`: it has done so, and this
 /// process may draw the same frame.
 Session::Elsewhere Session::drawElsewhere() {
-    if (!isContained_ || openLoops().empty()) return Elsewhere::no;
+    const bool isOpen = isContained_ && !openLoops().empty();
+    if (!isOpen && (!isContained_ || slowFrames_ < kMostSlowFrames)) return Elsewhere::no;
     Diagnostics found;
     const ViewState view = shownView();
     if (live_->look(width_, height_, view, clock_.time(), found)) debugRenderer_.reset();
@@ -94,6 +110,7 @@ Session::Elsewhere Session::drawElsewhere() {
     const scene::Scene& scene = live_->scene();
     const bool isShown = isSoftware && !drawsItself_ && debugView_ == DebugView::picture &&
                          !measuresObjects_ && scene.once.empty() && scene.steps.empty();
+    if (!isOpen && !isShown) return Elsewhere::no;
     DrawnState state = drawnState();
     if (!isSoftware) {
         // A driver ends a draw that takes too long by itself. New shaders and values are tried here first.
@@ -104,14 +121,20 @@ Session::Elsewhere Session::drawElsewhere() {
         state.samples = 1;
     }
     drawnShrinking_ = shrinking();
-    const DrawingOrder order{orderText(state), state.width, state.height, state.loading};
+    const DrawingOrder order{orderText(state), state.width, state.height, state.time, state.loading};
     if (!isShown && order.text == tried_) return Elsewhere::tried;
-    const DrawingProcess::State answer = process_.draw(order, drawLimit_);
+    // What is only slow ends by itself.
+    constexpr double kNoLimit = 1e9;
+    const DrawingProcess::State answer = process_.draw(order, isOpen ? drawLimit_ : kNoLimit);
     switch (answer) {
         case DrawingProcess::State::working:
             return Elsewhere::waits;
         case DrawingProcess::State::late:
         case DrawingProcess::State::ended:
+            if (!isOpen) {
+                slowFrames_ = kNeverSlow;
+                return Elsewhere::no;
+            }
             stopOpenLoops(answer);
             return Elsewhere::waits;
         case DrawingProcess::State::missing:
@@ -132,6 +155,7 @@ Session::Elsewhere Session::drawElsewhere() {
         return Elsewhere::no;
     }
     ++framesDrawn_;
+    pictureTime_ = process_.order().time;
     isStale_ = process_.order() != order;
     return isStale_ ? Elsewhere::waits : Elsewhere::shown;
 }

@@ -65,6 +65,16 @@ void Session::keepBefore() {
     before_->bind();
     glDisable(GL_SCISSOR_TEST);
     glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    beforeTime_ = pictureTime_;
+}
+
+void Session::showBefore(bool on) {
+    showsBefore_ = on && before_;
+    if (!showsBefore_ || !usesTime() || !live_->scene().steps.empty()) return;
+    Clock clock = clock_;
+    clock.play(false);
+    clock.setTime(beforeTime_);
+    setClock(clock);
 }
 
 }  // namespace glibra::view

@@ -144,6 +144,7 @@ bool Session::drawIfNeeded() {
     }
     for (Diagnostic& each : drawShown()) addOnce(diagnostics_, std::move(each));
     isStale_ = false;
+    pictureTime_ = clock_.time();
     ++framesDrawn_;
     pickWaiting();
     return true;

@@ -84,6 +84,28 @@ void Session::resetValues() {
     kept_.forget();
 }
 
+KeptValues Session::keptValues() const {
+    KeptValues kept = kept_;
+    if (!live_) return kept;
+    std::vector<Knob> resting = knobs_;
+    for (std::size_t i = 0; i < resting.size(); ++i) resting[i].current = restingValue(i);
+    kept.keep(live_->scene(), resting);
+    return kept;
+}
+
+bool Session::setKeptValues(KeptValues kept) {
+    if (!live_) return false;
+    std::vector<Knob> wanted = knobs_;
+    kept_ = std::move(kept);  // also for programs that the scene lacks until it is mended
+    kept_.restore(live_->scene(), wanted);
+    bool isChanged = false;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        isChanged = isChanged || wanted[i].current != knobs_[i].current;
+        setValue(i, std::move(wanted[i].current));
+    }
+    return isChanged;
+}
+
 Diagnostics Session::setByText(const std::string& argument) {
     const Result<plan::Override> parsed = plan::parseOverride(argument);
     if (!parsed) return parsed.diagnostics;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "render/draw/view_matrices.h"
 #include "scene/matrices.h"
@@ -33,6 +34,38 @@ void Session::setView(ViewState view) {
     if (view == view_) return;
     view_ = std::move(view);
     isStale_ = true;
+}
+
+void Session::showLike(const Session& other) {
+    resize(other.width_, other.height_);
+    setSamples(other.samples_);
+    setWholeShape(other.wholeShape_);
+    Clock clock = other.clock_;
+    clock.setTime(other.pictureTime_);
+    if (clock.time() != clock_.time()) setClock(clock);
+    for (const Knob& each : other.knobs_) {
+        const Knob* known = knob(each.title, each.tag);
+        if (!known) known = knob("", each.tag);
+        if (!known || known->current.size() != each.current.size()) continue;
+        std::vector<double> values = each.current;
+        if (each.words != known->words) {  // the words of a choice may stand in another order
+            const auto index = static_cast<std::size_t>(values.front());
+            const auto word = index < each.words.size() ? std::ranges::find(known->words, each.words[index])
+                                                        : known->words.end();
+            if (word == known->words.end()) continue;
+            values.front() = static_cast<double>(word - known->words.begin());
+        }
+        setValue(static_cast<std::size_t>(known - knobs_.data()), std::move(values));
+    }
+    ViewState view = other.view_;
+    if (path_ != other.path_) view.objects.clear();
+    setView(std::move(view));
+    if (camera_ != other.camera_) setCamera(other.camera_);
+    setAxes(other.axes_);
+    setWireframe(other.wireframe_);
+    setDebugView(other.debugView_);
+    setNormalLength(other.normalLength_);
+    setMouse(other.mouse_.x, other.mouse_.y, other.mouse_.isDown);
 }
 
 void Session::resetTransforms() {

@@ -42,6 +42,10 @@ struct Palette {
 
 const Palette& paletteOf(bool isLight);
 
+/// Of the source's background where it stands over the picture. Its text stays readable on black and on
+/// white; a test measures it.
+inline constexpr float kSourceOpacity = .92F;
+
 /// What the code editor paints over its background and below or above its text, which has the colours of the
 /// palette and stays readable on every tint (contrast 4.5:1); a test measures it. Tints of lines and words
 /// lie over Palette::panel, that of a list's chosen row over Palette::popup.

@@ -1,6 +1,7 @@
 #include "view/window/tabs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <system_error>
 #include <utility>
 
@@ -16,11 +17,11 @@ fs::path whole(const fs::path& file) {
     return fs::absolute(file, failure).lexically_normal();
 }
 
-std::set<std::string> missingNames(const LiveScene& live) {
-    std::set<std::string> names;
-    for (const scene::FileReference& each : live.scene().files)
-        if (each.path.empty()) names.insert(fs::path(each.name).filename().string());
-    return names;
+/// The files of the scene, and those that it lacks, where they would be found.
+std::vector<fs::path> allFiles(const LiveScene& live) {
+    std::vector<fs::path> files = live.files();
+    for (fs::path& each : live.missingFiles()) files.push_back(std::move(each));
+    return files;
 }
 
 }  // namespace
@@ -111,32 +112,34 @@ std::vector<fs::path> Tabs::unsaved() const {
     return files;
 }
 
+double Tabs::keepValues(bool now) {
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    double due = -1;
+    for (const std::unique_ptr<Tab>& each : tabs_) {
+        if (now) each->values.keepNow(each->session);
+        const double left = each->values.keep(each->session, seconds);
+        if (left >= 0 && (due < 0 || left < due)) due = left;
+    }
+    return due;
+}
+
 void Tabs::watch(FileWatch& watch) const {
     std::vector<fs::path> files;
-    std::set<std::string> missing;
     for (const std::unique_ptr<Tab>& each : tabs_) {
         if (!each->session.hasScene()) continue;
-        const std::vector<fs::path> more = each->session.live().files();
-        files.insert(files.end(), more.begin(), more.end());
-        missing.merge(missingNames(each->session.live()));
+        for (fs::path& file : allFiles(each->session.live())) files.push_back(std::move(file));
     }
-    watch.watch(files, missing);
+    const std::vector<fs::path>& copies = shared_.copies.copies();
+    files.insert(files.end(), copies.begin(), copies.end());
+    watch.watch(files);
 }
 
 void Tabs::markOutdated(const std::vector<fs::path>& files) {
     for (const std::unique_ptr<Tab>& each : tabs_) {
         if (!each->session.hasScene()) continue;
-        const std::set<std::string> missing = missingNames(each->session.live());
-        std::set<fs::path> own;
-        for (const fs::path& file : each->session.live().files()) {
-            std::error_code failure;
-            own.insert(whole(file));
-            own.insert(fs::canonical(file, failure));
-        }
-        if (std::ranges::any_of(files, [&](const fs::path& file) {
-                return own.contains(file) || missing.contains(file.filename().string());
-            }))
-            each->isOutdated = true;
+        for (const fs::path& own : allFiles(each->session.live()))
+            each->isOutdated = each->isOutdated || std::ranges::find(files, whole(own)) != files.end();
     }
 }
 

@@ -4,13 +4,13 @@
 
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "gpu/context/context.h"
 #include "view/scene/file_watch.h"
 #include "view/session/session.h"
+#include "view/session/value_keeper.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -18,13 +18,18 @@ namespace glibra::view {
 struct Tab {
     Tab(gpu::Context& context, const RenderOptions& options, Shared& shared, const PanelSet& sharedPanels,
         int number)
-        : session(context, options), ui(context, session, shared), panels(makePanels(false)), id(number) {
+        : session(context, options),
+          ui(context, session, shared),
+          panels(makePanels(false)),
+          values(shared.keptValues),
+          id(number) {
         ui.panels = panelsOf(sharedPanels, panels);
     }
 
     Session session;
     Ui ui;
-    PanelSet panels;  ///< its own ones
+    PanelSet panels;     ///< its own ones
+    ValueKeeper values;  ///< of the session
     int id = 0;
     bool isOutdated = false;  ///< its files have changed while it was not shown
 };
@@ -60,7 +65,11 @@ class Tabs {
     /// The files with unsaved text of all tabs.
     [[nodiscard]] std::vector<std::filesystem::path> unsaved() const;
 
-    /// Watches all files of all scenes.
+    /// Writes the values of all scenes that have changed; `now`: at once. Returns the seconds until the next
+    /// call is due; negative: there is nothing to write.
+    double keepValues(bool now);
+
+    /// Watches all files of all scenes, and the copies of texts that are not saved.
     void watch(FileWatch& watch) const;
     /// Marks the tabs that use one of these changed files as outdated.
     void markOutdated(const std::vector<std::filesystem::path>& files);

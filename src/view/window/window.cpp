@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <optional>
 #include <system_error>
 
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "gpu/context/reset.h"
+#include "view/edit/recovery.h"
 #include "view/window/before_leaving.h"
 #include "view/window/dropped.h"
 #include "view/window/panels/layout.h"
+#include "view/window/platform/ending.h"
 #include "view/window/platform/theme.h"
 #include "view/window/window_loop.h"
 
@@ -27,6 +30,10 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
       pacer_(display.refreshRate(), Display::hasSwapControl()),
       isSoftware_(context.capabilities().isSoftware) {
     shared_.settings = readSettings(settingsFile());
+    // What is recorded begins as it is replayed.
+    if (const std::filesystem::path folder = stateFolder();
+        !folder.empty() && arguments.recordFile.empty() && arguments.replayFile.empty())
+        shared_.keptValues = folder / "values";
     lightTheme_ = shared_.settings.lightTheme;
     shared_.scale = scaleOf(display, shared_.settings);
     shared_.settings.scaleSizes(shared_.scale);
@@ -49,8 +56,13 @@ void Window::updateForShownScene() {
 }
 
 void Window::showScene(const std::filesystem::path& path) {
+    showLoading(path);
     if (session().open(path)) {
         shared_.settings.addRecent(path);
+        std::error_code failure;
+        std::erase(earlierTabs_, std::filesystem::absolute(path, failure).string());
+        if (tabs_.shown().values.restore(session()))
+            ui().notice = "with the values of the last time; Ctrl+R takes those of the scene";
         ui().history.clear();
         ui().history.record(session());
     }
@@ -84,6 +96,7 @@ void Window::closeNow(std::size_t tab) {
                          session.camera()};
         std::erase_if(closed.knobs, [](const Knob& each) { return !each.isChanged(); });
         closed_.push_back(std::move(closed));
+        tabs_.at(tab).values.forget(session);
         if (closed_.size() > kMostClosed) closed_.erase(closed_.begin());
     }
     tabs_.close(tab);
@@ -113,35 +126,35 @@ void Window::reopenTab() {
 
 /// Opens the tabs of the last run.
 void Window::restoreTabs() {
-    const std::vector<Settings::Tab> files = shared_.settings.tabs;
+    const std::vector<std::string> files = shared_.settings.tabs;
     const int shown = shared_.settings.shownTab;
     const std::vector<std::string> recent = shared_.settings.recent;
     std::size_t wanted = 0;
     for (std::size_t i = 0; i < files.size(); ++i) {
         std::error_code failure;
-        if (!std::filesystem::exists(files[i].scene, failure)) continue;
-        openScene(files[i].scene, true);
+        if (!std::filesystem::exists(files[i], failure)) continue;
+        openScene(files[i], true);
         if (!session().hasScene()) continue;
-        for (const std::string& each : files[i].set) session().setByText(each);
+        ui().notice = {};
         if (static_cast<int>(i) == shown) wanted = tabs_.shownIndex();
     }
     shared_.settings.recent = recent;
     tabs_.show(wanted);
 }
 
-/// Writes the settings when other tabs are open, so that they come back even if the program is ended.
+/// Writes the settings when other tabs are open, so that they come back even if the program is ended. Tabs of
+/// the last window that this one does not show stay behind its own.
 void Window::keepTabs() {
     if (!isStarted_) return;
-    std::vector<Settings::Tab> files;
+    std::vector<std::string> files;
     int shown = 0;
     for (std::size_t i = 0; i < tabs_.count(); ++i) {
         if (!tabs_.at(i).session.hasScene()) continue;
         if (i == tabs_.shownIndex()) shown = static_cast<int>(files.size());
         std::error_code failure;
-        const Session& session = tabs_.at(i).session;
-        files.push_back(
-            {std::filesystem::absolute(session.path(), failure).string(), session.renderOptions().set});
+        files.push_back(std::filesystem::absolute(tabs_.at(i).session.path(), failure).string());
     }
+    files.insert(files.end(), earlierTabs_.begin(), earlierTabs_.end());
     if (files == shared_.settings.tabs && shown == shared_.settings.shownTab) return;
     shared_.settings.tabs = std::move(files);
     shared_.settings.shownTab = shown;
@@ -168,7 +181,10 @@ void Window::handleAnswer() {
     if (!answer || !answer->isConfirmed) return;
     switch (answer->question.about) {
         case Question::About::openScene:
-            if (answer->inNewTab) tabs_.add();
+            if (answer->inNewTab)
+                tabs_.add();
+            else
+                tabs_.shown().values.forget(session());
             return showScene(answer->question.scene);
         case Question::About::closeTab:
             return closeNow(answer->question.tab);
@@ -179,8 +195,13 @@ void Window::handleAnswer() {
 }
 
 void Window::reloadIfNeeded() {
+    const std::uint64_t copies = shared_.copies.timesChanged();
+    if (std::exchange(watchedCopies_, copies) != copies) tabs_.watch(watch_);
     const FileWatch::Change change = watch_.takeChanged();
-    if (!change.files.empty()) tabs_.markOutdated(change.files);
+    if (!change.files.empty()) {
+        tabs_.markOutdated(change.files);
+        framesWanted_ = std::max(framesWanted_, 1);  // of a copy that somebody has removed
+    }
     Tab& tab = tabs_.shown();
     if (!tab.isOutdated && !tab.ui.requests.reload) return;
     const bool isEdit = !change.files.empty();
@@ -287,6 +308,7 @@ void Window::saveSettings() {
 
 void Window::openInitialScenes() {
     const bool isEmpty = arguments_.scenes.empty() && replay_.isDone();
+    if (!isEmpty) earlierTabs_ = shared_.settings.tabs;
     for (const std::filesystem::path& each : arguments_.scenes) openScene(each, true);
     tabs_.show(0);
     if (isEmpty) restoreTabs();
@@ -353,7 +375,8 @@ Diagnostics Window::recover(const base::DeviceLost& lost) {
 Diagnostics Window::run() {
     openInitialScenes();
     setSize();
-    while (display_.isOpen()) {
+    const EndingSignals signals([] { Display::wake(); });
+    while (display_.isOpen() && EndingSignals::received() == 0) {
         try {
             waitForWork();
             handleRequests();
@@ -363,11 +386,15 @@ Diagnostics Window::run() {
         } catch (const base::DeviceLost& lost) {
             if (Diagnostics problems = recover(lost); !problems.empty()) return problems;
         }
+        valuesDue_ = tabs_.keepValues(false);
         writeState();
         if (!arguments_.replayFile.empty() && replay_.isDone()) break;
     }
+    tabs_.keepValues(true);
     keepTabs();
     saveSettings();
+    // The user has been asked about texts, unless the system has ended the window.
+    if (EndingSignals::received() == 0) shared_.copies.forgetAll();
     return std::move(setProblems_);
 }
 
@@ -380,7 +407,9 @@ Diagnostics runWindow(const WindowArguments& arguments) {
     Result<gpu::Context> context =
         gpu::adopt([](const char* function) { return Display::address(function); });
     if (!context) return std::move(context.diagnostics);
-    return Window(arguments, *display, *context).run();
+    Diagnostics problems = Window(arguments, *display, *context).run();
+    if (const int signal = EndingSignals::received()) std::raise(signal);
+    return problems;
 }
 
 }  // namespace glibra::view

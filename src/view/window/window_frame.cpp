@@ -9,6 +9,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <span>
 #include <thread>
@@ -17,6 +18,7 @@
 #include "gpu/context/reset.h"
 #include "image/file.h"
 #include "view/window/panels/layout.h"
+#include "view/window/panels/syntax_colors.h"
 #include "view/window/platform/input_script.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
@@ -44,7 +46,7 @@ bool Window::hasWork() {
 
 void Window::waitForWork() {
     if (!hasWork()) {
-        display_.takeEvents(-1);
+        display_.takeEvents(valuesDue_);
         lastFrame_ = RealClock::now();
     } else if (!replay_.isDone()) {
         display_.takeEvents(0);
@@ -110,7 +112,7 @@ void Window::drawFrame() {
     // In menus, lists and dialogs ImGui's keys choose; elsewhere Tab goes from widget to widget
     // (tab_stops.h).
     const bool isPopupOpen = !ImGui::GetCurrentContext()->OpenPopupStack.empty();
-    if (!isPopupOpen && !shared_.textTakesTab) keepFromImGui(GLFW_KEY_TAB);
+    if (!isPopupOpen) keepFromImGui(GLFW_KEY_TAB);
     if (isPopupOpen) keepFromImGui(GLFW_KEY_ESCAPE);
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
     flags = isPopupOpen ? flags | ImGuiConfigFlags_NavEnableKeyboard
@@ -132,7 +134,9 @@ void Window::drawFrame() {
     ui.session.setSamples(samplesOfFrame());
     ui.session.setWholeShape(shared_.settings.pictureShape == PictureShape::fill ? shapeOf(ui) : 0);
     const RealClock::time_point start = RealClock::now();
+    const std::uint64_t framesBefore = ui.session.framesDrawn();
     if (!isPassedOver()) ui.session.drawIfNeeded();
+    const bool isDrawn = ui.session.framesDrawn() != framesBefore;
     if (changeSaved_ && !ui.session.isDrawing()) {
         // Drivers compile a program at its first draw; this measures how long that takes.
         glFinish();
@@ -140,11 +144,13 @@ void Window::drawFrame() {
     }
     drawOverPicture(ui);
     present();
+    if (isDrawn && isSoftware_) ui.session.noteDrawn(secondsSince(start));
     const bool isAsEvent = input_.isWaiting() || ui.wanted.any();
     framesWanted_ = isAsEvent ? kFramesAfterEvent : framesWanted_ - 1;
 }
 
-void Window::present() {
+/// Draws the picture and what ImGui has drawn last.
+void Window::paint() {
     const auto [width, height] = display_.framebufferSize();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDisable(GL_SCISSOR_TEST);
@@ -164,8 +170,52 @@ void Window::present() {
     glViewport(0, 0, width, height);
     // ImGui restores the bound program afterwards, which a reload may have deleted.
     glUseProgram(0);
+    if (ImDrawData* drawn = ImGui::GetDrawData()) ImGui_ImplOpenGL3_RenderDrawData(drawn);
+}
+
+/// Says that a scene is loaded, over what the window shows, until the next frame.
+void Window::showLoading(const std::filesystem::path& scene) {
+    const auto [width, height] = display_.size();
+    if (width < 1 || height < 1) return;
+    ImGui_ImplOpenGL3_NewFrame();  // makes the font's texture at first
+    paint();
+    const std::string text = "loading " + scene.filename().string() + " ...";
+    ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
+    const float size = font->FontSize, pad = size / 2;
+    const float wide = font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
+    const ImVec2 whole(static_cast<float>(width), static_cast<float>(height));
+    const ImVec2 at(std::max(pad, (whole.x - wide) / 2), whole.y / 2);
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    list.PushClipRect({0, 0}, whole);
+    list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + wide + pad, at.y + size + pad},
+                       packed(palette().well));
+    list.AddText(font, size, at, packed(palette().text), text.c_str());
+    list.PopClipRect();
+    list.PopTextureID();
+    ImDrawData data;
+    data.Valid = true;
+    data.DisplaySize = whole;
+    const auto [pixelsWide, pixelsHigh] = display_.framebufferSize();
+    data.FramebufferScale = {static_cast<float>(pixelsWide) / whole.x,
+                             static_cast<float>(pixelsHigh) / whole.y};
+#if IMGUI_VERSION_NUM >= 18973
+    data.AddDrawList(&list);
+#else
+    ImDrawList* lists[] = {&list};
+    data.CmdLists = lists;
+    data.CmdListsCount = 1;
+    data.TotalIdxCount = list.IdxBuffer.Size;
+    data.TotalVtxCount = list.VtxBuffer.Size;
+#endif
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    display_.present();
+}
+
+void Window::present() {
     ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    paint();
     display_.present();
     gpu::expectDevice();
     ++loop_.framesPresented;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -77,7 +78,9 @@ class Window {
     int samplesOfFrame();
     bool isPassedOver();
     void drawFrame();
+    void paint();
     void present();
+    void showLoading(const std::filesystem::path& scene);
     void writeState();
     void saveSettings();
     void setLecture(bool on);
@@ -114,8 +117,11 @@ class Window {
         float zoom = 1;
     };
     std::optional<BeforeLecture> beforeLecture_;
-    std::vector<ClosedTab> closed_;  ///< the last one last
-    bool isStarted_ = false;         ///< the first scenes are open
+    std::vector<ClosedTab> closed_;         ///< the last one last
+    bool isStarted_ = false;                ///< the first scenes are open
+    std::vector<std::string> earlierTabs_;  ///< of the last window, that this one does not show
+    std::uint64_t watchedCopies_ = 0;       ///< SafetyCopies::timesChanged() of what is watched
+    double valuesDue_ = -1;                 ///< seconds until values are to be written; negative: none are
 };
 
 }  // namespace glibra::view

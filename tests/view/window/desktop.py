@@ -50,8 +50,8 @@ class Desktop:
 
 
 class Window:
-    """`glibra view SCENE ARGUMENTS...` with its own folder for settings, pictures and state. `scene` may be None. Without
-    `settings`, the sections that tests look at are open."""
+    """`glibra view SCENE ARGUMENTS...` with its own folder for settings, pictures and state. `scene` may be None. `settings`: a
+    folder that several windows share; without one, the sections that tests look at are open."""
 
     def __init__(self, desktop, program, scene, *arguments, settings=None, variables=None):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="glibra-window-"))
@@ -62,7 +62,7 @@ class Window:
             (self.folder / "glibra/view.json").write_text(SETTINGS)
         self.environment = dict(desktop.environment, XDG_CONFIG_HOME=str(self.settings),
                                 **{"XDG_CACHE_HOME": str(self.folder / "cache"),
-                                   "XDG_STATE_HOME": str(self.folder / "state"), **(variables or {})})
+                                   "XDG_STATE_HOME": str(self.settings / "state"), **(variables or {})})
         self.process = subprocess.Popen(
             [program, "view", *([str(scene)] if scene else []), "--state", str(self.state_file), *arguments],
             env=self.environment, stderr=subprocess.PIPE, text=True)

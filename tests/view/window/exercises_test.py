@@ -91,6 +91,29 @@ class Exercises(WindowTest):
         self.assertEqual(self.pixel(window, *window.point("compare/own")), (64, 255, 0))
         window.wait(lambda s: s["compare"]["check"] == "solved, with 2 sets of values")
 
+    def test_a_right_answer_with_slanted_edges_and_time_does_not_differ(self):
+        moving = SOLUTION.replace("QuadXY", "Timer 10\nRotate 20 0 0 1\nQuadXY").replace("uRed, 1., 0.", "uRed, 1., Timer")
+        for name, scene in (("mine", moving), ("solution", "# The solution.\n" + moving)):
+            (self.files / f"{name}.glib").write_text(scene)
+        (self.files / "quad.vert").write_text(VERTEX)
+        (self.files / "mine.toml").write_text('solution = "solution.glib"\n')
+        window = self.open(self.files / "mine.glib", "--size", "700x1000", "--paused")
+        window.wait(lambda s: s["samples"] > 1)
+        window.settle()
+        window.click("file")
+        window.wait(lambda s: "file/solution" in s["widgets"])
+        window.settle()
+        window.click("file/solution")
+        state = window.wait(lambda s: "score" in s.get("compare", {}) and "compare/other" in s["widgets"])
+        self.assertEqual(state["compare"]["score"], [0, 0])
+        self.assertGreater(window.settle()["samples"], 1)
+        window.click("time/forward")
+        window.wait(lambda s: s["time"] > 0)
+        self.assertEqual(window.settle()["compare"]["score"], [0, 0])
+        window.drag_widget("uniform/Quad/uRed", .25, .8)
+        window.wait_knob("uRed", lambda v: v[0] > .6)
+        self.assertEqual(window.settle()["compare"]["score"], [0, 0])
+
     def test_pictures_of_the_chosen_chapter_are_drawn_first(self):
         library = self.library()
         slow = SOLUTION.replace("QuadXY 0. .7", "Sphere .7 1500 1500")

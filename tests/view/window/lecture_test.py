@@ -77,7 +77,7 @@ class Lecture(LectureTest):
         self.assertEqual(state["picture"], [0, 0, 1400, 1100])
         left, top, width, height = state["widgets"]["source/text"]
         behind = self.pixel(window, left + width * .5, top + height * .9)
-        self.assertGreater(min(behind), 50, behind)
+        self.assertGreater(min(behind), 40, behind)
         self.assertLess(max(behind), 90, behind)
         # What stands on the picture stands where the source does not cover it: the notice, the legend, labels.
         edge = state["widgets"]["source"][2]

@@ -15,7 +15,7 @@ class Replay(WindowTest):
     def test_recorded_input_gives_the_same_values_again(self):
         record = self.files / "input.jsonl"
         scene = self.files / "kinds.glib"
-        window = self.open(scene, "--size", "200x560", "--record", str(record))
+        window = self.open(scene, "--size", "200x560", "--samples", "1", "--record", str(record))  # a key needs a frame of its own
         window.drag_widget("uniform/Kinds/uFloat", 0.25, 0.8)
         window.click("uniform/Kinds/uBool")
         window.wait_knob("uBool", lambda v: v == [1])

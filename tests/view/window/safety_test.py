@@ -1,6 +1,7 @@
 """Tests of what must not be lost: the window while a shader does not end, text after the window was killed, tabs."""
 
 import os
+import shutil
 import signal
 import sys
 import time
@@ -136,6 +137,124 @@ class Safety(ScenesTest):
         self.assertEqual((self.files / "one.frag").read_text(), SHADER.replace("uBlue, 1.);", "uBlue, 1.); // mine"))
         self.assertFalse(list((self.files / "kept/glibra/unsaved").iterdir()))
 
+    def test_a_second_window_leaves_the_text_of_the_first_alone(self):
+        first = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        self.edit(first, 4)
+        first.type(" // mine")
+        first.wait(lambda s: s["source"]["changed"])
+        unsaved = self.files / "kept/glibra/unsaved"
+        first.wait(lambda s: unsaved.is_dir() and any("mine" in each.read_text() for each in unsaved.iterdir()))
+        second = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        state = second.wait(lambda s: "another window has text of one.frag" in s["notice"])
+        self.assertNotIn("source/restore", state["widgets"])
+        second.xdotool("key", "ctrl+q")
+        second.process.wait()
+        # A copy that somebody removes is written again, though nobody touches the window.
+        for each in unsaved.iterdir():
+            each.unlink()
+        first.wait(lambda s: any("mine" in each.read_text() for each in unsaved.iterdir()))
+        self.kill(first)
+        third = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        third.wait(lambda s: "source/restore" in s["widgets"])
+
+    def test_values_come_back_however_the_window_ends(self):
+        value = None
+        for ending in (None, "quit", signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            window = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+            if value is not None:
+                self.assertEqual(window.wait_knob("uBlue", lambda v: v != [.25])["knobs"][0]["current"], value)
+                self.assertIn("values of the last time", window.state()["notice"])
+            if ending is None:
+                window.drag_widget("uniform/Plain/uBlue", .25, .8)
+                window.wait_knob("uBlue", lambda v: v[0] > .7)
+            else:
+                before = window.knob("uBlue")
+                window.drag_widget("uniform/Plain/uBlue", before[0], before[0] - .1)
+                window.wait_knob("uBlue", lambda v: v[0] < before[0] - .05)
+            value = window.settle()["knobs"][0]["current"]
+            self.assertNotEqual(value, [.25])
+            if ending == signal.SIGKILL:
+                time.sleep(1)
+                self.kill(window)
+            elif ending in (None, "quit"):
+                window.xdotool("key", "ctrl+q")
+                self.assertEqual(window.process.wait(), 0)
+            else:
+                os.kill(int(window.xdotool("getwindowpid", window.id)), ending)
+                self.assertNotEqual(window.process.wait(), 0)
+        window = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        window.wait_knob("uBlue", lambda v: v == value)
+        window.key("ctrl+r")
+        window.wait_knob("uBlue", lambda v: v == [.25])
+        window.xdotool("key", "ctrl+q")
+        window.process.wait()
+        window = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        self.assertEqual(window.settle()["knobs"][0]["current"], [.25])
+
+    def test_text_that_is_not_saved_stays_when_the_system_ends_the_window(self):
+        window = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        self.edit(window, 4)
+        window.type(" // mine")
+        window.wait(lambda s: s["source"]["changed"])
+        time.sleep(1)
+        os.kill(int(window.xdotool("getwindowpid", window.id)), signal.SIGTERM)
+        window.process.wait()
+        window = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        window.wait(lambda s: "source/restore" in s["widgets"])
+
+    def test_tabs_of_the_last_window_stay_when_a_scene_is_opened_by_name(self):
+        window = self.open_with_state(self.files / "one.glib", "--size", "520x560")
+        window.xdotool("key", "ctrl+q")
+        window.process.wait()
+        window = self.open_with_state(self.files / "two.glib", "--size", "520x560")
+        self.assertEqual(len(window.settle()["tabs"]), 1)
+        window.xdotool("key", "ctrl+q")
+        window.process.wait()
+        window = self.open_with_state(None, "--size", "520x560")
+        window.wait(lambda s: [t["label"] for t in s["tabs"]] == ["two", "one"] and s["shownTab"] == 0)
+
+    def test_a_scene_whose_folder_is_replaced_is_read_again_and_again(self):
+        folder = self.files / "hot"
+        shutil.copytree(self.files, folder, ignore=shutil.ignore_patterns("hot"))
+        window = self.open(folder / "one.glib", "--size", "520x560")
+        for number, blue in enumerate((.1, .5, .9)):
+            moved = self.files / f"hot{number}"
+            folder.rename(moved)
+            shutil.copytree(moved, folder)
+            time.sleep(.5)
+            loads = window.settle()["reloads"]
+            (folder / "one.frag").write_text(SHADER.replace("uBlue, 1.", f"{blue} + uBlue, 1."))
+            window.wait(lambda s: s["reloads"] > loads)
+            window.move(20, 20)
+            self.assertShows(window, folder / "one.glib")
+
+    def test_an_include_that_is_made_later_is_noticed(self):
+        (self.files / "one.frag").write_text(SHADER.replace("uniform", '#include "parts/later.glsl"\nuniform', 1))
+        window = self.open(self.files / "one.glib", "--size", "520x560")
+        window.wait(lambda s: any(m["severity"] == "error" for m in s["messages"]))
+        (self.files / "parts").mkdir()
+        (self.files / "parts/later.glsl").write_text('#include "inner.glsl"\n')
+        window.wait(lambda s: any("inner.glsl" in m["text"] for m in s["messages"]))
+        (self.files / "parts/inner.glsl").write_text("// nothing\n")
+        window.wait(lambda s: not s["messages"])
+
+    def test_a_slow_scene_that_moves_does_not_take_the_window(self):
+        (self.files / "moving.frag").write_text("""#version 330
+uniform float uR; out vec4 c;
+void main() {
+    float sum = uR + Timer;
+    for (int i = 0; i < 500; ++i) sum += sin(sin(sum + gl_FragCoord.x)) * 1e-3;
+    c = vec4(sum);
+}
+""")
+        window = self.open(self.files / "moving.glib", "--size", "640x640")
+        # At first each frame is one of the picture; later there are many while the other process draws one.
+        window.wait(lambda s: s["framesPresented"] > 2 * s["framesDrawn"] + 10)
+        begun = time.monotonic()
+        window.key("l")
+        window.wait(lambda s: s["labels"])
+        self.assertLess(time.monotonic() - begun, 10)
+
     def test_a_shader_that_was_removed_can_be_saved_again(self):
         window = self.open(self.files / "one.glib", "--size", "520x560")
         self.edit(window, 4)
@@ -198,6 +317,14 @@ class Safety(ScenesTest):
         window.wait(lambda s: s["lightTheme"] and not s["palette"]["open"])
         window.key("ctrl+shift+p")
         window.wait(lambda s: s["palette"]["open"] and s["takesText"])
+        # What stands in the menu File, beside the source, and in the sections.
+        every = window.state()["palette"]["found"]
+        self.assertFalse([each for each in every if "#" in each or (each.startswith("Window '") and not each.endswith("'"))])
+        for words in ("solution", "compare another", "template", "empty scene", "open scene", "save all", "save values",
+                      "hardcopy", "verbose", "noise", "examples|example scenes", "quit", "revert", "live", "your own editor",
+                      "restart", "smooth", "background", "measure", "reset transform", "copy command", "suite", "labels"):
+            self.assertTrue(any(all(word in each.lower() for word in choice.split()) for each in every
+                                for choice in words.split("|")), words)
         window.key("Escape")
         window.wait(lambda s: not s["palette"]["open"])
         before = window.settle()["window"]

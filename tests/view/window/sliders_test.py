@@ -94,6 +94,34 @@ class Sliders(SlidersTest):
         window.key("Left")
         window.wait_knob("uFirst", lambda v: v == [0.865])
 
+    def test_typed_numbers_have_a_comma_or_are_expressions(self):
+        window = self.open(self.scene, "--size", "300x700")
+        window.key("Tab")
+        for typed, value in (("0,5", .5), ("1/3", 1 / 3), ("2*.3", .6), ("what", .6), ("sqrt(.25)", .5)):
+            window.key("Return")
+            window.wait(lambda s: s["typing"] == "uniform/Ranges/uFirst" and s["takesText"])
+            window.type(typed)
+            window.key("Return")
+            state = window.wait(lambda s: not s["typing"])
+            window.wait_knob("uFirst", lambda v: abs(v[0] - value) < 1e-9)
+            if typed == "what":
+                self.assertIn("is no number", state["notice"])
+
+    def test_undo_of_a_typed_value_returns_to_the_value_before(self):
+        window = self.open(self.scene, "--size", "300x700")
+        before = window.knob("uFirst")
+        window.double_click("uniform/Ranges/uFirst")
+        window.wait(lambda s: s["typing"] == "uniform/Ranges/uFirst" and s["takesText"])
+        window.key("ctrl+a")
+        window.type(".7")
+        window.key("Return")
+        window.wait_knob("uFirst", lambda v: v == [.7])
+        window.settle()
+        window.move(20, 20)
+        window.key("ctrl+z")
+        window.wait_knob("uFirst", lambda v: v != [.7])
+        self.assertEqual(window.settle() and window.knob("uFirst"), before)
+
     def test_the_panel_is_hidden_and_shown(self):
         window = self.open(self.scene, "--size", "300x700")
         narrow = window.state()["room"][2]

@@ -89,16 +89,17 @@ class WindowTest(unittest.TestCase):
         self.folder.cleanup()
 
     def open(self, scene, *arguments, **options):
-        """Opens a window. Its pictures have one sample per pixel, as those of `render`, unless the arguments say more."""
-        if "--samples" not in arguments:
-            arguments = (*arguments, "--samples", "1")
+        """Opens a window. Its pictures have as many samples per pixel as those of users, unless the arguments say another
+        number."""
         window = Window(self.desktop, PROGRAM, scene, *arguments, **options)
         self.addCleanup(window.close)
         return window
 
     def assertShows(self, window, scene, *arguments):
-        """The picture on the screen has the same bytes as `glibra render` with those arguments."""
+        """The picture on the screen has the same bytes as `glibra render` with those arguments and as many samples."""
         width, height, screen = window.pixels()
+        if "--samples" not in arguments:
+            arguments = (*arguments, "--samples", str(max(1, window.state()["samples"])))
         picture = rendered(PROGRAM, scene, width, height, *arguments)
         self.assertEqual((width, height), picture[:2])
         different = sum(1 for a, b in zip(screen, picture[2]) if a != b)

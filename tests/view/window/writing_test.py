@@ -160,7 +160,7 @@ class Completion(WritingTest):
         self.assertTrue(state["source"]["active"])
         window.key("Tab")
         window.type("x")
-        self.assertIn("f\tx\n", self.text_of(window), "without the list, Tab is a letter again")
+        self.assertIn("f   x\n", self.text_of(window), "without the list, Tab writes blanks again")
 
     def test_a_click_accepts(self):
         window = self.open(self.files / "one.glib", "--size", "640x560")
@@ -228,6 +228,42 @@ class Editing(WritingTest):
         self.assertTrue(self.text_of(window).startswith("// #version 330\n// uniform float uBlue; out vec4 c;\nvoid"))
         window.key("ctrl+z")
         self.assertEqual(self.text_of(window), SHADER)
+
+    def test_tab_moves_the_selected_lines(self):
+        window = self.open(self.files / "one.glib", "--size", "640x560")
+        self.edit(window, 4)
+
+        def saves(text, *keys):
+            window.key(*keys, "ctrl+s")
+            window.wait(lambda s: (self.files / "one.frag").read_text() == text)
+            window.settle()
+
+        saves("".join(("    " if i < 2 else "") + line for i, line in enumerate(SHADER.splitlines(True))),
+              "ctrl+Home", "shift+Down", "shift+Down", "Tab")
+        saves(SHADER, "shift+Tab")
+        saves("    " + SHADER, "ctrl+Home", "Tab")
+        saves(SHADER, "ctrl+z")
+        saves(SHADER.replace("#version", "#", 1), "ctrl+Home", "Right", "ctrl+Delete")
+
+    def test_save_values_and_text_that_is_not_saved_do_not_meet_as_a_conflict(self):
+        window = self.open(self.files / "one.glib", "--size", "640x560")
+        self.edit(window, 4)
+        window.click("source/file/one.glib")
+        window.wait(lambda s: s["source"]["file"].endswith("one.glib"))
+        self.edit(window, 1)
+        window.type("  # typed")
+        window.wait(lambda s: s["source"]["changed"])
+        window.drag_widget("uniform/Plain/uBlue", .25, .8)
+        window.wait_knob("uBlue", lambda v: v[0] > .7)
+        window.click("scene/save")
+        window.wait(lambda s: "<0. .25 1.>" not in (self.files / "one.glib").read_text())
+        state = window.wait(lambda s: s["source"]["changed"] and not s["source"]["conflict"])
+        saved = (self.files / "one.glib").read_text()
+        self.assertNotIn("# typed", saved)
+        window.settle()
+        window.click("source/save")
+        window.wait(lambda s: not s["source"]["changed"])
+        self.assertEqual((self.files / "one.glib").read_text(), saved.replace("300 300", "300 300  # typed"))
 
     def test_a_name_under_the_mouse_shows_its_declaration_and_value(self):
         window = self.open(self.files / "one.glib", "--size", "640x560")

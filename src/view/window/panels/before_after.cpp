@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +20,9 @@ class BeforeAfter final : public Panel {
         const char* text = "before the last edit (K: after it)";
         const float pad = 6 * ui.shared.scale;
         const ImVec2 size = ImGui::CalcTextSize(text);
-        const ImVec2 at(ui.frame.picture[0] + 2 * pad, ui.frame.picture[1] + 2 * pad);
+        // Where the source does not cover the picture.
+        const ImVec2 at(std::max(ui.frame.picture[0], ui.frame.covered) + 2 * pad,
+                        ui.frame.picture[1] + 2 * pad);
         ImDrawList& list = *ImGui::GetBackgroundDrawList();
         list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
                            IM_COL32(0, 0, 0, 190), 3);

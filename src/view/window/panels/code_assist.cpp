@@ -11,7 +11,7 @@
 
 #include "editor/scene_check.h"
 #include "glib/text.h"
-#include "view/edit/comment_lines.h"
+#include "view/edit/selected_lines.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
@@ -356,16 +356,31 @@ void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file) {
     ImGui::End();
 }
 
+namespace {
+
+void take(const ShownText& active, EditedText edited) {
+    active.file->history().endStep();
+    active.view->newText = std::move(edited.text);
+    active.view->select = edited.selection;
+}
+
+bool isWritable(const ShownText& active) {
+    return active.file && active.file->whyReadOnly().empty();
+}
+
+}  // namespace
+
 void commentLines(const Ui& ui, const ShownText& active) {
-    EditedFile* file = active.file;
-    if (!file || !file->whyReadOnly().empty()) return;
-    CodeView& view = *active.view;
-    const LanguageAt at = languageAt(file->text(), view.selection.begin, contextOf(ui, *file));
-    EditedText edited =
-        toggledComments(file->text(), view.selection, at.language == CodeLanguage::glsl ? "//" : "#");
-    file->history().endStep();
-    view.newText = std::move(edited.text);
-    view.select = edited.selection;
+    if (!isWritable(active)) return;
+    const std::string& text = active.file->text();
+    const TextRange& selection = active.view->selection;
+    const LanguageAt at = languageAt(text, selection.begin, contextOf(ui, *active.file));
+    take(active, toggledComments(text, selection, at.language == CodeLanguage::glsl ? "//" : "#"));
+}
+
+void indentLines(const CodeAssist& state, const ShownText& active, bool back) {
+    if (!isWritable(active) || state.isOpen) return;  // Tab takes a word of the list
+    take(active, indentedLines(active.file->text(), active.view->selection, back));
 }
 
 void showReference(const Ui& ui, CodeAssist& state, const ShownText& active, const EditedFile* file) {

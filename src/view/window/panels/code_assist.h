@@ -51,6 +51,8 @@ void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file);
 
 // Shortcuts. `active`: the text that has the keyboard focus.
 void commentLines(const Ui& ui, const ShownText& active);
+/// Tab and Shift+Tab, unless they choose from the list of words.
+void indentLines(const CodeAssist& state, const ShownText& active, bool back);
 /// Opens the entry of the word at the cursor or before it; without one a list of words.
 void showReference(const Ui& ui, CodeAssist& state, const ShownText& active, const EditedFile* file);
 /// Closes the list of words, the arguments, or the reference. Returns false if none was open.

@@ -1,6 +1,7 @@
 #include "view/window/panels/code_drawing.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,26 @@ std::string_view lineText(std::string_view text, const LineStarts& starts, int l
     const std::size_t begin = starts[index];
     const std::size_t end = index + 1 < starts.size() ? starts[index + 1] - 1 : text.size();
     return text.substr(begin, end - begin);
+}
+
+/// Fills a rectangle with a tint. Over the picture the panel lets a part of it be seen; below a tint it does
+/// not, so that the text stays readable.
+void drawTint(const ImVec2& low, const ImVec2& high, CodeTint tint, float rounding = 0) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(low, high, packed(palette().panel), rounding);
+    draw.AddRectFilled(low, high, tintColor(tint), rounding);
+}
+
+/// The panel below the lines with selected text, which the widget tints.
+void drawBelowSelection(const CodeLayout& layout, const LineStarts& starts, const TextRange& selection) {
+    if (selection.begin == selection.end) return;
+    const int first = std::max(layout.firstLine, lineOf(starts, static_cast<int>(selection.begin)));
+    const int last = std::min(layout.lastLine, lineOf(starts, static_cast<int>(selection.end)));
+    if (first > last) return;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {layout.origin.x, layout.top(first)},
+        {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), layout.top(last) + layout.lineHeight},
+        packed(palette().panel));
 }
 
 /// The word at the place that a message names, or one character.
@@ -57,8 +78,8 @@ void drawMarkedLines(const CodeLayout& layout, std::span<const CodeMark> marks) 
         if (std::exchange(lineBefore, each.line) == each.line) continue;
         const bool isError = each.severity == Severity::error;
         const float top = layout.top(each.line);
-        draw.AddRectFilled({window.x, top}, {window.x + ImGui::GetWindowWidth(), top + layout.lineHeight},
-                           tintColor(isError ? CodeTint::errorLine : CodeTint::warningLine));
+        drawTint({window.x, top}, {window.x + ImGui::GetWindowWidth(), top + layout.lineHeight},
+                 isError ? CodeTint::errorLine : CodeTint::warningLine);
         draw.AddRectFilled({window.x, top}, {window.x + layout.lineHeight / 3, top + layout.lineHeight},
                            packed(severityColor(each.severity)));
     }
@@ -86,8 +107,8 @@ void drawFound(const CodeLayout& layout, std::string_view text, const LineStarts
         const std::size_t start = starts[static_cast<std::size_t>(line - 1)];
         const float left = layout.origin.x + widthOf(text.substr(start, each.begin - start));
         const float width = widthOf(text.substr(each.begin, each.end - each.begin));
-        draw.AddRectFilled({left, layout.top(line)}, {left + width, layout.top(line) + layout.lineHeight},
-                           tintColor(i == marks.shown ? CodeTint::foundShown : CodeTint::found), 2);
+        drawTint({left, layout.top(line)}, {left + width, layout.top(line) + layout.lineHeight},
+                 i == marks.shown ? CodeTint::foundShown : CodeTint::found, 2);
         if (i == marks.shown)
             draw.AddRect({left - 1, layout.top(line)},
                          {left + width + 1, layout.top(line) + layout.lineHeight}, packed(palette().warning),
@@ -164,7 +185,11 @@ std::string_view lineBefore(std::string_view text, const LineStarts& starts, std
 }
 
 float widthOf(std::string_view text) {
-    return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    // ImGui::CalcTextSize() rounds up, which adds up over the words of a line.
+    return ImGui::GetFont()
+        ->CalcTextSizeA(ImGui::GetFontSize(), std::numeric_limits<float>::max(), 0, text.data(),
+                        text.data() + text.size())
+        .x;
 }
 
 CodeLayout layoutOf(std::string_view text, const LineStarts& starts) {
@@ -192,6 +217,7 @@ CodeLayout layoutOf(std::string_view text, const LineStarts& starts) {
 
 void drawCode(const CodeLayout& layout, std::string_view text, const LineStarts& starts, const CodeView& view,
               const CodeMarks& marks, CodeLanguage language) {
+    if (view.isActive) drawBelowSelection(layout, starts, view.selection);
     drawMarkedLines(layout, marks.lines);
     drawGutter(layout, view, marks.lines);
     ImDrawList& draw = *ImGui::GetWindowDrawList();

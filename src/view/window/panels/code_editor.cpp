@@ -53,6 +53,19 @@ void indent(ImGuiInputTextCallbackData& data, const CodeView& view) {
     data.InsertChars(data.CursorPos, blanks.c_str());
 }
 
+/// Ctrl+Delete takes the rest of the word, of which Dear ImGui 1.86 takes one letter only. `before`: the text
+/// as it was.
+void deleteWord(ImGuiInputTextCallbackData& data, std::string_view before, const CodeView& view) {
+    if (!ImGui::GetIO().KeyCtrl || !isKeyPressed(GLFW_KEY_DELETE)) return;
+    const auto at = static_cast<std::size_t>(data.CursorPos);
+    const std::size_t removed = before.size() - static_cast<std::size_t>(data.BufTextLen);
+    if (data.CursorPos != view.cursor || data.BufTextLen >= static_cast<int>(before.size()) ||
+        view.selection.begin != view.selection.end)
+        return;
+    const std::size_t wanted = endOfWord(before, at) - at;
+    if (wanted > removed) data.DeleteChars(data.CursorPos, static_cast<int>(wanted - removed));
+}
+
 /// A closing brace that is typed as the first character of a line takes four blanks back.
 void unindent(ImGuiInputTextCallbackData& data, const CodeView& view) {
     const bool isTyped = data.BufTextLen == view.previousSize + 1 && data.CursorPos == view.cursor + 1 &&
@@ -86,6 +99,7 @@ int onEdit(ImGuiInputTextCallbackData* data) {
         return 0;
     }
     CodeView& view = editing.view;
+    if (view.isActive && !view.newText && !view.select) deleteWord(*data, editing.text, view);
     if (const auto text = std::exchange(view.newText, std::nullopt)) {
         data->DeleteChars(0, data->BufTextLen);
         data->InsertChars(0, text->data(), text->data() + text->size());
@@ -155,13 +169,10 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
                                    GLFW_KEY_KP_ENTER, GLFW_KEY_UP,  GLFW_KEY_DOWN};
     const std::span<const int> listKeys = kListKeys;
     const HiddenKeys hidden(editing.view.leavesListKeys ? listKeys : listKeys.first(1));
-    // ImGui 1.90.1 does not give the keyboard focus to a text that takes Tab.
-    const bool takesTab = editing.view.isActive;
     const bool isChanged = ImGui::InputTextMultiline(
         label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
         ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
-            ImGuiInputTextFlags_NoUndoRedo | (takesTab ? ImGuiInputTextFlags_AllowTabInput : 0) |
-            (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
+            ImGuiInputTextFlags_NoUndoRedo | (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
         onEdit, &editing);
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(3);
@@ -243,7 +254,10 @@ bool editInChild(const char* name, std::string& text, CodeView& view, const Code
     if (isChanged) starts = lineStarts(text);
     updateCursor(view, text, starts);
     const bool isLower = std::exchange(view.height, layout.visibleHeight) > layout.visibleHeight;
-    const bool followsCursor = view.isActive && (view.cursor != cursorBefore || isChanged || goes || isLower);
+    // A longer line can be scrolled to its end only when the frames after it have made room.
+    if (isChanged) view.framesToFollow = kFramesOfFocus;
+    const bool isMade = view.framesToFollow > 0 && view.framesToFollow-- > 0;
+    const bool followsCursor = view.isActive && (view.cursor != cursorBefore || isMade || goes || isLower);
     scroll(view, layout, text, starts, followsCursor, goes);
     findPointer(view, layout, text, starts);
     return isChanged || isReplaced;

@@ -45,8 +45,9 @@ struct CodeView {
     struct Scroll {
         float x = 0, y = 0;
     };
-    Scroll scroll;         ///< pixels
-    int framesToHold = 0;  ///< frames in which `scroll` stays, whatever else scrolls
+    Scroll scroll;           ///< pixels
+    int framesToHold = 0;    ///< frames in which `scroll` stays, whatever else scrolls
+    int framesToFollow = 0;  ///< frames in which the text still scrolls to the cursor, after a change
 };
 
 /// What is marked in a text.

@@ -3,7 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+
+#include "view/window/panels/number_field.h"
 
 namespace glibra::view {
 
@@ -50,9 +53,14 @@ bool colorField(Ui& ui, std::string_view name, std::array<float, 4>& rgba, bool 
         if (i % inRow != 0) ImGui::SameLine(0, space);
         ImGui::SetNextItemWidth(std::max(20.F, widthOfEach(inRow)));
         ImGui::PushID(i);
-        isChanged =
-            ImGui::DragFloat("##component", &rgba[static_cast<std::size_t>(i)], .004F, 0, 0, "%.3f") ||
-            isChanged;
+        float& component = rgba[static_cast<std::size_t>(i)];
+        double typed = component;
+        if (const std::optional<bool> isTyped = typedInto(ui, "##component", typed)) {
+            if (*isTyped) component = static_cast<float>(typed);
+            isChanged = *isTyped || isChanged;
+        } else {
+            isChanged = ImGui::DragFloat("##component", &component, .004F, 0, 0, "%.3f") || isChanged;
+        }
         tabStop(ui);
         ImGui::PopID();
     }

@@ -45,6 +45,11 @@ std::string capital(std::string_view text) {
     return words;
 }
 
+/// What ImGui shows of a title, which ends with an id.
+std::string_view shownTitle(std::string_view title) {
+    return title.substr(0, title.find("##"));
+}
+
 /// All shortcuts, also those without a key, and the tool windows. A row for two keys is two commands.
 std::vector<Command> commandsOf(const Ui& ui) {
     std::vector<Command> commands;
@@ -65,7 +70,7 @@ std::vector<Command> commandsOf(const Ui& ui) {
             std::ranges::any_of(use.row->keys, [](const Shortcut& each) { return each.act == toggleOpen; });
         if (!hasKey)
             commands.push_back(
-                {fmt::format("Window '{}'", use.row->title), "", use.panel, toggleOpen, false});
+                {fmt::format("Window '{}'", shownTitle(use.row->title)), "", use.panel, toggleOpen, false});
     }
     return commands;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "view/session/comparison.h"
 #include "view/session/solution_check.h"
@@ -25,7 +26,8 @@ struct CompareWindow {
     std::string problem;                     ///< why the other scene cannot be read
     std::optional<gpu::Texture> own, other;  ///< of the last pictures
     std::unique_ptr<SolutionCheck> check;    ///< null: the other scene is not the solution of the tab's
-    bool needsFrames = false;
+    bool isNew = false;                      ///< the textures are of earlier pictures
+    bool isChecking = false;                 ///< the check has moments left
 };
 
 std::optional<gpu::Texture> uploaded(const Ui& ui, const image::Image* picture) {
@@ -49,14 +51,11 @@ void picture(Ui& ui, const char* title, const char* name, const std::optional<gp
 /// Both pictures, as large as the window shows them side by side, and how they differ.
 void sideBySide(Ui& ui, CompareWindow& window) {
     Comparison& comparison = *window.comparison;
-    const bool isNew = comparison.follow(ui.session);
-    ui.frame.isFollowed = ui.frame.isFollowed || comparison.isDrawing();
-    if (isNew) {
+    if (std::exchange(window.isNew, false)) {
         window.own.reset();  // before the new one needs memory
         window.own = uploaded(ui, comparison.own());
         window.other.reset();
         window.other = uploaded(ui, comparison.other());
-        window.needsFrames = true;  // the tab's own picture may still be drawn in this frame
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -74,18 +73,20 @@ void sideBySide(Ui& ui, CompareWindow& window) {
     else if (const std::optional<Comparison::Score> score = comparison.score())
         ImGui::Text("FLIP %.3f, structure %.3f (0: no difference)", score->flip, score->structure);
     if (!window.check) return;
-    if (window.check->follow(ui.session)) window.needsFrames = true;
+    window.isChecking = window.check->follow(ui.session);
     if (const std::string text = window.check->text(); !text.empty()) ImGui::TextWrapped("%s", text.c_str());
 }
 
 class ComparePanel final : public Panel {
   public:
     void update(Ui& ui) override {
-        window_.needsFrames = false;
+        window_.isChecking = false;
         if (!ui.wanted.compared) return;
         const fs::path& scene = *ui.wanted.compared;
         window_ = {};
-        window_.comparison = std::make_unique<Comparison>(ui.context, ui.session.renderOptions());
+        RenderOptions options = ui.session.renderOptions();
+        options.sceneText.reset();  // of the tab's scene, with the files that were chosen
+        window_.comparison = std::make_unique<Comparison>(ui.context, options);
         window_.comparison->setContained(true);
         window_.problem = window_.comparison->open(scene);
         if (scene == solutionOf(ui.session.path()))
@@ -105,7 +106,13 @@ class ComparePanel final : public Panel {
         }
         ImGui::End();
     }
-    [[nodiscard]] bool needsFrames() const override { return window_.needsFrames; }
+    /// The picture of this frame is drawn: the other one follows it.
+    void drawOver(Ui& ui) override {
+        if (!isOpen || !window_.comparison) return;
+        window_.isNew = window_.comparison->follow(ui.session) || window_.isNew;
+        ui.frame.isFollowed = ui.frame.isFollowed || window_.comparison->isDrawing();
+    }
+    [[nodiscard]] bool needsFrames() const override { return window_.isNew || window_.isChecking; }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         if (!isOpen || !window_.comparison) return;
         nlohmann::ordered_json json = {{"scene", window_.comparison->path().string()},

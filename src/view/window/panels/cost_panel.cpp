@@ -79,14 +79,21 @@ void bars(Ui& ui, const FrameCost& cost) {
     }
 }
 
-void costPanel(Ui& ui, std::optional<FrameCost>& measured) {
-    if (!section(ui, "Frame rate", "cost", false)) return;
+/// Nothing would end the frames of a shader that does not end.
+bool canMeasure(const Session& session) {
+    return session.hasScene() && !session.isStopped() && !session.isDrawing();
+}
+
+void measure(Ui& ui, std::optional<FrameCost>& measured) {
     constexpr int kLeastFrames = 20;
     constexpr double kLeastSeconds = .5;
-    // Nothing would end the frames of a shader that does not end.
-    ImGui::BeginDisabled(ui.session.isStopped() || ui.session.isDrawing());
-    if (button(ui, "Measure", "cost/measure"))
-        measured = measureFrames(ui.session, ui.context.capabilities(), kLeastFrames, kLeastSeconds);
+    measured = measureFrames(ui.session, ui.context.capabilities(), kLeastFrames, kLeastSeconds);
+}
+
+void costPanel(Ui& ui, std::optional<FrameCost>& measured) {
+    if (!section(ui, "Frame rate", "cost", false)) return;
+    ImGui::BeginDisabled(!canMeasure(ui.session));
+    if (button(ui, "Measure", "cost/measure")) measure(ui, measured);
     ImGui::EndDisabled();
     ImGui::SameLine();
     bool isLive = ui.session.measuresObjects();
@@ -142,6 +149,11 @@ nlohmann::ordered_json costJson(const FrameCost& cost) {
 class CostPanel final : public Panel {
   public:
     void show(Ui& ui) override { costPanel(ui, measured_); }
+    void measureNow(Ui& ui) {
+        if (!canMeasure(ui.session)) return;
+        ui.shared.showPanel = ui.settings.folds["cost"] = true;
+        measure(ui, measured_);
+    }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         if (measured_) state["cost"] = costJson(*measured_);
     }
@@ -152,7 +164,10 @@ class CostPanel final : public Panel {
 
 constexpr auto kCostKeys = std::to_array<Shortcut>(
     {{KeyGroup::pipeline, GLFW_KEY_F, false, "F", "show on the picture how long its objects take",
-      [](Ui& ui, Panel&) { ui.session.setMeasuresObjects(!ui.session.measuresObjects()); }}});
+      [](Ui& ui, Panel&) { ui.session.setMeasuresObjects(!ui.session.measuresObjects()); }},
+     // Without a key: for the list of commands.
+     {KeyGroup::pipeline, kNoKey, false, "", "measure the frame rate: passes, dispatches, draws",
+      call<&CostPanel::measureNow>}});
 
 }  // namespace
 

@@ -17,6 +17,7 @@
 #include "view/edit/scene_copy.h"
 #include "view/session/comparison.h"
 #include "view/window/panels/save_scene.h"
+#include "view/window/panels/source_header.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 
 void openMade(Ui& ui, const fs::path& scene) {
     ui.notice = "made " + scene.string();
+    toolWindow(ui, "examples").isOpen = false;  // it would stand in front of the new scene
     ui.requests.open = scene;
     ui.requests.inNewTab = true;
 }
@@ -103,20 +105,6 @@ const fs::path& solutionOfShown(const Ui& ui, FileMenu& menu) {
     return menu.solution;
 }
 
-void askCompareWith(Ui& ui) {
-    askForFile(ui,
-               {.title = "Compare with",
-                .button = "Compare",
-                .hint = "Its picture is shown beside that of this scene, with the same values.",
-                .endings = ".glib",
-                .chosen =
-                    [](Ui& in, const fs::path& scene) {
-                        in.wanted.compared = scene;
-                        return std::string();
-                    }},
-               ui.session.path().parent_path());
-}
-
 /// A menu item with a name for tests.
 bool item(Ui& ui, const char* label, const char* key, const char* name, bool isEnabled = true) {
     const bool isChosen = ImGui::MenuItem(label, key, false, isEnabled);
@@ -136,6 +124,29 @@ void askEmptyScene(Ui& ui) {
                 .entry = "scene.glib",
                 .chosen = makeEmptyScene},
                ownFolder(ui));
+}
+
+void askCompareWith(Ui& ui) {
+    if (!ui.session.hasScene()) return;
+    askForFile(ui,
+               {.title = "Compare with",
+                .button = "Compare",
+                .hint = "Its picture is shown beside that of this scene, with the same values.",
+                .endings = ".glib",
+                .chosen =
+                    [](Ui& in, const fs::path& scene) {
+                        in.wanted.compared = scene;
+                        return std::string();
+                    }},
+               ui.session.path().parent_path());
+}
+
+void compareWithSolution(Ui& ui) {
+    const fs::path solution = ui.session.hasScene() ? solutionOf(ui.session.path()) : fs::path();
+    if (solution.empty())
+        ui.notice = {"this scene is no exercise: no file beside it names a solution", true};
+    else
+        ui.wanted.compared = solution;
 }
 
 void fileMenu(Ui& ui, FileMenu& menu) {
@@ -161,10 +172,13 @@ void fileMenu(Ui& ui, FileMenu& menu) {
     if (item(ui, "Save values", nullptr, "file/save", hasChanges && !isShipped)) saveScene(ui);
     if (item(ui, isShipped ? "Save a copy..." : "Save as...", "Ctrl+Shift+S", "file/saveAs", hasScene))
         saveSceneAs(ui);
+    const bool hasTexts =
+        std::ranges::any_of(ui.shared.sources, [](const auto& each) { return each.second.isChanged(); });
+    if (item(ui, "Save all texts", nullptr, "file/saveAll", hasTexts)) saveAllSources(ui);
     ImGui::Separator();
     const fs::path& solution = solutionOfShown(ui, menu);
     if (item(ui, "Compare with the solution", nullptr, "file/solution", hasScene && !solution.empty()))
-        ui.wanted.compared = solution;
+        compareWithSolution(ui);
     if (item(ui, "Compare with...", nullptr, "file/compare", hasScene)) askCompareWith(ui);
     if (item(ui, "Write a hardcopy", "H", "file/hardcopy", hasScene)) ui.wanted.hardcopy = true;
     ImGui::MenuItem("Verbose", nullptr, &toolWindow(ui, "verbose").isOpen);

@@ -22,5 +22,9 @@ struct FileMenu {
 void askEmptyScene(Ui& ui);
 /// The button "File" and its menu.
 void fileMenu(Ui& ui, FileMenu& menu);
+/// Shows the solution of the exercise beside the picture; says so if the scene is no exercise.
+void compareWithSolution(Ui& ui);
+/// Asks for a scene to show beside the picture.
+void askCompareWith(Ui& ui);
 
 }  // namespace glibra::view

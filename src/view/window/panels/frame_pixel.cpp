@@ -93,8 +93,10 @@ void events(Ui& ui, FrameWindow& window) {
     const bool withStencil = hasStencil(window.history);
     if (!ImGui::BeginTable(withStencil ? "events and stencil" : "events", withStencil ? 6 : 5, kFlags))
         return;
-    for (const char* each : {"by", "outcome", "passed", "colour after", "depth"})
-        ImGui::TableSetupColumn(each);
+    // In a narrow window the name is cut off, which the list of the frame has, too, and no number.
+    ImGui::TableSetupColumn("by", ImGuiTableColumnFlags_WidthStretch);
+    for (const char* each : {"outcome", "passed", "colour after", "depth"})
+        ImGui::TableSetupColumn(each, ImGuiTableColumnFlags_WidthFixed);
     if (withStencil) ImGui::TableSetupColumn("stencil");
     ImGui::TableHeadersRow();
     for (std::size_t i = 0; i < window.history.events.size(); ++i) eventRow(ui, window, i);

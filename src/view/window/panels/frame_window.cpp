@@ -97,8 +97,9 @@ void takeMask(Ui& ui, FrameWindow& window) {
     if (!window.answer.mask) return;
     const DrawMask& mask = *window.answer.mask;
     std::vector<std::uint8_t> rgba(4 * mask.pixels.size());
+    // Nearly opaque, so that they are these colours on every picture.
     constexpr std::array<std::array<std::uint8_t, 4>, 3> kColors{
-        {{0, 0, 0, 0}, {60, 120, 255, 110}, {255, 150, 0, 150}}};
+        {{0, 0, 0, 0}, {60, 120, 255, 225}, {255, 150, 0, 225}}};
     for (std::size_t i = 0; i < mask.pixels.size(); ++i)
         std::copy_n(kColors.at(mask.pixels[i]).begin(), 4, rgba.begin() + static_cast<std::ptrdiff_t>(4 * i));
     window.overlay = textureOfTexels(ui, mask.width, mask.height, rgba);
@@ -230,10 +231,18 @@ void heading(Ui& ui, FrameWindow& window, const FrameItem& item) {
     }
     std::string text = labelOf(item);
     if (!window.answer.layerName.empty()) text += "   " + window.answer.layerName;
-    if (const auto& mask = window.answer.mask)
-        text += fmt::format("   {} pixels, {} hidden", mask->passedPixels, mask->hiddenPixels);
     if (ui.session.isMoving()) text += fmt::format("   as at {:.2f} s", window.time);
     ImGui::TextUnformatted(text.c_str());
+    const auto& mask = window.answer.mask;
+    if (!mask) return;
+    // The numbers with their colours, which the highlight has.
+    const auto legend = [&](std::array<double, 3> color, const std::string& words) {
+        besideIfRoom(ImGui::CalcTextSize(words.c_str()).x + 2 * ImGui::GetTextLineHeight());
+        colorSquare(color);
+        ImGui::TextUnformatted(words.c_str());
+    };
+    legend({1, .59, 0}, fmt::format("{} pixels", mask->passedPixels));
+    legend({.24, .47, 1}, fmt::format("{} hidden", mask->hiddenPixels));
 }
 
 void target(Ui& ui, FrameWindow& window) {

@@ -379,6 +379,10 @@ void continueHardcopy(Ui& ui, HardcopyEntries& entries) {
     endHardcopy(ui, entries, problems, outcome(entries));
 }
 
+void copyCommand(const Ui& ui, const Hardcopy& hardcopy) {
+    ImGui::SetClipboardText(renderCommand(ui.session, hardcopy).c_str());
+}
+
 void hardcopyPanel(Ui& ui, HardcopyEntries& entries) {
     replaceDialog(ui, entries);
     if (!section(ui, "Hardcopy", "hardcopy", false)) return;
@@ -397,8 +401,7 @@ void hardcopyPanel(Ui& ui, HardcopyEntries& entries) {
     }
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (button(ui, "Copy command", "hardcopy/copy"))
-        ImGui::SetClipboardText(renderCommand(ui.session, next).c_str());
+    if (button(ui, "Copy command", "hardcopy/copy")) copyCommand(ui, next);
     showLast(ui, entries);
 }
 
@@ -411,6 +414,11 @@ class HardcopyPanel final : public Panel {
     }
     void show(Ui& ui) override { hardcopyPanel(ui, entries_); }
     void writeNow(Ui& ui) { writeHardcopy(ui, entries_); }
+    void copyNow(Ui& ui) {
+        if (!ui.session.hasScene()) return;
+        proposeIfNeeded(ui, entries_);
+        copyCommand(ui, wanted(ui, entries_));
+    }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         state["hardcopyMessage"] = entries_.job ? std::string() : entries_.message;
         state["hardcopyFile"] = entries_.file.data();
@@ -421,9 +429,12 @@ class HardcopyPanel final : public Panel {
     HardcopyEntries entries_;
 };
 
-constexpr auto kHardcopyKeys =
-    std::to_array<Shortcut>({{KeyGroup::values, GLFW_KEY_H, false, "H",
-                              "write a hardcopy, to the next free name", call<&HardcopyPanel::writeNow>}});
+constexpr auto kHardcopyKeys = std::to_array<Shortcut>(
+    {{KeyGroup::values, GLFW_KEY_H, false, "H", "write a hardcopy, to the next free name",
+      call<&HardcopyPanel::writeNow>},
+     // Without a key: for the list of commands.
+     {KeyGroup::values, kNoKey, false, "", "copy the command of glibra render that writes the hardcopy",
+      call<&HardcopyPanel::copyNow>}});
 
 }  // namespace
 

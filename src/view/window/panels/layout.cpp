@@ -16,6 +16,7 @@ namespace {
 
 constexpr float kNarrowestPanel = 220, kUsualPanel = 376;
 constexpr float kWidestPart = .7F;
+constexpr float kRoomOfPicture = 200;
 
 void showAt(Ui& ui, PanelPlace place) {
     for (const PanelUse& each : ui.panels)
@@ -68,7 +69,11 @@ float panel(Ui& ui) {
     const float widest = std::max(1.F, window.x * kWidestPart);
     const float narrowest = std::min(kNarrowestPanel * ui.shared.scale, widest);
     // The width that the user has chosen stays while a small window cannot have it.
-    const float wanted = std::floor(std::clamp(panelWidth(ui), narrowest, widest));
+    float width = panelWidth(ui);
+    // Unless somebody has chosen a size, a narrow window leaves half of itself to the picture.
+    if (!(ui.settings.panelWidth > 0) && !ui.shared.shape)
+        width = std::min(width, std::max(window.x / 2, window.x - kRoomOfPicture * ui.shared.scale));
+    const float wanted = std::floor(std::clamp(width, narrowest, widest));
     ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowSize({wanted, window.y}, ImGuiCond_Always);
     ImGui::SetNextWindowSizeConstraints({narrowest, window.y}, {widest, window.y});
@@ -81,7 +86,7 @@ float panel(Ui& ui) {
         showAt(ui, PanelPlace::head);
         sections(ui);
     }
-    const float width = ImGui::GetWindowWidth();
+    width = ImGui::GetWindowWidth();
     ImGui::End();
     ImGui::PopStyleColor(3);
     if (width != wanted) ui.settings.panelWidth = width;

@@ -19,6 +19,12 @@ namespace {
 
 /// Saves all files. Returns the first problem; empty on success.
 std::string saveAll(Ui& ui, const Question& question) {
+    // The values first: their places are those in the files as they are now.
+    for (const UnsavedValues& each : question.values)
+        if (const Diagnostics problems =
+                saveValues(each.scene, each.knobs, each.files, knownSource(ui, each.scene));
+            !problems.empty())
+            return toString(problems.front());
     for (const std::filesystem::path& each : question.files) {
         EditedFile* file = knownSource(ui, each);
         if (!file) continue;
@@ -28,9 +34,6 @@ std::string saveAll(Ui& ui, const Question& question) {
                    " was changed by another program. Press Cancel, then choose in the source panel which "
                    "version to keep.";
     }
-    for (const UnsavedValues& each : question.values)
-        if (const Diagnostics problems = saveValues(each.scene, each.knobs, each.files); !problems.empty())
-            return toString(problems.front());
     return {};
 }
 

@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include <cstdint>
-#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -21,17 +21,13 @@ constexpr double kBetweenWrites = .3;  ///< seconds
 
 class RecoveryPanel final : public Panel {
   public:
-    /// A window that is closed has asked about its texts.
-    ~RecoveryPanel() override {
-        for (const auto& each : kept_) forgetText(folder_, each.first);
-    }
-
     void work(Ui& ui) override {
         offer(ui);
+        SafetyCopies& copies = ui.shared.copies;
         for (auto known = kept_.begin(); known != kept_.end();) {
             const auto source = ui.shared.sources.find(known->first);
             const bool isThere = source != ui.shared.sources.end() && source->second.isChanged();
-            if (!isThere) forgetText(folder_, known->first);
+            if (!isThere) copies.forget(known->first);
             known = isThere ? std::next(known) : kept_.erase(known);
         }
         isWaiting_ = false;
@@ -39,13 +35,14 @@ class RecoveryPanel final : public Panel {
         for (const auto& [path, source] : ui.shared.sources) {
             if (!source.isChanged()) continue;
             Kept& kept = kept_[path];
-            if (kept.isWritten && kept.text == source.text()) continue;
+            // Somebody may have removed the copy.
+            if (kept.text == source.text() && copies.isKept(path)) continue;
             if (now - kept.at < kBetweenWrites) {
                 isWaiting_ = true;
                 continue;
             }
-            kept = {source.text(), now, true};
-            keepText(folder_, path, kept.text);
+            kept = {source.text(), now};
+            copies.keep(path, kept.text);
         }
     }
     [[nodiscard]] bool isWorking() const override { return isWaiting_; }
@@ -57,14 +54,18 @@ class RecoveryPanel final : public Panel {
         auto& loaded = loaded_[&ui.session];
         if (std::exchange(loaded, ui.session.timesLoaded()) == ui.session.timesLoaded()) return;
         for (const SourceFile& each : sourceFiles(ui.session.live())) {
-            if (kept_.contains(each.path) || !asked_.insert(each.path).second) continue;
-            std::optional<RecoveredText> text = keptText(folder_, each.path);
-            if (!text) continue;
-            if (const EditedFile file(each.path); file.text() == text->text || !file.whyReadOnly().empty()) {
-                forgetText(folder_, each.path);
+            if (kept_.contains(each.path) || ui.shared.recovered.contains(each.path)) continue;
+            SafetyCopies::Others others = ui.shared.copies.othersOf(each.path);
+            if (others.isOpen && told_.insert(each.path).second)
+                ui.notice = "another window has text of " + each.path.filename().string() +
+                            " that is not saved; it is not in this window";
+            if (!others.left) continue;
+            if (const EditedFile file(each.path);
+                file.text() == others.left->text || !file.whyReadOnly().empty()) {
+                SafetyCopies::remove(*others.left);
                 continue;
             }
-            ui.shared.recovered.insert_or_assign(each.path, std::move(*text));
+            ui.shared.recovered.insert_or_assign(each.path, std::move(*others.left));
             showSource(ui, {each.path.string(), 1, 1});
         }
     }
@@ -72,12 +73,10 @@ class RecoveryPanel final : public Panel {
     struct Kept {
         std::string text;
         double at = -1;  ///< ImGui::GetTime() of the last writing
-        bool isWritten = false;
     };
-    std::filesystem::path folder_ = recoveryFolder();
     std::map<std::filesystem::path, Kept> kept_;
     std::map<const Session*, std::uint64_t> loaded_;
-    std::set<std::filesystem::path> asked_;
+    std::set<std::filesystem::path> told_;  ///< that other windows have text of these
     bool isWaiting_ = false;
 };
 

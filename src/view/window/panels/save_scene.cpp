@@ -62,6 +62,9 @@ fs::path ownFolder(const Ui& ui) {
         if (const fs::path folder = fs::path(each).parent_path();
             !isExample(each) && fs::is_directory(folder, failure))
             return folder;
+    if (const fs::path here = fs::current_path(failure);
+        !here.empty() && here != "/" && !isExample(here / "x"))
+        return here;
     const char* home = std::getenv("HOME");
     return home ? home : ".";
 }
@@ -69,7 +72,8 @@ fs::path ownFolder(const Ui& ui) {
 void saveScene(Ui& ui) {
     if (!ui.session.hasScene()) return;
     if (isExample(ui.session.path())) return saveSceneAs(ui);
-    const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs(), ui.session.chosenFiles());
+    const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs(), ui.session.chosenFiles(),
+                                            knownSource(ui, ui.session.path()));
     if (!problems.empty()) {
         ui.notice = problems.front();
         return;

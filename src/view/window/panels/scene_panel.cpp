@@ -95,6 +95,11 @@ constexpr auto kToolKeys = std::to_array<Shortcut>({
     {KeyGroup::scenes, kNoKey, false, "", "save the scene as another file, or save a copy of an example",
      [](Ui& ui, Panel&) { saveSceneAs(ui); }},
     {KeyGroup::scenes, kNoKey, false, "", "new, empty scene", [](Ui& ui, Panel&) { askEmptyScene(ui); }},
+    {KeyGroup::scenes, kNoKey, false, "", "new scene from a template", call<&Tools::openMenu>},
+    {KeyGroup::scenes, kNoKey, false, "", "compare with the solution of the exercise",
+     [](Ui& ui, Panel&) { compareWithSolution(ui); }},
+    {KeyGroup::scenes, kNoKey, false, "", "compare with another scene",
+     [](Ui& ui, Panel&) { askCompareWith(ui); }},
     {KeyGroup::window, GLFW_KEY_F10, false, "F10 or Alt", "the menu File", call<&Tools::openMenu>, true},
 });
 

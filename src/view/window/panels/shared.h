@@ -50,13 +50,15 @@ struct Answer {
 
 struct Shared {
     Settings settings;
-    float scale = 1;  ///< of texts and widgets
+    std::filesystem::path keptValues;  ///< the folder of ValueKeeper; empty: values are not kept
+    float scale = 1;                   ///< of texts and widgets
     bool showPanel = true, showLabels = false;
     std::optional<int>
         samples;  ///< per pixel on the screen, instead of the setting, as the command line says
     std::optional<double>
         shape;  ///< width / height of pictures, instead of the scene's, as the command line says
     std::map<std::filesystem::path, EditedFile> sources;       ///< the files that source panels have shown
+    SafetyCopies copies{stateFolder()};                        ///< of those that are not saved
     std::map<std::filesystem::path, RecoveredText> recovered;  ///< offered, until the user has decided
     std::vector<TabTitle> tabs;
     std::size_t shownTab = 0;

@@ -2,6 +2,7 @@
 // The state that the sliders of a tab share (value_slider.h): which one has the keyboard, and what is typed.
 // The other widgets that Tab reaches (tab_stops.h) are in the same list.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,10 +18,11 @@ struct SliderDrag {
 
 /// A widget that Tab reaches.
 struct TabStop {
-    unsigned id = 0;       ///< ImGui's number
-    unsigned window = 0;   ///< of the window that it belongs to, ImGui's number
-    bool isValue = false;  ///< a slider, which takes the keys itself
-    bool isEntry = false;  ///< a text field, which gets the keyboard at once
+    unsigned id = 0;          ///< ImGui's number
+    unsigned window = 0;      ///< of the window that it belongs to, ImGui's number
+    bool isValue = false;     ///< a slider, which takes the keys itself
+    bool isEntry = false;     ///< a text field, which gets the keyboard at once
+    bool isInValues = false;  ///< one of the values of the scene
 };
 
 struct Sliders {
@@ -35,10 +37,13 @@ struct Sliders {
     /// The space bar, for the stop that has the keyboard. ImGui does not see a key that goes up again within
     /// a frame.
     bool isSpacePressed = false;
-    bool wantsMenu = false;     ///< the menu of the focused value, by its key
-    std::string typing;         ///< the slider that is a text field now: "uniform/Dots/uKd/0"
-    bool typingBegins = false;  ///< the text field needs the keyboard focus
-    double typed = 0;
+    bool wantsMenu = false;        ///< the menu of the focused value, by its key
+    std::string typing;            ///< the slider that is a text field now: "uniform/Dots/uKd/0"
+    bool typingBegins = false;     ///< the text field needs the keyboard focus
+    std::array<char, 64> typed{};  ///< an expression
+    std::string typedBefore;       ///< as the field began
+    unsigned typedField = 0;       ///< another field of a number that is typed into (number_field.h); 0: none
+    double valueBefore = 0;        ///< of that field
     std::vector<double> valuesBeforeClick;
 };
 

@@ -7,7 +7,9 @@
 #include <array>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "base/text.h"
 #include "view/edit/example_folders.h"
 #include "view/edit/external_editor.h"
 #include "view/window/panels/icons.h"
@@ -39,11 +41,11 @@ void fileTabs(Ui& ui, SourceState& panel) {
         const EditedFile* known = knownSource(ui, each.path);
         const bool isChanged = known && known->isChanged();
         const bool isWrong = fileHasError(ui, each.path);
-        ImGuiTabItemFlags flags = isChanged ? ImGuiTabItemFlags_UnsavedDocument : 0;
+        ImGuiTabItemFlags flags = 0;
         if (panel.follow && each.path == panel.chosen) flags |= ImGuiTabItemFlags_SetSelected;
         if (isWrong) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
-        // ImGui leaves no room for the point of what is not saved.
-        const std::string label = each.label + (isChanged ? "    ###" : "###") + each.path.string();
+        // ImGui leaves no room for its own mark of what is not saved, and would shorten the name.
+        const std::string label = each.label + (isChanged ? " *###" : "###") + each.path.string();
         const bool isShown = ImGui::BeginTabItem(label.c_str(), nullptr, flags);
         if (isWrong) ImGui::PopStyleColor();
         mark(ui, "source/file/" + each.label);
@@ -79,11 +81,13 @@ void recovered(Ui& ui, EditedFile& file, CodeView& view) {
     ImGui::SameLine();
     const bool leaves = button(ui, "Discard it", "source/discard");
     if (takes) {
+        ui.shared.copies.keep(file.path(), found->second.text);
         replaceText(file, std::move(found->second.text));
         ++view.generation;
     }
-    if (leaves) forgetText(recoveryFolder(), file.path());
-    if (takes || leaves) ui.shared.recovered.erase(found);
+    if (!takes && !leaves) return;
+    SafetyCopies::remove(found->second);
+    ui.shared.recovered.erase(found);
 }
 
 void replaceText(EditedFile& file, std::string text) {
@@ -108,6 +112,26 @@ void saveSource(Ui& ui, const std::filesystem::path& chosen) {
         ui.notice = savedNotice(chosen);
         ui.requests.saved = chosen;
     }
+}
+
+void saveAllSources(Ui& ui) {
+    std::vector<std::filesystem::path> changed;
+    for (const auto& [path, file] : ui.shared.sources)
+        if (file.isChanged()) changed.push_back(path);
+    for (const std::filesystem::path& each : changed) {
+        saveSource(ui, each);
+        if (ui.notice.isError) return;
+    }
+    if (changed.size() > 1) ui.notice = base::counted(changed.size(), "file") + " saved";
+}
+
+void revertSource(EditedFile& file, CodeView& view) {
+    file.revert();
+    ++view.generation;
+}
+
+void openShown(Ui& ui, const EditedFile& file, const CodeView& view) {
+    ui.notice = openInEditor({file.path().string(), view.line, view.column});
 }
 
 const char* nameOfPlace(SourcePlace place) {
@@ -154,15 +178,12 @@ void sourceButtons(Ui& ui, const SourceState& panel, EditedFile& file, CodeView&
     if (button(ui, "Save", "source/save", "Save the file and update the picture (Ctrl+S)"))
         saveSource(ui, panel.chosen);
     continueRowForButton("Revert");
-    if (button(ui, "Revert", "source/revert")) {
-        file.revert();
-        ++view.generation;
-    }
+    if (button(ui, "Revert", "source/revert")) revertSource(file, view);
     ImGui::EndDisabled();
     continueRowForButton("Open in editor");
     if (button(ui, "Open in editor", "source/editor",
                "Open the file at this line in your own editor, which the variable EDITOR names"))
-        ui.notice = openInEditor({file.path().string(), view.line, view.column});
+        openShown(ui, file, view);
     continueRowForCheck("Live");
     checkBox(ui, "Live", "source/live", ui.settings.compilesWhileTyping,
              "Update the picture while you type. Files are still written only when you save them");

@@ -29,5 +29,11 @@ void replaceText(EditedFile& file, std::string text);
 std::string savedNotice(const std::filesystem::path& file);
 /// Saves the file that is shown.
 void saveSource(Ui& ui, const std::filesystem::path& chosen);
+/// Saves all files with text that is not saved, up to the first that cannot be.
+void saveAllSources(Ui& ui);
+/// Restores the text that was last read or saved.
+void revertSource(EditedFile& file, CodeView& view);
+/// Opens the file at the cursor's line in the user's own editor.
+void openShown(Ui& ui, const EditedFile& file, const CodeView& view);
 
 }  // namespace glibra::view

@@ -226,8 +226,7 @@ void sourcePanel(Ui& ui, SourceState& panel, Rectangle& free) {
     const char* name = place == SourcePlace::beside  ? "Source"
                        : place == SourcePlace::below ? "Source below"
                                                      : "Source over";
-    constexpr float kOpaque = .86F;  // over the picture
-    if (place == SourcePlace::over) ImGui::SetNextWindowBgAlpha(kOpaque);
+    if (place == SourcePlace::over) ImGui::SetNextWindowBgAlpha(kSourceOpacity);
     // Its border is dragged; a grip in the corner would be at the wrong end.
     constexpr std::array kGrips{ImGuiCol_ResizeGrip, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive};
     for (const ImGuiCol each : kGrips) ImGui::PushStyleColor(each, ImVec4(0, 0, 0, 0));
@@ -274,6 +273,13 @@ class SourcePanel final : public Panel {
     void save(Ui& ui) { ImGui::GetIO().KeyShift ? saveSceneAs(ui) : saveSource(ui, state_.chosen); }
     void completeWord(Ui& ui) { state_.assist.isAsked = state_.assist.isAsked || active(ui).file; }
     void comment(Ui& ui) { commentLines(ui, active(ui)); }
+    void indent(Ui& ui) { indentLines(state_.assist, active(ui), ImGui::GetIO().KeyShift); }
+    void revert(Ui& ui) {
+        if (const ShownText text = shown(ui); text.file) revertSource(*text.file, *text.view);
+    }
+    void openOutside(Ui& ui) {
+        if (const ShownText text = shown(ui); text.file) openShown(ui, *text.file, *text.view);
+    }
     void reference(Ui& ui) { showReference(ui, state_.assist, active(ui), chosen(ui)); }
     void find(Ui& ui) { search(ui, false); }
     void replace(Ui& ui) { search(ui, true); }
@@ -359,6 +365,9 @@ constexpr auto kSourceKeys = std::to_array<Shortcut>({
      "save the shown source file; save the scene as another file", call<&SourcePanel::save>, true},
     {KeyGroup::source, GLFW_KEY_SPACE, true, "Ctrl+Space", "words that may stand at the cursor",
      call<&SourcePanel::completeWord>, true},
+    {KeyGroup::source, GLFW_KEY_TAB, false, "Tab, Shift+Tab",
+     "more blanks before the selected lines; fewer blanks before the selected lines",
+     call<&SourcePanel::indent>, true},
     {KeyGroup::source, GLFW_KEY_SLASH, true, "Ctrl+/", "make the selected lines comments, or code again",
      call<&SourcePanel::comment>, true},
     {KeyGroup::source, GLFW_KEY_F1, false, "F1", "the reference: the word at the cursor",
@@ -369,6 +378,15 @@ constexpr auto kSourceKeys = std::to_array<Shortcut>({
      call<&SourcePanel::again>, true},
     {KeyGroup::source, GLFW_KEY_G, true, "Ctrl+G", "go to a line of the source", call<&SourcePanel::line>,
      true},
+    // Without keys: for the list of commands.
+    {KeyGroup::source, kNoKey, false, "", "save all files with text that is not saved",
+     [](Ui& ui, Panel&) { saveAllSources(ui); }},
+    {KeyGroup::source, kNoKey, false, "", "revert the shown file to the saved text",
+     call<&SourcePanel::revert>},
+    {KeyGroup::source, kNoKey, false, "", "open the shown file in your own editor",
+     call<&SourcePanel::openOutside>},
+    {KeyGroup::source, kNoKey, false, "", "live: update the picture while you type",
+     [](Ui& ui, Panel&) { ui.settings.compilesWhileTyping = !ui.settings.compilesWhileTyping; }},
     // While the text has the keyboard; otherwise window_keys.cpp undoes changes of values.
     {KeyGroup::source, GLFW_KEY_Z, true, "", "", call<&SourcePanel::undo>, true},
     {KeyGroup::source, GLFW_KEY_Y, true, "", "", call<&SourcePanel::redo>, true},

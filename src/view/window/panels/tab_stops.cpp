@@ -41,7 +41,7 @@ Stops::const_iterator firstStop(const Ui& ui, const Stops& stops) {
             return each.row->title && each.panel->isOpen && std::string_view(front->Name) == each.row->title;
         });
     const auto first = std::ranges::find_if(
-        stops, [&](const TabStop& each) { return isTool ? each.window == front->ID : each.isValue; });
+        stops, [&](const TabStop& each) { return isTool ? each.window == front->ID : each.isInValues; });
     return first == stops.end() ? stops.begin() : first;
 }
 

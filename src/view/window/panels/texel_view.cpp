@@ -8,6 +8,7 @@
 #include <span>
 #include <tuple>
 
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
@@ -31,7 +32,7 @@ void displaySettings(Ui& ui, TexelView& view, std::string_view name) {
     ImGui::SameLine();
     const auto bound = [&](const char* label, const char* widget, double& value) {
         wordBefore(label);
-        ImGui::InputDouble(fmt::format("##{}", widget).c_str(), &value, 0, 0, "%.5g");
+        numberEntry(fmt::format("##{}", widget).c_str(), value, "%.5g");
         mark(ui, named(name, widget));
         ImGui::SameLine();
     };
@@ -40,7 +41,7 @@ void displaySettings(Ui& ui, TexelView& view, std::string_view name) {
     if (button(ui, "Fit range", named(name, "fitRange"),
                "Black is the least value of the shown channels, white the largest"))
         view.wantsRange = true;
-    ImGui::SameLine();
+    besideIfRoom(ImGui::CalcTextSize("0..1").x + 2 * ImGui::GetStyle().FramePadding.x);
     if (button(ui, "0..1", named(name, "unitRange"))) view.display.low = 0, view.display.high = 1;
     ImGui::PopItemWidth();
     besideIfRoom(ImGui::GetFrameHeight() + ImGui::CalcTextSize("GLSL").x +

@@ -102,6 +102,9 @@ constexpr auto kTimeKeys = std::to_array<Shortcut>({
     {KeyGroup::time, GLFW_KEY_COMMA, false, ",", "previous frame", stepFrames<-1>},
     {KeyGroup::time, GLFW_KEY_B, false, "B", "pause, and go to the next step",
      [](Ui& ui, Panel&) { ui.session.nextStep(); }},
+    // Without a key: for the list of commands.
+    {KeyGroup::time, kNoKey, false, "", "restart at 0 seconds; what Once has made begins anew",
+     [](Ui& ui, Panel&) { ui.session.restart(); }},
 });
 
 }  // namespace

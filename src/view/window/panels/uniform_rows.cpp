@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "view/window/panels/color_field.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/label_overlay.h"
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/value_slider.h"
 #include "view/window/platform/theme.h"
 
@@ -113,7 +115,10 @@ bool slider(Ui& ui, const Part& part) {
         ui.sliders.typing = widgetName(ui, part);
         ui.sliders.typingBegins = true;
         // The first click of the two has moved the slider.
-        if (isSecondClick) ui.session.setValue(part.index(), ui.sliders.valuesBeforeClick);
+        if (isSecondClick) {
+            ui.session.setValue(part.index(), ui.sliders.valuesBeforeClick);
+            ui.history.takeBack(ui.session);
+        }
     } else if (use.isChanged) {
         setPart(ui, part, value);
     }
@@ -126,7 +131,9 @@ void number(Ui& ui, const Part& part) {
     const auto speed = static_cast<float>(
         knob.isInteger() ? .1 : std::max(.002, std::abs(knob.initial[part.component]) * .005));
     bool changed = false;
-    if (knob.isInteger()) {
+    if (const std::optional<bool> typed = typedInto(ui, "##number", value)) {
+        changed = *typed;
+    } else if (knob.isInteger()) {
         int integer = shownInteger(value);
         changed = ImGui::DragInt("##number", &integer, speed);
         value = integer;
@@ -287,6 +294,7 @@ void rowOf(Ui& ui, const Row& row) {
     }
     // The menu key, if a widget of the row has the keyboard.
     const auto begin = ui.sliders.drawn.begin() + static_cast<std::ptrdiff_t>(stopsBefore);
+    std::for_each(begin, ui.sliders.drawn.end(), [](TabStop& each) { each.isInValues = true; });
     if (ui.sliders.wantsMenu && std::any_of(begin, ui.sliders.drawn.end(), [&](const TabStop& each) {
             return each.id == ui.sliders.focused;
         }))

@@ -9,8 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 
+#include "view/scene/typed_number.h"
 #include "view/window/panels/tab_stops.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
@@ -170,18 +173,25 @@ SliderUse valueSlider(Ui& ui, const char* id, const SliderScale& scale, double& 
 
 bool sliderEntry(Ui& ui, const char* id, double& value) {
     if (std::exchange(ui.sliders.typingBegins, false)) {
-        ui.sliders.typed = value;
+        ui.sliders.typedBefore = fmt::format("{:.9g}", value);
+        setField(ui.sliders.typed, ui.sliders.typedBefore);
         giveKeyboardToNext();
     }
     // Keeps the keyboard for the slider that comes back.
     ui.sliders.drawn.push_back({ImGui::GetID(id), thisWindow(), true, false});
-    ImGui::InputDouble("##entry", &ui.sliders.typed, 0, 0, "%.9g",
-                       ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsScientific);
+    ImGui::InputText("##entry", ui.sliders.typed.data(), ui.sliders.typed.size(),
+                     ImGuiInputTextFlags_AutoSelectAll);
     // The value changes when the user has finished typing, not with each digit.
     if (!ImGui::IsItemDeactivated()) return false;
-    value = ui.sliders.typed;
     ui.sliders.typing.clear();
-    return true;
+    const std::string_view text = ui.sliders.typed.data();
+    if (text == ui.sliders.typedBefore) return false;
+    const std::optional<double> number = typedNumber(text);
+    if (number)
+        value = *number;
+    else
+        ui.notice = {fmt::format("'{}' is no number; numbers are like .5, 1/3 or 2*sqrt(3)", text), true};
+    return number.has_value();
 }
 
 bool labelledSlider(Ui& ui, const char* label, std::string_view name, const SliderScale& scale, double& value,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "view/window/panels/color_field.h"
 #include "view/window/panels/debug_view_panel.h"
 #include "view/window/panels/icons.h"
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -52,8 +54,10 @@ bool dragNumbers(Ui& ui, const char* label, double* values, int count, float spe
         if (i > 0) ImGui::SameLine(0, space);
         ImGui::PushID(i);
         ImGui::SetNextItemWidth(std::max(20.F, width));
-        if (ImGui::DragScalar("##number", ImGuiDataType_Double, values + i, speed, nullptr, nullptr,
-                              "%.4g")) {
+        if (const std::optional<bool> typed = typedInto(ui, "##number", values[i])) {
+            changed = changed || *typed;
+        } else if (ImGui::DragScalar("##number", ImGuiDataType_Double, values + i, speed, nullptr, nullptr,
+                                     "%.4g")) {
             changed = true;
             if (ImGui::IsMouseDown(ImGuiMouseButton_Left))
                 values[i] = withoutLeftover(values[i], static_cast<double>(speed));
@@ -247,6 +251,29 @@ constexpr auto kViewKeys = std::to_array<Shortcut>({
      [](Ui& ui, Panel&) { ui.session.setAxes(!ui.session.axes()); }},
     {KeyGroup::view, GLFW_KEY_W, false, "W", "show wireframe",
      [](Ui& ui, Panel&) { ui.session.setWireframe(!ui.session.wireframe()); }},
+    // Without keys: for the list of commands.
+    {KeyGroup::view, kNoKey, false, "", "reset the transform that the mouse changes",
+     [](Ui& ui, Panel&) { ui.session.setTransform(ui.mode, kIdentity); }},
+    {KeyGroup::view, kNoKey, false, "", "picture fills the window, or keeps the shape of the scene",
+     [](Ui& ui, Panel&) {
+         const bool isFilled = ui.settings.pictureShape == PictureShape::fill;
+         ui.settings.pictureShape = isFilled ? PictureShape::scene : PictureShape::fill;
+     }},
+    {KeyGroup::view, kNoKey, false, "", "smooth edges, on or off",
+     [](Ui& ui, Panel&) {
+         constexpr int kSmooth = 4;
+         ui.settings.samples = ui.shared.samples.value_or(ui.settings.samples) > 1 ? 1 : kSmooth;
+         ui.shared.samples.reset();
+     }},
+    {KeyGroup::view, kNoKey, false, "", "background of another colour, or that of the scene",
+     [](Ui& ui, Panel&) {
+         ViewState view = ui.session.view();
+         if (view.background)
+             view.background.reset();
+         else
+             view.background = {0, 0, 0, 1};
+         ui.session.setView(std::move(view));
+     }},
 });
 
 }  // namespace

@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostRecent = 12;
 constexpr std::size_t kMostFolds = 500;
 constexpr std::size_t kMostTabs = 50;
-constexpr std::size_t kMostValues = 2000;
 
 }  // namespace
 
@@ -108,7 +107,7 @@ Settings readSettings(const fs::path& file) {
         for (const auto& each : *found)
             if (each.is_object() && each.contains("scene") && each["scene"].is_string() &&
                 settings.tabs.size() < kMostTabs)
-                settings.tabs.push_back({each["scene"].get<std::string>(), texts(each, "set", kMostValues)});
+                settings.tabs.push_back(each["scene"].get<std::string>());
     settings.shownTab = static_cast<int>(number("shownTab", kMostTabs));
     settings.recent = texts(json, "recent", kMostRecent);
     return settings;
@@ -117,8 +116,7 @@ Settings readSettings(const fs::path& file) {
 void writeSettings(const Settings& settings, const fs::path& file) {
     if (file.empty()) return;
     nlohmann::ordered_json tabs = nlohmann::ordered_json::array();
-    for (const Settings::Tab& each : settings.tabs)
-        tabs.push_back({{"scene", each.scene}, {"set", each.set}});
+    for (const std::string& each : settings.tabs) tabs.push_back({{"scene", each}});
     const bool isFilled = settings.pictureShape == PictureShape::fill;
     const nlohmann::ordered_json json{{"windowWidth", settings.windowWidth},
                                       {"windowHeight", settings.windowHeight},

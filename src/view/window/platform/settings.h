@@ -48,15 +48,9 @@ struct Settings {
     int samples = 4;             ///< per pixel on the screen
     PictureShape pictureShape = PictureShape::scene;
     std::map<std::string, bool, std::less<>> folds;  ///< sections that are not as at first: true if open
-    /// An open tab: its scene, and its changed values as arguments of --set.
-    struct Tab {
-        std::string scene;
-        std::vector<std::string> set;
-        friend bool operator==(const Tab&, const Tab&) = default;
-    };
-    std::vector<Tab> tabs;
-    int shownTab = 0;                 ///< index into `tabs`
-    std::vector<std::string> recent;  ///< scene files, most recently opened first
+    std::vector<std::string> tabs;                   ///< the scenes of the open tabs
+    int shownTab = 0;                                ///< index into `tabs`
+    std::vector<std::string> recent;                 ///< scene files, most recently opened first
 
     void addRecent(const std::filesystem::path& scene);
     /// Multiplies the sizes of windows and panels.

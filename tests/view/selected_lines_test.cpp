@@ -1,4 +1,4 @@
-#include "view/edit/comment_lines.h"
+#include "view/edit/selected_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -43,6 +43,36 @@ TEST(CommentLines, IsItsOwnInverse) {
     const view::EditedText once = view::toggledComments(text, {0, text.size()}, "//");
     EXPECT_NE(once.text, text);
     EXPECT_EQ(view::toggledComments(once.text, once.selection, "//").text, text);
+}
+
+std::string indented(std::string text, bool back) {
+    const std::size_t begin = text.find('[');
+    text.erase(begin, 1);
+    const std::size_t end = text.find(']');
+    text.erase(end, 1);
+    view::EditedText result = view::indentedLines(text, {begin, end}, back);
+    result.text.insert(result.selection.end, "]");
+    result.text.insert(result.selection.begin, "[");
+    return result.text;
+}
+
+TEST(IndentedLines, MoveByFourBlanksAndKeepEveryLetter) {
+    EXPECT_EQ(indented("[one\ntwo\n]three\n", false), "[    one\n    two\n]three\n");
+    EXPECT_EQ(indented("a [part] of a line\n", false), "    a [part] of a line\n");
+    EXPECT_EQ(indented("[one\n\n  two]", false), "[    one\n\n      two]") << "blank lines stay";
+}
+
+TEST(IndentedLines, MoveBackAsFarAsThereAreBlanks) {
+    EXPECT_EQ(indented("[    one\n  two\n\tthree\nfour]", true), "[one\ntwo\nthree\nfour]");
+    EXPECT_EQ(indented("        o[]ne", true), "    o[]ne");
+    EXPECT_EQ(indented("on[]e", true), "on[]e");
+    EXPECT_EQ(indented("  []", true), "[]");
+}
+
+TEST(IndentedLines, WithoutASelectionBlanksLeadToTheNextColumn) {
+    EXPECT_EQ(indented("[]one", false), "    []one");
+    EXPECT_EQ(indented("x\nab[]c", false), "x\nab  []c");
+    EXPECT_EQ(indented("[]", false), "    []");
 }
 
 }  // namespace

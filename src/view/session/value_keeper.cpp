@@ -1,0 +1,101 @@
+#include "view/session/value_keeper.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "base/whole_file.h"
+#include "image/file.h"
+#include "suite/golden/hash.h"
+
+namespace glibra::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kBetweenWrites = .5;  ///< seconds
+constexpr std::size_t kMostScenes = 1000;
+constexpr std::uint64_t kLargestKept = 8ULL << 20;
+
+fs::path fileOf(const fs::path& folder, const fs::path& scene) {
+    std::error_code failure;
+    const std::string path = fs::absolute(scene, failure).lexically_normal().string();
+    return folder / (suite::toText(suite::hashOf(std::as_bytes(std::span(path)))) + ".json");
+}
+
+/// Removes what was not written for longest if there are too many files.
+void tidy(const fs::path& folder) {
+    std::vector<std::pair<fs::file_time_type, fs::path>> files;
+    std::error_code failure;
+    for (fs::directory_iterator each(folder, failure), end; !failure && each != end; each.increment(failure))
+        files.emplace_back(each->last_write_time(failure), each->path());
+    if (files.size() <= kMostScenes) return;
+    std::ranges::sort(files);
+    for (std::size_t i = 0; i < files.size() - kMostScenes; ++i) fs::remove(files[i].second, failure);
+}
+
+}  // namespace
+
+bool ValueKeeper::isSeen(const Session& session) const {
+    if (seen_.size() != session.knobs().size() || scene_ != session.path()) return false;
+    for (std::size_t i = 0; i < seen_.size(); ++i)
+        if (seen_[i] != session.restingValue(i)) return false;
+    return true;
+}
+
+void ValueKeeper::see(const Session& session) {
+    scene_ = session.path();
+    seen_.clear();
+    for (std::size_t i = 0; i < session.knobs().size(); ++i) seen_.push_back(session.restingValue(i));
+}
+
+bool ValueKeeper::restore(Session& session) {
+    changedAt_ = -1;
+    bool isRestored = false;
+    if (!folder_.empty() && session.hasScene()) {
+        const fs::path file = fileOf(folder_, session.path());
+        if (const auto bytes = image::readFile(file, {file.string(), {}}, kLargestKept))
+            isRestored = session.setKeptValues(KeptValues::ofText(base::asText(*bytes)));
+    }
+    see(session);
+    return isRestored;
+}
+
+double ValueKeeper::keep(const Session& session, double now) {
+    if (!session.hasScene()) return -1;
+    if (!isSeen(session)) {
+        see(session);
+        if (changedAt_ < 0) changedAt_ = now;
+    }
+    if (changedAt_ < 0) return -1;
+    const double left = changedAt_ + kBetweenWrites - now;
+    if (left > 0) return left;
+    keepNow(session);
+    return -1;
+}
+
+void ValueKeeper::keepNow(const Session& session) {
+    if (folder_.empty() || !session.hasScene() || (changedAt_ < 0 && isSeen(session))) return;
+    see(session);
+    changedAt_ = -1;
+    const fs::path file = fileOf(folder_, session.path());
+    const std::string text = session.keptValues().text();
+    std::error_code failure;
+    if (text.empty()) {
+        fs::remove(file, failure);
+        return;
+    }
+    fs::create_directories(folder_, failure);
+    if (!fs::exists(file, failure)) tidy(folder_);
+    image::writeFileAtomically(file, std::as_bytes(std::span(text)));
+}
+
+void ValueKeeper::forget(const Session& session) {
+    changedAt_ = -1;
+    std::error_code failure;
+    if (!folder_.empty() && session.hasScene()) fs::remove(fileOf(folder_, session.path()), failure);
+}
+
+}  // namespace glibra::view
