@@ -8,6 +8,7 @@
 #include <sched.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -55,7 +56,6 @@ constexpr long kAllowed[] = {
     SYS_ioctl,
     SYS_pipe2,
     SYS_ftruncate,
-    SYS_fallocate,
     SYS_fsync,
     SYS_fdatasync,
     SYS_fadvise64,
@@ -65,7 +65,6 @@ constexpr long kAllowed[] = {
     SYS_renameat,
     SYS_renameat2,
     SYS_umask,
-    SYS_memfd_create,
     SYS_sendfile,
     SYS_copy_file_range,
     // waiting
@@ -216,6 +215,8 @@ std::string filterCalls() {
     constexpr std::uint32_t kRefused = SCMP_ACT_ERRNO(EPERM);
     // A terminal takes typed text by these two.
     refusals.add(kRefused, SYS_ioctl, 1, kWhole, {TIOCSTI, TIOCLINUX});
+    // No limit of memory counts what processes can share (nor what a file in memory has, SYS_memfd_create).
+    refusals.add(kRefused, SYS_mmap, 3, MAP_SHARED | MAP_ANONYMOUS, {MAP_SHARED | MAP_ANONYMOUS});
     // An owner of a descriptor gets signals.
     refusals.add(kRefused, SYS_fcntl, 1, kWhole, {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_NOTIFY});
     // Before its version 3, Landlock lets a file be emptied that is opened for reading.

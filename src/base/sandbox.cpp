@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #endif
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -83,10 +84,19 @@ void addSystem(Sandbox& sandbox) {
                              "/dev/urandom",
                              "/dev/random"})
         sandbox.readable.emplace_back(each);
-    for (const char* each : {"/dev/null", "/dev/zero"}) sandbox.devices.emplace_back(each);
+    // Not /dev/zero: mapped, it is memory that no limit counts.
+    sandbox.devices.emplace_back("/dev/null");
 }
 
 #ifdef __linux__
+/// Limits the size of each file that is written, for good. Returns false if that fails.
+bool limitFiles() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_FSIZE, &limit) != 0) return false;
+    limit.rlim_max = limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, kLargestWritten);
+    return ::setrlimit(RLIMIT_FSIZE, &limit) == 0;
+}
+
 /// Gives up the rights of the superuser but those to files of others, which a check of modes would refuse:
 /// with the right to raise limits (CAP_SYS_RESOURCE), no limit of memory would hold. Returns false if that
 /// fails.
@@ -128,6 +138,7 @@ std::string enterSandbox(const Sandbox& sandbox, std::span<const int> kept) {
         if (!(each == 1 && sandbox.standardOutput) && ::dup2(null, each) < 0) return failed("/dev/null");
     ::close(null);
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("no_new_privs");
+    if (!limitFiles()) return failed("setrlimit");
     if (!giveUpRights()) return failed("capset");
     Sandbox whole = sandbox;
     addSystem(whole);

@@ -18,9 +18,11 @@
 #include <cstdio>
 #include <cstring>
 #include <deque>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -103,12 +105,22 @@ void send(int file, MessageKind kind, const std::string& text) {
     ::_exit(0);
 }
 
+/// Bytes that a process has written, by calls or through mapped files; 0 if the system does not tell.
+std::uint64_t writtenBy(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/io");
+    std::uint64_t written = 0, value = 0;
+    for (std::string key; file >> key >> value;)
+        if (key == "wchar:" || key == "write_bytes:") written = std::max(written, value);
+    return written;
+}
+
 struct Worker {
     pid_t process = -1;
-    int requests = -1;         ///< we write
-    int answers = -1;          ///< we read
-    std::uint64_t memory = 0;  ///< that it may take
-    std::string received;      ///< of its answers, not yet a whole message
+    int requests = -1;          ///< we write
+    int answers = -1;           ///< we read
+    std::uint64_t memory = 0;   ///< that it may take
+    std::uint64_t written = 0;  ///< bytes, before its piece; of a confined one
+    std::string received;       ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece;
     bool isAlone = false;  ///< no other worker has had a piece since this one began its own
     Clock::time_point deadline = Clock::time_point::max();
@@ -248,6 +260,7 @@ class Pool {
         for (Worker& other : workers_)
             if (other.piece) other.isAlone = false;
         worker.piece = piece;
+        if (options_.sandbox) worker.written = writtenBy(worker.process);
         const std::uint64_t index = piece;
         writeAll(worker.requests, std::as_bytes(std::span(&index, 1)));
         beginStep(worker);
@@ -344,7 +357,7 @@ class Pool {
             milliseconds = static_cast<int>(std::clamp<std::int64_t>(left, 0, 1'000'000));
         }
         constexpr int kBetweenQuestions = 200;
-        if (options_.stop && (milliseconds < 0 || milliseconds > kBetweenQuestions))
+        if ((options_.stop || options_.sandbox) && (milliseconds < 0 || milliseconds > kBetweenQuestions))
             milliseconds = kBetweenQuestions;
         if (::poll(files.data(), files.size(), milliseconds) < 0) return;
         for (std::size_t i = 0; i < files.size(); ++i) {
@@ -353,6 +366,8 @@ class Pool {
                 receive(worker);
             else if (Clock::now() >= worker.deadline)
                 end(worker, {.end = Outcome::End::timedOut});
+            else if (options_.sandbox && writtenBy(worker.process) > worker.written + kMostWritten)
+                endAsCrashed(worker);
         }
     }
 

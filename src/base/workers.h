@@ -53,7 +53,8 @@ struct WorkerOptions {
     bool repeats = true;
     /// Called before a piece is done again, with the outcome that does not count.
     std::function<void(std::size_t index, const Outcome&)> repeated{};
-    /// If given, every worker enters this sandbox before its first piece; one that cannot ends by itself.
+    /// If given, every worker enters this sandbox before its first piece; one that cannot ends by itself. One
+    /// that writes more than kMostWritten for a piece is ended.
     const Sandbox* sandbox = nullptr;
 };
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <type_traits>
 #include <vector>
@@ -92,22 +93,30 @@ bool isArchive(const fs::path& file) {
 std::string unpackArchive(const fs::path& archive, const fs::path& into, UnpackLimits& limits) {
     const std::uint64_t allowed = limits.bytes;
     const std::size_t allowedEntries = limits.entries;
+    std::set<fs::path> folders{{}};
+    // False: there are more files and folders than may be made.
+    const auto count = [&](fs::path path) {
+        std::size_t made = 1;
+        while (folders.insert(path = path.parent_path()).second) ++made;
+        if (made > limits.entries) return false;
+        limits.entries -= made;
+        return true;
+    };
     const Archive file(unzOpen64(archive.c_str()));
     if (!file) return fmt::format("'{}' is no zip file", archive.filename().string());
     int status = unzGoToFirstFile(file.get());
     if (status == UNZ_END_OF_LIST_OF_FILE) return {};
     for (; status == UNZ_OK; status = unzGoToNextFile(file.get())) {
-        if (limits.entries == 0)
-            return fmt::format("the zip file has more than {} files and folders", allowedEntries);
-        --limits.entries;
         unz_file_info64 info{};
         std::array<char, kLongestPath + 1> name{};
         if (unzGetCurrentFileInfo64(file.get(), &info, name.data(), kLongestPath, nullptr, 0, nullptr, 0) !=
             UNZ_OK)
             return "the zip file is damaged";
-        if (info.size_filename >= kLongestPath || isLink(info)) continue;
-        const std::string text(name.data(), info.size_filename);
-        const std::optional<fs::path> path = pathOf(text);
+        const std::string text(name.data(), std::min<std::size_t>(info.size_filename, kLongestPath));
+        const std::optional<fs::path> path =
+            info.size_filename >= kLongestPath || isLink(info) ? std::nullopt : pathOf(text);
+        if (!count(path.value_or(fs::path())))
+            return fmt::format("the zip file has more than {} files and folders", allowedEntries);
         if (!path) continue;
         if (text.back() == '/' || text.back() == '\\') continue;
         if ((info.flag & kEncrypted) != 0) return "the zip file is encrypted";

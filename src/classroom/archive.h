@@ -11,7 +11,7 @@ namespace glibra::classroom {
 /// What one submission may unpack. A zip file may promise, and hold, terabytes.
 struct UnpackLimits {
     std::uint64_t bytes = std::uint64_t{256} << 20U;
-    std::size_t entries = 20'000;  ///< files and folders
+    std::size_t entries = 20'000;  ///< files, and folders that are made for them
 };
 
 /// True for a file name that ends with ".zip".

@@ -91,6 +91,9 @@ std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sour
     html += "<div class=\"grading\">" + marksHtml(room, entry, "pictures/") + "</div>";
     if (const std::string reactions = reactionsHtml(room, entry); !reactions.empty())
         html += "<p class=\"near\">Reacts: " + reactions + "</p>";
+    if (const std::vector<std::string> alike = lookalikesOf(room, entry); !alike.empty())
+        html += fmt::format("<p class=\"reason\">It reads a picture that looks like the reference's: {}</p>",
+                            escapeXml(base::printableText(fmt::format("{}", fmt::join(alike, ", ")))));
     if (const std::optional<Nearest> nearest = nearestOf(room, index))
         html += fmt::format("<p class=\"near\">{} of its shader code is like that of {}</p>",
                             percentText(nearest->share), link(room, nearest->entry));
@@ -108,25 +111,27 @@ bool isInside(const Entry& entry, const TokenPlace& place, std::size_t tokens) {
 }
 
 /// For each file of one side the lines with tokens of passages, and the numbers of these.
-using MarkedLines = std::map<std::uint32_t, std::map<int, std::size_t>>;
+using MarkedLines = std::map<std::string, std::map<int, std::size_t>>;
 
 void markLines(const Entry& entry, const TokenPlace& place, std::size_t tokens, std::size_t number,
                MarkedLines& marked) {
     // Tokens are in normal form, so their lines may go back and forth.
-    for (std::size_t i = 0; i < tokens; ++i)
-        marked[place.file].try_emplace(entry.files[place.file].tokens[place.token + i].line, number);
+    const SourceFile& file = entry.files[place.file];
+    for (std::size_t i = 0; i < tokens; ++i) {
+        const SourceToken& token = file.tokens[place.token + i];
+        marked[file.pathOf(token)].try_emplace(token.line, number);
+    }
 }
 
 /// The files of one side that have passages, with these marked.
 std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines& sources) {
     std::string html = "<div>";
-    for (const auto& [index, lines] : marked) {
-        const SourceFile& file = entry.files[index];
-        const std::string path = fs::path(file.path).lexically_relative(entry.submission.folder).string();
+    for (const auto& [file, lines] : marked) {
+        const std::string path = fs::path(file).lexically_relative(entry.submission.folder).string();
         html += fmt::format("<h4>{}, {}</h4>", nameHtml(entry.submission.name),
-                            escapeXml(path.empty() ? file.path : path));
+                            escapeXml(path.empty() ? file : path));
         const int last = std::max(kMostLines, lines.rbegin()->first);
-        const auto text = sources.lines(entry.submission, file.path, 1, std::min(last, 3 * kMostLines));
+        const auto text = sources.lines(entry.submission, file, 1, std::min(last, 3 * kMostLines));
         if (!text) {
             html += "<p>the file cannot be read</p>";
             continue;
@@ -180,6 +185,24 @@ std::string similarHtml(const Classroom& room) {
     return html;
 }
 
+std::string openText(std::size_t count) {
+    return count == 0 ? std::string() : fmt::format("{}", count);
+}
+
+/// "12 fields are not yet marked by hand", or nothing.
+std::string openHtml(const Classroom& room) {
+    std::size_t fields = 0, submissions = 0;
+    for (const Entry& each : room.entries) {
+        fields += openCount(each);
+        submissions += openCount(each) > 0 ? 1 : 0;
+    }
+    return fmt::format("<p class=\"unmarked\" data-all=\"{}\">{}</p>", room.entries.size(),
+                       fields == 0
+                           ? std::string()
+                           : fmt::format("Not yet marked by hand: {} of {}.", base::counted(fields, "field"),
+                                         base::counted(submissions, "submission")));
+}
+
 std::string overviewHtml(const Classroom& room) {
     const bool scored = hasReference(room), marked = mostPoints(room) > 0, varied = !room.sliders.empty();
     const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
@@ -189,7 +212,9 @@ std::string overviewHtml(const Classroom& room) {
         const std::optional<Scores> scores = scoresOf(entry);
         const std::optional<Nearest> nearest = nearestOf(room, i);
         rows += "<tr><th>" + link(room, i) + "</th>" + cell(stateHtml(entry));
-        if (marked) rows += fmt::format("<td class=\"points\">{:g}</td>", pointsOf(entry).value_or(0));
+        if (marked)
+            rows += fmt::format("<td class=\"points\">{:g}</td><td class=\"open\">{}</td>",
+                                pointsOf(entry).value_or(0), openText(openCount(entry)));
         if (scored) rows += cell(scores ? figureText(scores->likeness) : "");
         if (varied) rows += cell(reactionsHtml(room, entry));
         if (scored)
@@ -203,7 +228,7 @@ std::string overviewHtml(const Classroom& room) {
                 "</tr>\n";
     }
     return std::string("<table class=\"overview\"><thead><tr><th>submission</th><th>state</th>") +
-           (marked ? "<th>points</th>" : "") + (scored ? "<th>likeness</th>" : "") +
+           (marked ? "<th>points</th><th>to mark</th>" : "") + (scored ? "<th>likeness</th>" : "") +
            (varied ? "<th>reacts</th>" : "") + (scored ? "<th>FLIP</th><th>structure</th>" : "") +
            "<th>errors</th><th>warnings</th><th>most similar</th></tr></thead><tbody>\n" + rows +
            "</tbody></table>";
@@ -241,7 +266,8 @@ std::string leftOutHtml(const Classroom& room) {
         return items.empty() ? items : fmt::format("<p>{}</p><ul>{}</ul>", title, items);
     };
     return list("These files are no scenes, zip files or folders.", room.leftOut) +
-           list("These students of the roster handed in nothing that was found.", room.absent);
+           list("These students of the roster handed in nothing that was found.", room.absent) +
+           list("These points and comments of marks.json belong to no submission or check.", room.unplaced);
 }
 
 std::string detailsHtml(const Classroom& room) {
@@ -295,7 +321,7 @@ std::string classPage(const Classroom& room, bool serves) {
         {"reference",
          hasReference(room) ? section("reference", "Reference", referenceHtml(room, sources)) : ""},
         {"referenceLink", hasReference(room) ? "<a href=\"#reference\">Reference</a> " : ""},
-        {"overview", overviewHtml(room)},
+        {"overview", (mostPoints(room) > 0 ? openHtml(room) : "") + overviewHtml(room)},
         {"failed", failed},
         {"drawn", drawn},
         {"similar", similarHtml(room)},

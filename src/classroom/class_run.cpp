@@ -309,8 +309,14 @@ class ClassRun {
         }
         const Entry& entry = entryOf(index);
         task.scene = entry.submission.scene;
+        if (index > 0) {
+            const bool isFile = entry.submission.folder == plan_.folder;
+            task.handedIn = isFile ? entry.submission.scene : entry.submission.folder;
+        }
         task.options = suite_.shots[index * moments()].options;
         task.has = plan_.moments.front().has;
+        for (std::size_t moment = 1; moment < moments(); ++moment)
+            task.others.push_back(suite_.shots[index * moments() + moment].options);
         for (std::size_t moment = 0; moment < entry.pictures.size(); ++moment)
             task.pictures.emplace_back(
                 index > 0 && hasReference(end_.classroom) ? entryOf(0).pictures[moment].file : std::string(),
@@ -364,6 +370,8 @@ class ClassRun {
         entry.files = std::move(found->files);
         entry.ranges = std::move(found->ranges);
         entry.calls = std::move(found->calls);
+        entry.readPictures = std::move(found->readPictures);
+        entry.digest = std::move(found->digest);
         entry.notCompared = std::move(found->notCompared);
         if (entry.submission.scene.empty())
             entry.notCompared.emplace_back("everything, because there is no scene");

@@ -28,6 +28,11 @@ double mostPoints(const Classroom& classroom) {
     return most;
 }
 
+std::size_t openCount(const Entry& entry) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(entry.marks, [](const Mark& each) { return each.isOpen && !each.isBonus; }));
+}
+
 std::size_t drawnCount(const Entry& entry) {
     return static_cast<std::size_t>(std::ranges::count(entry.pictures, Verdict::passed, &Picture::verdict));
 }
@@ -76,22 +81,22 @@ std::optional<Scores> scoresOf(const Entry& entry) {
     return scores;
 }
 
-Reaction reactionOf(const Classroom& classroom, const Entry& entry, std::size_t slider) {
-    constexpr double kVisible = 5e-4;
+Reacts reactsOf(const Classroom& classroom, const Entry& entry, std::size_t slider) {
     const auto measured = [&](const Entry& one) {
         return slider < one.reactions.size() ? one.reactions[slider] : std::nullopt;
     };
-    const std::optional<double> own = measured(entry);
-    if (!own) return Reaction::unknown;
-    if (!hasReference(classroom)) return *own >= kVisible ? Reaction::full : Reaction::none;
-    const std::optional<double> expected = measured(classroom.reference);
-    if (!expected || *expected < kVisible) return Reaction::unknown;
-    return *own >= *expected / 4 ? Reaction::full : *own >= *expected / 20 ? Reaction::weak : Reaction::none;
+    const std::optional<Change> own = measured(entry);
+    if (!own) return Reacts::unknown;
+    if (!hasReference(classroom)) return own->mean >= kLeastReaction ? Reacts::yes : Reacts::no;
+    const std::optional<Change> expected = measured(classroom.reference);
+    if (!expected || expected->mean < kLeastReaction) return Reacts::unknown;
+    if (own->strength >= expected->strength / 4 && !own->isOtherwise) return Reacts::yes;
+    return own->strength >= expected->strength / 20 ? Reacts::weakly : Reacts::no;
 }
 
-const char* name(Reaction reaction) {
+const char* name(Reacts reacts) {
     constexpr const char* kNames[] = {"", "no", "weakly", "yes"};
-    return kNames[static_cast<std::size_t>(reaction)];
+    return kNames[static_cast<std::size_t>(reacts)];
 }
 
 std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) {
@@ -102,6 +107,16 @@ std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) 
         if (!nearest || one.share > nearest->share) nearest = one;
     }
     return nearest;
+}
+
+std::vector<std::string> lookalikesOf(const Classroom& classroom, const Entry& entry) {
+    const std::vector<ReadPicture>& expected = classroom.reference.readPictures;
+    std::vector<std::string> names;
+    for (const ReadPicture& each : entry.readPictures)
+        if (each.isLikeReference &&
+            std::ranges::find(expected, each.digest, &ReadPicture::digest) == expected.end())
+            names.push_back(each.name);
+    return names;
 }
 
 std::string summary(const Classroom& classroom) {

@@ -21,10 +21,20 @@ using suite::Moment;
 
 /// How a picture differs from the reference's at the same moment; 0 is no difference.
 struct Score {
-    double flip = 0;         ///< mean FLIP, 0..1 (image/compare/flip.h)
-    double structure = 0;    ///< 0..1 (image/compare/structure.h)
-    double likeness = 0;     ///< 0, nothing in common, to 1 (likeness.h): colours, model and camera are free
+    double flip = 0;       ///< mean FLIP, 0..1 (image/compare/flip.h)
+    double structure = 0;  ///< 0..1 (image/compare/structure.h)
+    /// 0, nothing in common, to 1 (likeness.h): colours, model and camera are free. Where the reference's
+    /// pictures differ from one another in a small part, it depends on how alike that is (effect.h).
+    double likeness = 0;
+    std::optional<double> effect{};  ///< how alike that part changes; nothing: the picture counts as a whole
+    double kept = 1;                 ///< the part of the likeness of the whole picture that this leaves
     std::string unsolved{};  ///< why it is not the reference's picture (suite::whyUnsolved); empty: it is
+};
+
+/// How the pictures of one entry change with a value.
+struct Change {
+    double mean = 0, strength = 0;  ///< classroom::Reaction (likeness.h)
+    bool isOtherwise = false;       ///< in another way than the reference's (effect.h)
 };
 
 /// Moments that differ in nothing but one value.
@@ -53,6 +63,7 @@ struct Mark {
     std::string reason;                      ///< one phrase
     std::optional<std::size_t> moment = {};  ///< whose picture shows it
     bool isOwn = false;                      ///< the teacher's own points
+    bool isOpen = false;                     ///< by hand, and not yet typed
 };
 
 /// A shader program as the scene composes it.
@@ -60,6 +71,7 @@ struct UsedProgram {
     std::string name;
     std::vector<std::string> stages;        ///< "vertex", "fragment"
     std::vector<DeclaredUniform> uniforms;  ///< that its shaders declare, sorted
+    std::vector<std::string> idle{};        ///< those of the stages that no picture is drawn with
 };
 
 /// A uniform or variable of a scene that has a range.
@@ -68,25 +80,33 @@ struct RangedUniform {
     double least = 0, largest = 0;
 };
 
+/// A file with a picture that a scene reads, of its own folder.
+struct ReadPicture {
+    std::string name, digest;
+    bool isLikeReference = false;  ///< it looks like a picture that the reference draws
+};
+
 /// Everything about one submission, or about the reference.
 struct Entry {
     Submission submission;
     std::vector<Picture> pictures;  ///< one per moment; empty without a scene
     Diagnostics diagnostics;        ///< each once
     std::vector<UsedProgram> programs;
-    std::vector<SourceFile> files;  ///< shaders of its own folder
+    std::vector<SourceFile> files;  ///< what runs of the shaders of its own folder
     /// What was left out of the search for similar code, and why: one phrase each.
     std::vector<std::string> notCompared;
     std::string reproduce;  ///< the command that draws its first picture
-    /// For each slider of the class the mean reaction of its own pictures; nothing if they were not drawn.
-    std::vector<std::optional<double>> reactions{};
+    /// For each slider of the class how its own pictures change; nothing if they were not drawn.
+    std::vector<std::optional<Change>> reactions{};
     std::vector<RangedUniform> ranges{};
-    std::vector<std::string> calls{};  ///< names of the functions that its shaders call, sorted
+    std::vector<std::string> calls{};  ///< names of the functions that its pictures call, sorted
     bool drawsNothing = false;         ///< no picture shows anything, though the reference does
     std::vector<Mark> marks{};         ///< one per check of the rubric; empty without one
     double lateFactor = 1;             ///< what the late rule leaves of the points
     std::string lateReason{};
     std::string comment{};  ///< the teacher's own
+    std::string digest{};   ///< of the files that were handed in; empty if they were not read
+    std::vector<ReadPicture> readPictures{};
 };
 
 struct Classroom {
@@ -97,6 +117,7 @@ struct Classroom {
     std::vector<Slider> sliders{};                       ///< that the moments vary
     std::vector<std::string> leftOut;                    ///< files that are no submissions
     std::vector<std::string> absent;                     ///< students of the roster who handed nothing in
+    std::vector<std::string> unplaced{};                 ///< typed points that belong to nobody here
     std::vector<std::vector<Fingerprint>> fingerprints;  ///< of each entry, without given code
     std::size_t common = 0;              ///< what more submissions than this have does not count as similar
     std::size_t commonFingerprints = 0;  ///< how many were left out for that
@@ -110,6 +131,8 @@ struct Classroom {
 bool hasReference(const Classroom& classroom);
 /// The points of a submission, after the late rule; nothing without a rubric.
 std::optional<double> pointsOf(const Entry& entry);
+/// The number of checks without bonus that nobody has marked by hand yet.
+std::size_t openCount(const Entry& entry);
 /// The most points without bonus; 0 without a rubric.
 double mostPoints(const Classroom& classroom);
 /// The number of moments that were drawn.
@@ -131,12 +154,15 @@ struct Scores {
 };
 std::optional<Scores> scoresOf(const Entry& entry);
 
-/// How a submission reacts to a slider, beside the reference's reaction.
-enum class Reaction { unknown, none, weak, full };
-/// full: at least a quarter of the reference's; weak: at least a twentieth; unknown: one of the two was not
-/// measured, or the reference itself does not react. Without a reference every visible change is full.
-Reaction reactionOf(const Classroom& classroom, const Entry& entry, std::size_t slider);
-const char* name(Reaction reaction);
+/// Whether a submission reacts to a slider, beside the reference's reaction.
+enum class Reacts { unknown, no, weakly, yes };
+/// yes: its strength is at least a quarter of the reference's, and it does not change otherwise; weakly: at
+/// least a twentieth; unknown: one of the two was not measured, or the reference itself does not react.
+/// Without a reference every visible change is a yes.
+Reacts reactsOf(const Classroom& classroom, const Entry& entry, std::size_t slider);
+const char* name(Reacts reacts);
+/// A mean that nobody sees.
+inline constexpr double kLeastReaction = 5e-4;
 
 /// The other entry of the listed pairs that has the largest share of this one's code, and that share (0..1).
 struct Nearest {
@@ -144,6 +170,9 @@ struct Nearest {
     double share = 0;
 };
 std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry);
+
+/// The pictures that a submission reads, the reference does not, and that look like one of the reference's.
+std::vector<std::string> lookalikesOf(const Classroom& classroom, const Entry& entry);
 
 /// "200 submissions: 30 drawn, 8 failed ..."
 std::string summary(const Classroom& classroom);

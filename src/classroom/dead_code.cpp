@@ -2,9 +2,14 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "classroom/constant_value.h"
 #include "classroom/normal_form.h"
+#include "glsl/read/token.h"
 
 namespace glibra::classroom {
 namespace {
@@ -20,13 +25,17 @@ bool isAssignment(std::string_view text) {
 /// The bodies of functions, statement by statement. Tokens are marked and removed at the end of a round.
 class DeadCode {
   public:
-    DeadCode(std::vector<CodeToken> tokens, const std::set<std::string_view>& own)
+    DeadCode(std::vector<CodeToken> tokens, const OwnFunctions& own)
         : tokens_(std::move(tokens)), own_(own) {}
 
     std::vector<CodeToken> run() {
         for (int round = 0; round < kMostRounds; ++round) {
             dead_.assign(tokens_.size(), false);
+            known_ = knownValues(tokens_);
+            matchBrackets();
+            outer_.clear();
             findBodies();
+            killUnreadGlobals();
             if (std::ranges::find(dead_, true) == dead_.end()) break;
             std::size_t kept = 0;
             for (std::size_t i = 0; i < tokens_.size(); ++i)
@@ -50,21 +59,29 @@ class DeadCode {
                   dead_.begin() + static_cast<std::ptrdiff_t>(end), true);
     }
 
-    /// The token after the bracket that closes the one at `open`.
-    [[nodiscard]] std::size_t afterBracket(std::size_t open) const {
-        int depth = 0;
-        for (std::size_t i = open; i < tokens_.size(); ++i) {
-            const std::string_view each = tokens_[i].text;
-            if (each == "(" || each == "{" || each == "[") ++depth;
-            if (each == ")" || each == "}" || each == "]") --depth;
-            if (depth == 0) return i + 1;
+    /// Finds for each bracket the token after the one that closes it.
+    void matchBrackets() {
+        after_.assign(tokens_.size(), tokens_.size());
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (glsl::opensBracket(tokens_[i].text)) {
+                open.push_back(i);
+            } else if (glsl::closesBracket(tokens_[i].text) && !open.empty()) {
+                after_[open.back()] = i + 1;
+                open.pop_back();
+            }
         }
-        return tokens_.size();
+    }
+
+    /// The token after the bracket that closes the one at `open`; the one after it if it is no bracket.
+    [[nodiscard]] std::size_t afterBracket(std::size_t open) const {
+        if (open >= tokens_.size()) return tokens_.size();
+        return glsl::opensBracket(tokens_[open].text) ? after_[open] : open + 1;
     }
 
     void findBodies() {
         for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-            if (tokens_[i].isDirective || tokens_[i].text != ")" || text(i + 1) != "{") continue;
+            if (tokens_[i].text != ")" || text(i + 1) != "{") continue;
             const std::size_t end = afterBracket(i + 1);
             cleanBody(i + 2, end > 0 ? end - 1 : end);
             i = end - 1;
@@ -76,7 +93,7 @@ class DeadCode {
         int depth = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const std::string_view each = tokens_[i].text;
-            if (tokens_[i].isDirective || each == "{" || each == "}") return std::nullopt;
+            if (each == "{" || each == "}") return std::nullopt;
             if (each == "(" || each == "[") ++depth;
             if (each == ")" || each == "]") --depth;
             if (depth == 0 && each == ";") return Statement{begin, i + 1};
@@ -85,15 +102,17 @@ class DeadCode {
     }
 
     void cleanBody(std::size_t begin, std::size_t end) {
+        chooseSides(begin, end);
         std::map<std::string_view, std::size_t> occurrences;  // as a name, not as a member
         for (std::size_t i = begin; i < end; ++i)
-            if (tokens_[i].isWord && (i == 0 || tokens_[i - 1].text != ".")) ++occurrences[tokens_[i].text];
+            if (isVariable(i)) ++occurrences[tokens_[i].text];
         std::map<std::string_view, std::vector<Statement>> writes;
         std::set<std::string_view> locals;
         bool isStart = true;
         for (std::size_t i = begin; i < end;) {
             const std::string_view each = text(i);
             if (each == "{" || each == "}") {
+                if (each == "{" && isStart && !isControlled(i, begin)) unwrap(i, end);
                 isStart = true;
                 ++i;
                 continue;
@@ -104,11 +123,9 @@ class DeadCode {
                 continue;
             }
             if (each == "if" || each == "while" || each == "for" || each == "switch") {
-                const std::size_t after = afterBracket(i + 1);
-                if (isFalse(i + 2, after - 1) && each != "for" && text(after) == "{") {
-                    const std::size_t close = std::min(afterBracket(after), end);
-                    if (text(close) != "else") kill(i, close);
-                    i = close;
+                const std::size_t after = std::min(afterBracket(i + 1), end);
+                if (const std::size_t next = decided(i, after, begin, end); next > i) {
+                    i = next;
                     continue;
                 }
                 // The one statement of "if (a) b;" has to stay, or the next one would take its place.
@@ -132,15 +149,14 @@ class DeadCode {
                 ++i;
                 continue;
             }
-            if (each == "return" || each == "discard") {
+            if (each == "return" || each == "discard" || each == "break" || each == "continue") {
                 std::size_t close = found->end;  // what follows, up to the end of the block
                 int depth = 0;
                 bool simple = true;
                 for (; close < end; ++close) {
                     depth += text(close) == "{" ? 1 : text(close) == "}" ? -1 : 0;
                     if (depth < 0) break;
-                    simple = simple && text(close) != "case" && text(close) != "default" &&
-                             !tokens_[close].isDirective;
+                    simple = simple && text(close) != "case" && text(close) != "default";
                 }
                 if (simple) kill(found->end, close);
                 i = close;
@@ -150,6 +166,34 @@ class DeadCode {
             i = found->end;
         }
         killUnread(occurrences, locals, writes);
+        for (auto& [name, statements] : writes)
+            if (!locals.contains(name))
+                outer_[name].insert(outer_[name].end(), statements.begin(), statements.end());
+    }
+
+    /// Assignments to variables outside of functions that nothing reads. Outputs are not declared here
+    /// (comparedCode).
+    void killUnreadGlobals() {
+        if (outer_.empty()) return;
+        std::map<std::string_view, std::size_t> occurrences;
+        for (std::size_t i = 0; i < tokens_.size(); ++i)
+            if (isVariable(i)) ++occurrences[tokens_[i].text];
+        for (const CodeItem& item : itemsOf(tokens_))
+            for (const std::string_view name : item.names) {
+                const auto own = outer_.find(name);
+                if (item.parameters.data() != nullptr || own == outer_.end()) continue;
+                std::size_t inside = 1;  // the declaration
+                for (const Statement& each : own->second)
+                    for (std::size_t i = each.begin; i < each.end; ++i)
+                        if (isVariable(i) && tokens_[i].text == name) ++inside;
+                if (occurrences[name] != inside) continue;
+                for (const Statement& each : own->second) kill(each.begin, each.end);
+            }
+    }
+
+    /// True for a word that is no member.
+    [[nodiscard]] bool isVariable(std::size_t i) const {
+        return tokens_[i].isWord && (i == 0 || tokens_[i - 1].text != ".");
     }
 
     /// What a statement declares and assigns; one without effect is dead.
@@ -162,11 +206,9 @@ class DeadCode {
             if (isAssignment(tokens_[i].text)) {
                 if (count++ == 0) assigned = i;
             }
-            calls = calls || (tokens_[i].isWord && text(i + 1) == "(" &&
-                              (own_.contains(tokens_[i].text) || tokens_[i].text.starts_with("image") ||
-                               tokens_[i].text.starts_with("atomic") || tokens_[i].text.starts_with("emit") ||
-                               tokens_[i].text.starts_with("Emit") || tokens_[i].text.starts_with("End") ||
-                               tokens_[i].text.ends_with("arrier")));
+            if (!tokens_[i].isWord || text(i + 1) != "(") continue;
+            const auto own = own_.find(tokens_[i].text);
+            calls = calls || (own == own_.end() ? hasEffect(tokens_[i].text) : own->second);
         }
         if (end - begin == 1) return kill(begin, end);
         if (calls || count > 1) return;
@@ -191,7 +233,7 @@ class DeadCode {
             const bool isExpression =
                 !(tokens_[begin].isWord && begin + 1 < end && tokens_[begin + 1].isWord) &&
                 text(begin) != "break" && text(begin) != "continue" &&
-                !(tokens_[begin].isWord && text(begin + 1) == "(");  // of any file
+                !(tokens_[begin].isWord && text(begin + 1) == "(" && !own_.contains(text(begin)));
             if (isExpression) kill(begin, end);
             return;
         }
@@ -217,27 +259,133 @@ class DeadCode {
             std::size_t inside = 0;  // also "a = a + 1.": only what is dead reads it
             for (const Statement& each : own)
                 for (std::size_t i = each.begin; i < each.end; ++i)
-                    if (tokens_[i].isWord && tokens_[i].text == name &&
-                        (i == 0 || tokens_[i - 1].text != "."))
-                        ++inside;
+                    if (isVariable(i) && tokens_[i].text == name) ++inside;
             const auto all = occurrences.find(name);
             if (all == occurrences.end() || all->second != inside) continue;
             for (const Statement& each : own) kill(each.begin, each.end);
         }
     }
 
-    [[nodiscard]] bool isFalse(std::size_t begin, std::size_t end) const {
-        return end == begin + 1 && (text(begin) == "false" || text(begin) == "0");
+    [[nodiscard]] std::optional<double> valueOf(std::size_t begin, std::size_t end,
+                                                const KnownValues& known) const {
+        return constantValue(std::span(tokens_).subspan(begin, end - begin), known);
+    }
+
+    /// Removes the side of each "a ? b : c" that a constant condition never takes.
+    void chooseSides(std::size_t begin, std::size_t end) {
+        const auto change = [&](std::size_t i) {
+            return text(i) == "(" || text(i) == "[" ? 1 : text(i) == ")" || text(i) == "]" ? -1 : 0;
+        };
+        static const std::set<std::string_view> kEnds{",", ";", "?", ":", "{", "}", "return"};
+        for (std::size_t question = begin + 1; question < end; ++question) {
+            if (text(question) != "?") continue;
+            std::size_t from = question;
+            for (int depth = 0; from > begin; --from) {
+                depth -= change(from - 1);
+                if (depth < 0 ||
+                    (depth == 0 && (kEnds.contains(text(from - 1)) || isAssignment(text(from - 1)))))
+                    break;
+            }
+            const std::optional<double> value = valueOf(from, question, known_);
+            if (!value) continue;
+            std::size_t colon = end, at = question + 1;
+            for (int depth = 0, nested = 0; at < end; ++at) {
+                depth += change(at);
+                if (depth < 0) break;
+                if (depth > 0) continue;
+                nested += text(at) == "?" ? 1 : 0;
+                if (text(at) == ":" && nested-- == 0 && colon == end)
+                    colon = at;
+                else if (text(at) == "," || text(at) == ";" || text(at) == "}")
+                    break;
+            }
+            if (colon == end) continue;
+            kill(from, *value != 0 ? question + 1 : colon + 1);
+            if (*value != 0) kill(colon, at);
+            return;  // the others in the next rounds
+        }
+    }
+
+    /// True if a condition, "else" or "do" before it decides whether a statement runs.
+    [[nodiscard]] bool isControlled(std::size_t at, std::size_t begin) const {
+        return at > begin && text(at - 1) != ";" && text(at - 1) != "{" && text(at - 1) != "}";
+    }
+
+    /// Removes the braces of a block.
+    void unwrap(std::size_t open, std::size_t end) {
+        const std::size_t close = afterBracket(open);
+        if (close > end) return;
+        kill(open, open + 1);
+        kill(close - 1, close);
+    }
+
+    /// The token after a statement of any kind.
+    [[nodiscard]] std::size_t afterStatement(std::size_t at, std::size_t end, int nested = 0) const {
+        constexpr int kDeepestStatement = 200;
+        if (at >= end || nested > kDeepestStatement) return end;
+        const std::string_view each = text(at);
+        if (each == "{") return std::min(afterBracket(at), end);
+        if (each == "if" || each == "while" || each == "for" || each == "switch") {
+            const std::size_t after = afterStatement(std::min(afterBracket(at + 1), end), end, nested + 1);
+            return each == "if" && text(after) == "else" ? afterStatement(after + 1, end, nested + 1) : after;
+        }
+        if (each == "do") at = afterStatement(at + 1, end, nested + 1);
+        int depth = 0;
+        for (; at < end; ++at) {
+            depth += text(at) == "(" || text(at) == "[" || text(at) == "{"   ? 1
+                     : text(at) == ")" || text(at) == "]" || text(at) == "}" ? -1
+                                                                             : 0;
+            if (depth < 0) return at;
+            if (depth == 0 && text(at) == ";") return at + 1;
+        }
+        return end;
+    }
+
+    /// Removes what a constant condition keeps from running, and the condition itself. Returns the token to
+    /// go on with; `at` if the condition at `at`, up to `after`, decides nothing.
+    std::size_t decided(std::size_t at, std::size_t after, std::size_t begin, std::size_t end) {
+        const std::string_view word = text(at);
+        std::size_t from = at + 2, to = after > 0 ? after - 1 : after;
+        KnownValues known = known_;
+        if (word == "for") {
+            const std::size_t first = from;
+            while (from < to && text(from) != ";") ++from;
+            // for (int i = 0; i < 0; ++i)
+            if (from > first + 3 && text(first + 2) == "=")
+                if (const auto value = valueOf(first + 3, from, known_)) known[text(first + 1)] = *value;
+            std::size_t second = ++from;
+            while (second < to && text(second) != ";") ++second;
+            to = second;
+        }
+        if (word == "switch" || from >= to || to > end) return at;
+        const std::optional<double> value = valueOf(from, to, known);
+        if (!value || (*value != 0 && word != "if")) return at;
+        const std::size_t then = afterStatement(after, end);
+        const bool hasElse = word == "if" && text(then) == "else";
+        const std::size_t last = hasElse ? afterStatement(then + 1, end) : then;
+        if (*value != 0) {
+            kill(at, after);
+            if (hasElse) kill(then, last);
+            return after;
+        }
+        const bool isElse = at > begin && text(at - 1) == "else";
+        // Without it, the statement after it would be what "if (a)" before it controls.
+        if (!hasElse && !isElse && isControlled(at, begin)) return at;
+        kill(hasElse || !isElse ? at : at - 1, hasElse ? then + 1 : then);
+        return hasElse ? then + 1 : then;
     }
 
     std::vector<CodeToken> tokens_;
-    const std::set<std::string_view>& own_;
+    const OwnFunctions& own_;
     std::vector<bool> dead_;
+    std::vector<std::size_t> after_;  ///< of brackets
+    KnownValues known_;
+    std::map<std::string_view, std::vector<Statement>> outer_;  ///< of variables that no function declares
 };
 
 }  // namespace
 
-std::vector<CodeToken> withoutDeadCode(std::vector<CodeToken> tokens, const std::set<std::string_view>& own) {
+std::vector<CodeToken> withoutDeadCode(std::vector<CodeToken> tokens, const OwnFunctions& own) {
     return DeadCode(std::move(tokens), own).run();
 }
 

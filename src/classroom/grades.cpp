@@ -61,12 +61,13 @@ std::string gradesCsv(const Classroom& classroom) {
     if (pointed) {
         for (const char* each : {"points", "most points"}) head.text(each);
         for (const Mark& each : classroom.entries.front().marks) head.text("points " + each.check);
-        for (const char* each : {"late", "comment"}) head.text(each);
+        for (const char* each : {"not marked", "late", "comment"}) head.text(each);
     }
     if (several)
         for (const Moment& each : classroom.moments) {
             head.text("flip " + each.label);
             head.text("structure " + each.label);
+            head.text("likeness " + each.label);
         }
     // Excel takes a table without this mark for one in the machine's own code page.
     const bool isAscii = std::ranges::all_of(classroom.entries, [](const Entry& each) {
@@ -114,7 +115,7 @@ std::string gradesCsv(const Classroom& classroom) {
         line.score(nearest ? std::optional(nearest->share) : std::nullopt);
         line.text(fmt::format("{}", fmt::join(entry.notCompared, "; ")));
         for (std::size_t slider = 0; slider < classroom.sliders.size(); ++slider)
-            line.text(name(reactionOf(classroom, entry, slider)));
+            line.text(name(reactsOf(classroom, entry, slider)));
         if (numbered) {
             const std::vector<Member> members = membersOf(entry.submission);
             line.text(joined(members, &Member::number));
@@ -123,7 +124,9 @@ std::string gradesCsv(const Classroom& classroom) {
         if (pointed) {
             line.score(pointsOf(entry));
             line.score(mostPoints(classroom));
-            for (const Mark& each : entry.marks) line.score(each.points);
+            for (const Mark& each : entry.marks)
+                line.score(each.isOpen ? std::nullopt : std::optional(each.points));
+            line.count(openCount(entry));
             line.text(entry.lateReason);
             line.text(entry.comment);
         }
@@ -133,6 +136,7 @@ std::string gradesCsv(const Classroom& classroom) {
                     moment < entry.pictures.size() ? entry.pictures[moment].score : std::nullopt;
                 line.score(score ? std::optional(score->flip) : std::nullopt);
                 line.score(score ? std::optional(score->structure) : std::nullopt);
+                line.score(score ? std::optional(score->likeness) : std::nullopt);
             }
         table += line.end();
     }

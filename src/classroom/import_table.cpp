@@ -27,7 +27,8 @@ class Record {
 };
 
 std::string gradeOf(const Classroom& room, const std::optional<std::size_t>& entry) {
-    if (!entry) return {};
+    // Who has not been marked yet has no grade: an import would make the points that are missing 0.
+    if (!entry || openCount(room.entries[*entry]) > 0) return {};
     const std::optional<double> points = pointsOf(room.entries[*entry]);
     return points ? fmt::format("{:.2f}", *points) : std::string();
 }
@@ -215,8 +216,10 @@ std::string feedbackOf(const Classroom& room, std::size_t index) {
     const Entry& entry = room.entries[index];
     std::string text;
     for (const Mark& each : entry.marks)
-        text += fmt::format("{}{}: {:g} of {:g}{}{}", text.empty() ? "" : "; ", each.check, each.points,
-                            each.most, each.reason.empty() ? "" : ", ", each.reason);
+        text += (text.empty() ? "" : "; ") +
+                (each.isOpen ? fmt::format("{}: {}", each.check, each.reason)
+                             : fmt::format("{}: {:g} of {:g}{}{}", each.check, each.points, each.most,
+                                           each.reason.empty() ? "" : ", ", each.reason));
     if (entry.marks.empty()) {
         text = stateOf(entry);
         if (const std::string reason = reasonOf(entry); !reason.empty()) text += ": " + reason;

@@ -27,8 +27,8 @@ struct ImportOptions {
 ///   Gradescope  First Name, Last Name, SID, Email, Total Score, Max Points, Comments
 /// There is one line for each student, so a group has several.
 /// If the roster is the platform's own table, with these columns among others, it is that table with the
-/// grades (and comments) filled in. A submission without points has an empty grade, so that an import leaves
-/// the grade as it is.
+/// grades (and comments) filled in. A submission without points, or with a check that is not yet marked by
+/// hand, has an empty grade, so that an import leaves the grade as it is.
 std::string importTable(const Classroom& classroom, const ImportOptions& options);
 
 /// The column of Canvas's own table that `wanted` means: "P2 (991)" by that text, "P2" or "991"; nothing if

@@ -302,17 +302,27 @@ double likeness(const image::Image& expected, const image::Image& got) {
     return std::clamp(std::max(alignedLikeness(a, b), 0.95 * best), 0.0, 1.0);
 }
 
-double reaction(const image::Image& one, const image::Image& other) {
-    const double mean = image::flip(one, other, {.threads = 1}).mean;
-    if (one.width != other.width || one.height != other.height) return mean;
+Reaction reaction(const image::Image& one, const image::Image& other) {
+    constexpr float kChange = .01F;
+    constexpr double kLeastPart = .002;
+    const image::FlipResult flip = image::flip(one, other, {.threads = 1});
+    if (one.width != other.width || one.height != other.height) return {flip.mean, flip.mean};
     const Colors colorsA = colorsOf(one), colorsB = colorsOf(other);
     const std::optional<Objects> objectsA = findObjects(colorsA), objectsB = findObjects(colorsB);
-    if (!objectsA || !objectsB || colorDistance(objectsA->background, objectsB->background) > 2.5F / 255)
-        return mean;
-    std::size_t shown = 0;
-    for (std::size_t i = 0; i < colorsA.at.size(); ++i)
-        shown += objectsA->isObject[i] != 0 || objectsB->isObject[i] != 0 ? 1 : 0;
-    return std::min(1.0, mean * static_cast<double>(colorsA.at.size()) / static_cast<double>(shown));
+    const auto all = static_cast<double>(colorsA.at.size());
+    double shown = all;
+    if (objectsA && objectsB && colorDistance(objectsA->background, objectsB->background) <= 2.5F / 255) {
+        shown = 0;
+        for (std::size_t i = 0; i < colorsA.at.size(); ++i)
+            shown += objectsA->isObject[i] != 0 || objectsB->isObject[i] != 0 ? 1 : 0;
+    }
+    double changed = 0, sum = 0;
+    for (const float each : flip.errors)
+        if (each > kChange) {
+            ++changed;
+            sum += each;
+        }
+    return {std::min(1.0, flip.mean * all / shown), sum / std::max({1.0, changed, kLeastPart * shown})};
 }
 
 }  // namespace glibra::classroom

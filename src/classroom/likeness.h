@@ -24,8 +24,15 @@ bool showsNothing(const image::Image& picture);
 /// the longer side of the objects, is not recognised.
 double likeness(const image::Image& expected, const image::Image& got);
 
-/// How much two pictures of one scene differ: the mean FLIP of the pixels that show objects in either of
-/// them, so that it is the same from near and from far; of all pixels if the backgrounds differ. 0 to 1.
-double reaction(const image::Image& one, const image::Image& other);
+/// How much two pictures of one scene differ, 0 to 1.
+struct Reaction {
+    /// The mean FLIP of the pixels that show objects in either of them, so that it is the same from near and
+    /// from far; of all pixels if the backgrounds differ.
+    double mean = 0;
+    /// The mean FLIP of those of these pixels that change: the same for a small and a large part of a
+    /// picture. A change of less than 0.2 % of the pixels counts as one of so many.
+    double strength = 0;
+};
+Reaction reaction(const image::Image& one, const image::Image& other);
 
 }  // namespace glibra::classroom

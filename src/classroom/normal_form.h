@@ -4,25 +4,53 @@
 // program: products of matrices are sorted, too.
 
 #include <cstdint>
-#include <set>
+#include <map>
+#include <span>
 #include <string_view>
 #include <vector>
 
 namespace glibra::classroom {
 
-/// A token of a file, without blanks and comments.
+/// A line of one of several files.
+struct CodeLine {
+    std::int32_t number = 1;
+    std::uint32_t file = 0;
+};
+
+/// A token of code, without blanks and comments.
 struct CodeToken {
     std::string_view text;
     std::uint32_t code = 0;  ///< what it is compared by
-    std::int32_t line = 1;
+    CodeLine line;
     bool isWord = false, isNumber = false;
-    bool isDirective = false;  ///< it is on a line of the preprocessor, which is left as it is
 };
 
-/// Removes from the functions of a text what has no effect: statements after return or discard, blocks whose
-/// condition is false, expressions that assign nothing, assignments of a variable to itself, and variables
-/// that are never read with all that is assigned to them. A call of one of `own` functions has an effect.
-std::vector<CodeToken> withoutDeadCode(std::vector<CodeToken> tokens, const std::set<std::string_view>& own);
+/// Something that stands outside of all functions and structures.
+struct CodeItem {
+    std::size_t begin = 0, end = 0;           ///< of its tokens
+    std::vector<std::string_view> names{};    ///< that it declares
+    bool isFunction = false;                  ///< with a body
+    std::span<const CodeToken> parameters{};  ///< of a function, also without a body
+};
+std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens);
+
+/// The functions that a text defines or declares, and the structures, whose constructors are called likewise;
+/// true: a call may have an effect besides its value.
+using OwnFunctions = std::map<std::string_view, bool>;
+OwnFunctions ownFunctions(std::span<const CodeToken> tokens);
+
+/// Leaves out global declarations of uniforms, inputs and outputs, and sets what the others are compared by.
+std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const OwnFunctions& own);
+inline constexpr std::uint32_t kNumberCode = 2;
+
+/// True for the built-in functions whose call has an effect besides its value.
+bool hasEffect(std::string_view builtIn);
+
+/// Removes from the functions of a text what has no effect: statements after return, discard, break or
+/// continue, what a constant condition keeps from running, expressions that assign nothing, assignments of a
+/// variable to itself, and variables that are never read with all that is assigned to them; also the words of
+/// conditions that always hold, and the braces of blocks that nothing controls.
+std::vector<CodeToken> withoutDeadCode(std::vector<CodeToken> tokens, const OwnFunctions& own);
 
 /// Sorts the operands of sums and products, computes with numbers, drops what adds 0 or multiplies by 1 and
 /// parentheses around one operand, and writes "a += b" as "a = a + b". All numbers are compared by `number`.

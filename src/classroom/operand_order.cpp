@@ -21,7 +21,7 @@ bool separates(const CodeToken& token) {
         ";",   "{", "}", ",",  "=",  "+=", "-=", "*=", "/=",     "%=",   "&=",   "|=", "^=",   "<<=",
         ">>=", "?", ":", "<",  ">",  "<=", ">=", "==", "!=",     "&&",   "||",   "^^", "!",    "&",
         "|",   "^", "~", "<<", ">>", "%",  "++", "--", "return", "else", "case", "do", "const"};
-    return token.isDirective || kSigns.contains(token.text);
+    return kSigns.contains(token.text);
 }
 
 /// True if `a` comes before `b`: by what the tokens are compared by.
@@ -94,15 +94,15 @@ class Sorter {
         return std::max(i, begin + 1);
     }
 
-    [[nodiscard]] CodeToken sign(std::string_view text, std::int32_t line) const {
+    [[nodiscard]] CodeToken sign(std::string_view text, CodeLine line) const {
         std::uint32_t code = 2166136261U;  // as comparableTokens codes it
         for (const char each : text) code = (code ^ static_cast<unsigned char>(each)) * 16777619U;
-        return {text, code, line, false, false, false};
+        return {text, code, line};
     }
 
     /// "a += b" as "a = a + b". Returns the token after b.
     std::size_t writeOut(std::span<const CodeToken> tokens, std::size_t at, const Code& target, Code& made) {
-        const std::int32_t line = tokens[at].line;
+        const CodeLine line = tokens[at].line;
         const std::size_t end = endOfExpression(tokens, at + 1);
         Code whole = target;
         whole.push_back(sign(tokens[at].text.substr(0, 1), line));
@@ -152,7 +152,7 @@ class Sorter {
         std::vector<Operand> terms;
         double constant = 0;
         bool hasConstant = false;
-        std::int32_t line = tokens.front().line;
+        CodeLine line = tokens.front().line;
         for (const auto& [part, isInverse] : split(tokens, "+", "-")) {
             Code term = product(part);
             if (const std::optional<double> value = numberOf(term)) {
@@ -172,7 +172,7 @@ class Sorter {
         std::vector<Operand> factors;
         double constant = 1;
         bool hasConstant = false;
-        std::int32_t line = tokens.front().line;
+        CodeLine line = tokens.front().line;
         for (const auto& [part, isInverse] : split(tokens, "*", "/")) {
             Code factor = atom(part);
             if (const std::optional<double> value = numberOf(factor); value && (!isInverse || *value != 0)) {
@@ -220,19 +220,19 @@ class Sorter {
         return made;
     }
 
-    [[nodiscard]] CodeToken number(double value, std::int32_t line) const {
+    [[nodiscard]] CodeToken number(double value, CodeLine line) const {
         // Only its own value counts again: whether it is 0 or 1.
-        return {value == 0 ? "0" : value == 1 ? "1" : "2", number_, line, false, true, false};
+        return {value == 0 ? "0" : value == 1 ? "1" : "2", number_, line, false, true};
     }
 
     Code joined(std::vector<Operand> operands, std::string_view plain, std::string_view inverse,
-                std::int32_t line) const {
+                CodeLine line) const {
         std::ranges::stable_sort(operands, [](const Operand& a, const Operand& b) {
             return a.isInverse != b.isInverse ? b.isInverse : isBefore(a.code, b.code);
         });
         Code made;
         for (const Operand& each : operands) {
-            const std::int32_t at = each.code.empty() ? line : each.code.front().line;
+            const CodeLine at = each.code.empty() ? line : each.code.front().line;
             if (each.isInverse && made.empty() && inverse == "/") made.push_back(number(1, at));
             if (!made.empty() || each.isInverse) made.push_back(sign(each.isInverse ? inverse : plain, at));
             append(made, each.code);

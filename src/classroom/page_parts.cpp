@@ -127,7 +127,8 @@ std::string picturesHtml(const PictureSource& source, const Classroom& room, con
         const std::string label = escapeXml(room.moments[i].label);
         const std::string caption =
             picture.score
-                ? fmt::format("likeness {}, FLIP {}, structure {}", figureText(picture.score->likeness),
+                ? fmt::format("likeness {}{}, FLIP {}, structure {}", figureText(picture.score->likeness),
+                              picture.score->effect ? ", effect " + figureText(*picture.score->effect) : "",
                               figureText(picture.score->flip), figureText(picture.score->structure))
             : picture.isIncomplete   ? std::string("incomplete: the scene has errors")
             : picture.reason.empty() ? std::string()
@@ -202,11 +203,13 @@ std::string marksHtml(const Classroom& room, const Entry& entry, std::string_vie
                                       ? "picture"
                                       : escapeXml(room.moments[*each.moment].label));
         rows += fmt::format(
-            "<tr{}><th>{}{}</th><td class=\"points\" data-check=\"{}\" data-most=\"{:g}\">{:g}</td><td>of "
+            "<tr{}><th>{}{}</th><td class=\"points\" data-check=\"{}\" data-most=\"{:g}\">{}</td><td>of "
             "{:g}</td><td>{}</td></tr>",
-            each.isOwn ? " class=\"own\"" : "", escapeXml(each.check),
-            each.isBonus ? " <small>bonus</small>" : "", escapeXml(each.check), each.most, each.points,
-            each.most, reason);
+            each.isOwn                     ? " class=\"own\""
+            : each.isOpen && !each.isBonus ? " class=\"open\""
+                                           : "",
+            escapeXml(each.check), each.isBonus ? " <small>bonus</small>" : "", escapeXml(each.check),
+            each.most, each.isOpen ? std::string() : fmt::format("{:g}", each.points), each.most, reason);
     }
     std::string html;
     if (!rows.empty())
@@ -221,14 +224,14 @@ std::string marksHtml(const Classroom& room, const Entry& entry, std::string_vie
 std::string reactionsHtml(const Classroom& room, const Entry& entry) {
     std::string html;
     for (std::size_t i = 0; i < room.sliders.size(); ++i) {
-        const Reaction reaction = reactionOf(room, entry, i);
-        if (reaction == Reaction::unknown) continue;
-        const double expected =
-            i < room.reference.reactions.size() ? room.reference.reactions[i].value_or(-1) : -1;
+        const Reacts reacts = reactsOf(room, entry, i);
+        if (reacts == Reacts::unknown) continue;
+        const std::optional<Change> expected =
+            i < room.reference.reactions.size() ? room.reference.reactions[i] : std::nullopt;
         html += fmt::format("{}<span title=\"{}{}\">{} {}</span>", html.empty() ? "" : ", ",
-                            figureText(entry.reactions[i].value_or(0)),
-                            expected >= 0 ? ", the reference " + figureText(expected) : "",
-                            escapeXml(room.sliders[i].name), name(reaction));
+                            figureText(entry.reactions[i]->strength),
+                            expected ? ", the reference " + figureText(expected->strength) : "",
+                            escapeXml(room.sliders[i].name), name(reacts));
     }
     return html;
 }

@@ -10,13 +10,16 @@
 
 #include "base/contained.h"
 #include "base/whole_file.h"
+#include "classroom/effect.h"
 #include "classroom/likeness.h"
+#include "classroom/reached_code.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/format.h"
 #include "image/read.h"
 #include "render/scene_renderer.h"
 #include "scene/file_lookup.h"
+#include "suite/golden/hash.h"
 #include "suite/run/exercise_check.h"
 
 namespace glibra::classroom {
@@ -27,9 +30,14 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostFiles = 200;         // of a submission
 constexpr std::size_t kMostCalls = 10'000;      // of a submission
+constexpr std::size_t kMostRuns = 2'000;        // of a submission
 constexpr std::size_t kMostGivenFiles = 2'000;  // of a template
 constexpr std::size_t kMostGivenTokens = 1'000'000;
 constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 30;
+constexpr std::size_t kMostReadPictures = 50;  // of a submission
+constexpr std::uint64_t kLargestReadPicture = std::uint64_t{32} << 20U;
+constexpr std::size_t kMostHandedIn = 20'000;  // files of a submission
+constexpr std::uint64_t kMostDigested = std::uint64_t{128} << 20U;
 
 std::optional<std::string> textOf(const base::Descriptor& file) {
     std::optional<std::string> text = base::textIn(file, kLargestSource);
@@ -72,22 +80,24 @@ class Sources {
                     scene::findInclude(each, path, scene_.path, options_, listings_);
                 if (!found.path.empty()) open.emplace_back(found.path.string(), std::nullopt);
             }
-            compare(key, path, *text);
         }
         if (!open.empty()) leaveOut({}, fmt::format("files after the first {} of a stage", kMostFiles));
         return uniforms;
     }
 
-    /// Keeps the names of the functions that a stage calls.
-    void addCalls(glsl::Stage stage, const scene::FileReference& file) {
+    /// Keeps the code that a stage runs, and if it `counts`, the names of the functions that this calls.
+    void addCode(glsl::Stage stage, const scene::FileReference& file, bool counts) {
         if (file.path.empty()) return;
         const std::optional<std::string> text = file.text ? file.text : textOf(opened(file.path));
         if (!text) return;
         const auto include = [this](std::string_view name, std::string_view includingPath) {
             return included(name, includingPath);
         };
-        for (std::string& each : calledFunctions({stage, file.path.string(), *text}, include))
-            if (calls_.size() < kMostCalls) calls_.insert(std::move(each));
+        ReachedCode code = reachedCode({stage, file.path.string(), *text}, include);
+        if (!code.isWhole) leaveOut(file.path, "after what the preprocessor reads of it");
+        for (SourceFile& each : code.runs) compare(std::move(each));
+        for (std::string& each : code.calls)
+            if (counts && calls_.size() < kMostCalls) calls_.insert(std::move(each));
     }
 
     void takeInto(Review& review) {
@@ -113,19 +123,20 @@ class Sources {
         return glsl::IncludedFile{found.path.string(), std::move(*text)};
     }
 
-    /// Keeps the tokens of a text that belongs to the submission.
-    void compare(const std::string& key, const std::string& path, const std::string& text) {
-        if (!compared_.insert(key).second) return;
-        if (!options_.within.empty() && !own_.contains(path)) return leaveOut(path, "is of the library");
-        if (files_.size() >= kMostFiles)
-            return leaveOut({}, fmt::format("files after the first {}", kMostFiles));
+    /// Keeps code of the submission, each once: stages may share it.
+    void compare(SourceFile run) {
+        if (!options_.within.empty() && !own_.contains(run.path))
+            return leaveOut(run.path, "is of the library");
+        if (!compared_.insert({run.path, run.tokens}).second) return;
+        if (files_.size() >= kMostRuns)
+            return leaveOut({}, fmt::format("code after its first {} pieces", kMostRuns));
         const std::size_t left = kMostTokens - count_;
-        files_.push_back({path, comparableTokens(text, left + 1)});
-        if (std::vector<SourceToken>& tokens = files_.back().tokens; tokens.size() > left) {
-            tokens.resize(left);
-            leaveOut(path, fmt::format("after its first {} tokens", left));
+        if (run.tokens.size() > left) {
+            run.tokens.resize(left);
+            leaveOut(run.path, fmt::format("after its first {} tokens", left));
         }
-        count_ += files_.back().tokens.size();
+        count_ += run.tokens.size();
+        files_.push_back(std::move(run));
     }
 
     /// Remembers what is not compared, each once.
@@ -139,7 +150,8 @@ class Sources {
     scene::InterpretOptions options_;
     scene::FolderListings listings_;
     base::Roots readable_, own_;
-    std::set<std::string> compared_, calls_;
+    std::set<std::pair<std::string, std::vector<SourceToken>>> compared_;
+    std::set<std::string> calls_;
     std::vector<SourceFile> files_;
     std::vector<std::string> notCompared_;
     std::size_t count_ = 0;  ///< of tokens
@@ -160,37 +172,15 @@ std::vector<RangedUniform> rangesOf(const scene::Scene& scene) {
     return ranges;
 }
 
-void reviewScene(const ReviewTask& task, Review& result) {
-    render::Stats stats;
-    const Result<render::InterpretedScene> read = render::interpretFile(task.scene, task.options, stats);
-    if (!read) {
-        result.notCompared.emplace_back("everything, because the scene cannot be read");
-        return;
-    }
-    const scene::Scene& scene = read->scene;
-    Sources sources(scene, task.options);
-    for (const scene::Program& program : scene.programs) {
-        UsedProgram used{program.name, {}, {}};
-        for (const scene::StageFile& stage : program.stages) {
-            used.stages.emplace_back(stageName(stage.stage));
-            for (DeclaredUniform& each : sources.uniformsOf(scene.files[stage.file]))
-                used.uniforms.push_back(std::move(each));
-            sources.addCalls(stage.stage, scene.files[stage.file]);
-        }
-        std::ranges::sort(used.uniforms);
-        used.uniforms.erase(std::unique(used.uniforms.begin(), used.uniforms.end()), used.uniforms.end());
-        result.programs.push_back(std::move(used));
-    }
-    sources.takeInto(result);
-    result.ranges = rangesOf(scene);
-}
-
 void addGivenFile(const fs::path& path, std::size_t& tokens, Review& result) {
     if (result.files.size() >= kMostGivenFiles || tokens >= kMostGivenTokens) return;
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     const std::optional<std::string> text = textOf(base::openBeneath(folder, path.filename()));
     if (!text) return;
+    // As it is written, and as a stage of it would run: copies of both are no copies.
     result.files.push_back({path.string(), comparableTokens(*text)});
+    for (SourceFile& each : reachedCode({glsl::Stage::fragment, path.string(), *text}).runs)
+        result.files.push_back(std::move(each));
     tokens += result.files.back().tokens.size();
 }
 
@@ -216,45 +206,217 @@ std::optional<image::Image> pictureOf(const fs::path& site, const std::string& n
     return image::decodeImage(*bytes, site / name).value;
 }
 
-void scorePicture(const ReviewTask& task, const std::pair<std::string, std::string>& pictures,
-                  Review& result) {
+/// The pictures of one moment, reduced; empty where one cannot be read.
+struct SmallPictures {
+    std::optional<Colors> reference, own;
+};
+
+SmallPictures scorePicture(const ReviewTask& task, const std::pair<std::string, std::string>& pictures,
+                           Review& result) {
     const std::optional<image::Image> expected = pictureOf(task.site, pictures.first);
     const std::optional<image::Image> got = pictureOf(task.site, pictures.second);
     result.showNothing.push_back(got && showsNothing(*got));
     std::optional<Score>& score = result.scores.emplace_back();
     if (expected && got)
         score = Score{image::flip(*expected, *got, {.threads = 1}).mean,
-                      image::structure(*expected, *got).difference, likeness(*expected, *got),
+                      image::structure(*expected, *got).difference,
+                      likeness(*expected, *got),
+                      {},
+                      1,
                       suite::whyUnsolved(task.has, *expected, *got)};
+    return {expected ? std::optional(reduced(*expected)) : std::nullopt,
+            got ? std::optional(reduced(*got)) : std::nullopt};
 }
 
-/// How much a submission's own pictures differ that differ in one value.
-std::optional<double> reactionTo(const ReviewTask& task, const Slider& slider,
+/// The effect between two moments; nothing if it cannot be measured.
+std::optional<Effect> effectBetween(const std::vector<SmallPictures>& small, std::size_t one,
+                                    std::size_t other) {
+    const SmallPictures &a = small.at(one), &b = small.at(other);
+    if (!a.reference || !b.reference || !a.own || !b.own) return std::nullopt;
+    return effectOf(*a.reference, *b.reference, *a.own, *b.own);
+}
+
+/// Takes from each likeness what the effect does not have: what changes between its moment and that at which
+/// the reference's picture differs most from it.
+void compareEffects(const std::vector<SmallPictures>& small, Review& result) {
+    for (std::size_t i = 0; i < small.size(); ++i) {
+        if (!result.scores[i]) continue;
+        std::size_t most = i;
+        double largest = 0;
+        for (std::size_t k = 0; k < small.size(); ++k) {
+            if (!small[i].reference || !small[k].reference || !small[k].own) continue;
+            const double difference = differenceOf(*small[i].reference, *small[k].reference);
+            if (difference <= largest) continue;
+            largest = difference;
+            most = k;
+        }
+        const std::optional<Effect> effect = effectBetween(small, i, most);
+        if (!effect) continue;
+        Score& score = *result.scores[i];
+        score.kept = keptLikeness(*effect);
+        score.likeness *= score.kept;
+        if (score.kept < 1) score.effect = effect->likeness;
+    }
+}
+
+/// How a submission's own pictures change that differ in one value.
+std::optional<Change> changeWith(const ReviewTask& task, const Slider& slider,
+                                 const std::vector<SmallPictures>& small,
                                  const std::function<void()>& scored) {
-    double sum = 0;
-    std::size_t count = 0;
+    Change change;
+    std::size_t count = 0, otherwise = 0;
     for (const auto& [one, other] : slider.pairs) {
         const std::optional<image::Image> a = pictureOf(task.site, task.pictures.at(one).second);
         const std::optional<image::Image> b = pictureOf(task.site, task.pictures.at(other).second);
         if (scored) scored();
         if (!a || !b) continue;
-        sum += reaction(*a, *b);
+        const Reaction found = reaction(*a, *b);
+        change.mean += found.mean;
+        change.strength += found.strength;
+        const std::optional<Effect> effect = effectBetween(small, one, other);
+        otherwise += effect && changesOtherwise(*effect) ? 1 : 0;
         ++count;
     }
-    return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+    if (count == 0) return std::nullopt;
+    change.mean /= static_cast<double>(count);
+    change.strength /= static_cast<double>(count);
+    change.isOtherwise = 2 * otherwise > count;
+    return change;
+}
+
+/// Adds the pictures that a scene reads of its own folder.
+void addReadPictures(const scene::Scene& scene, const ReviewTask& task,
+                     const std::vector<SmallPictures>& small, Review& result) {
+    base::Roots own;
+    own.add(task.options.within.empty() ? fs::absolute(task.scene).parent_path() : task.options.within);
+    for (const scene::Texture& texture : scene.textures) {
+        const auto* source = std::get_if<scene::PictureSource>(&texture.source);
+        if (!source) continue;
+        for (const scene::FileIndex index : source->files) {
+            const fs::path& path = scene.files[index].path;
+            if (path.empty() || result.readPictures.size() >= kMostReadPictures) continue;
+            const auto bytes = base::bytesIn(own.open(path), kLargestReadPicture);
+            if (!bytes) continue;
+            ReadPicture& read = result.readPictures.emplace_back();
+            read.name = path.filename().string();
+            read.digest = suite::toText(suite::hashOf(*bytes));
+            if (task.options.within.empty()) continue;  // the reference may look like itself
+            const std::optional<image::Image> picture = image::decodeImage(*bytes, path).value;
+            read.isLikeReference = picture && std::ranges::any_of(small, [&](const SmallPictures& each) {
+                                       return each.reference && looksLike(*each.reference, *picture);
+                                   });
+        }
+    }
+}
+
+/// A digest of the files that were handed in, by their names and contents; of files beyond the limit by their
+/// sizes alone.
+std::string digestOf(const ReviewTask& task) {
+    std::vector<fs::path> files;
+    std::error_code failure;
+    const bool isFolder = fs::is_directory(task.handedIn, failure);
+    if (isFolder) {
+        fs::recursive_directory_iterator each(task.handedIn, fs::directory_options::skip_permission_denied,
+                                              failure);
+        for (; !failure && each != fs::recursive_directory_iterator() && files.size() < kMostHandedIn;
+             each.increment(failure))
+            if (each->symlink_status(failure).type() == fs::file_type::regular)
+                files.push_back(each->path().lexically_relative(task.handedIn));
+        std::ranges::sort(files);
+    } else {
+        files.push_back(task.handedIn.filename());
+    }
+    const fs::path folder = isFolder ? task.handedIn : task.handedIn.parent_path();
+    std::string whole;
+    std::uint64_t left = kMostDigested;
+    for (const fs::path& each : files) {
+        const auto bytes = base::bytesIn(base::openBeneath(folder.empty() ? "." : folder, each), left);
+        if (bytes) left -= bytes->size();
+        whole += each.string() + '\0' +
+                 (bytes ? suite::toText(suite::hashOf(*bytes))
+                        : std::to_string(fs::file_size(folder / each, failure))) +
+                 '\n';
+    }
+    return suite::toText(suite::hashOf(std::as_bytes(std::span(whole))));
+}
+
+/// The stages of programs that something is drawn or computed with, by the names of the programs.
+using DrawnStages = std::set<std::pair<std::string, glsl::Stage>>;
+
+void addDrawn(const scene::Scene& scene, DrawnStages& drawn) {
+    const auto add = [&](scene::ProgramIndex index, bool isFill) {
+        if (!index) return;
+        const scene::Program& program = scene.programs[index];
+        for (const scene::StageFile& each : program.stages)
+            if (program.hasStage(each.stage, isFill)) drawn.insert({program.name, each.stage});
+    };
+    const auto addAll = [&](const scene::NodeList& nodes) {
+        nodes.visitDraws(
+            [&](const scene::Draw& draw, const scene::Pass&) { add(draw.program, draw.isFill); });
+        for (const scene::Dispatch& each : nodes.dispatches) add(each.program, false);
+    };
+    addAll(scene.frame);
+    for (const scene::OnceBlock& each : scene.once) addAll(each.nodes);
+    for (const scene::StepBlock& each : scene.steps) addAll(each.nodes);
+}
+
+/// What the pictures of a scene are drawn with. Which statements run depends on the time and on values.
+DrawnStages drawnStages(const ReviewTask& task, const scene::Scene& first) {
+    DrawnStages drawn;
+    addDrawn(first, drawn);
+    std::size_t all = 0;
+    for (const scene::Program& each : first.programs) all += each.stages.size();
+    for (const RenderOptions& options : task.others) {
+        if (drawn.size() >= all) break;
+        render::Stats stats;
+        if (const auto read = render::interpretFile(task.scene, options, stats)) addDrawn(read->scene, drawn);
+    }
+    return drawn;
+}
+
+void reviewScene(const ReviewTask& task, const std::vector<SmallPictures>& small, Review& result) {
+    render::Stats stats;
+    const Result<render::InterpretedScene> read = render::interpretFile(task.scene, task.options, stats);
+    if (!read) {
+        result.notCompared.emplace_back("everything, because the scene cannot be read");
+        return;
+    }
+    const scene::Scene& scene = read->scene;
+    const DrawnStages drawn = drawnStages(task, scene);
+    Sources sources(scene, task.options);
+    for (const scene::Program& program : scene.programs) {
+        UsedProgram used{program.name, {}, {}};
+        for (const scene::StageFile& stage : program.stages) {
+            used.stages.emplace_back(stageName(stage.stage));
+            for (DeclaredUniform& each : sources.uniformsOf(scene.files[stage.file]))
+                used.uniforms.push_back(std::move(each));
+            const bool draws = drawn.contains({program.name, stage.stage});
+            if (!draws) used.idle.push_back(used.stages.back());
+            sources.addCode(stage.stage, scene.files[stage.file], draws);
+        }
+        std::ranges::sort(used.uniforms);
+        used.uniforms.erase(std::unique(used.uniforms.begin(), used.uniforms.end()), used.uniforms.end());
+        result.programs.push_back(std::move(used));
+    }
+    sources.takeInto(result);
+    result.ranges = rangesOf(scene);
+    addReadPictures(scene, task, small, result);
 }
 
 }  // namespace
 
 Review review(const ReviewTask& task, const std::function<void()>& scored) {
     Review result;
-    if (!task.scene.empty()) reviewScene(task, result);
-    readGivenCode(task, result);
+    std::vector<SmallPictures> small;
     for (const auto& each : task.pictures) {
-        scorePicture(task, each, result);
+        small.push_back(scorePicture(task, each, result));
         if (scored) scored();
     }
-    for (const Slider& each : task.sliders) result.reactions.push_back(reactionTo(task, each, scored));
+    compareEffects(small, result);
+    for (const Slider& each : task.sliders) result.reactions.push_back(changeWith(task, each, small, scored));
+    if (!task.scene.empty()) reviewScene(task, small, result);
+    readGivenCode(task, result);
+    if (!task.handedIn.empty()) result.digest = digestOf(task);
     return result;
 }
 
@@ -266,20 +428,28 @@ std::string toText(const Review& review) {
     for (const UsedProgram& each : review.programs) {
         Json uniforms = Json::array();
         for (const DeclaredUniform& one : each.uniforms) uniforms.push_back({one.name, one.type});
-        json["programs"].push_back(
-            {{"name", each.name}, {"stages", each.stages}, {"uniforms", std::move(uniforms)}});
+        json["programs"].push_back({{"name", each.name},
+                                    {"stages", each.stages},
+                                    {"idle", each.idle},
+                                    {"uniforms", std::move(uniforms)}});
     }
     for (const SourceFile& each : review.files) {
-        Json codes = Json::array(), lines = Json::array();
+        Json codes = Json::array(), lines = Json::array(), files = Json::array();
         for (const SourceToken& one : each.tokens) {
             codes.push_back(one.code);
             lines.push_back(one.line);
+            if (!each.others.empty()) files.push_back(one.file);
         }
-        json["files"].push_back(
-            {{"path", each.path}, {"codes", std::move(codes)}, {"lines", std::move(lines)}});
+        json["files"].push_back({{"path", each.path},
+                                 {"codes", std::move(codes)},
+                                 {"lines", std::move(lines)},
+                                 {"others", each.others},
+                                 {"files", std::move(files)}});
     }
     for (const std::optional<Score>& each : review.scores)
-        json["scores"].push_back(each ? Json{each->flip, each->structure, each->likeness, each->unsolved}
+        json["scores"].push_back(each ? Json{each->flip, each->structure, each->likeness,
+                                             each->effect ? Json(*each->effect) : Json(nullptr), each->kept,
+                                             each->unsolved}
                                       : Json(nullptr));
     json["calls"] = review.calls;
     json["ranges"] = Json::array();
@@ -287,8 +457,13 @@ std::string toText(const Review& review) {
         json["ranges"].push_back({each.name, each.least, each.largest});
     json["showNothing"] = review.showNothing;
     json["reactions"] = Json::array();
-    for (const std::optional<double>& each : review.reactions)
-        json["reactions"].push_back(each ? Json(*each) : Json(nullptr));
+    for (const std::optional<Change>& each : review.reactions)
+        json["reactions"].push_back(each ? Json{each->mean, each->strength, each->isOtherwise}
+                                         : Json(nullptr));
+    json["readPictures"] = Json::array();
+    for (const ReadPicture& each : review.readPictures)
+        json["readPictures"].push_back({each.name, each.digest, each.isLikeReference});
+    json["digest"] = review.digest;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -296,28 +471,35 @@ std::optional<Review> parseReview(std::string_view text) try {
     const Json json = Json::parse(text);
     Review result;
     for (const Json& each : json.at("programs")) {
-        UsedProgram used{
-            each.at("name").get<std::string>(), each.at("stages").get<std::vector<std::string>>(), {}};
+        UsedProgram used{each.at("name").get<std::string>(),
+                         each.at("stages").get<std::vector<std::string>>(),
+                         {},
+                         each.at("idle").get<std::vector<std::string>>()};
         for (const Json& one : each.at("uniforms"))
             used.uniforms.push_back({one.at(0).get<std::string>(), one.at(1).get<std::string>()});
         result.programs.push_back(std::move(used));
     }
     for (const Json& each : json.at("files")) {
         SourceFile file{each.at("path").get<std::string>(), {}};
+        file.others = each.at("others").get<std::vector<std::string>>();
         const Json& codes = each.at("codes");
         const Json& lines = each.at("lines");
+        const Json& files = each.at("files");
         for (std::size_t i = 0; i < codes.size(); ++i)
-            file.tokens.push_back({codes.at(i).get<std::uint32_t>(), lines.at(i).get<std::int32_t>()});
+            file.tokens.push_back({codes.at(i).get<std::uint32_t>(), lines.at(i).get<std::int32_t>(),
+                                   files.empty() ? 0U : files.at(i).get<std::uint32_t>()});
         result.files.push_back(std::move(file));
     }
     result.notCompared = json.at("notCompared").get<std::vector<std::string>>();
     for (const Json& each : json.at("scores")) {
         std::optional<Score>& score = result.scores.emplace_back();
         if (each.is_null()) continue;
-        score = Score{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<double>(),
-                      each.at(3).get<std::string>()};
+        score = Score{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<double>()};
+        if (!each.at(3).is_null()) score->effect = each.at(3).get<double>();
+        score->kept = each.at(4).get<double>();
+        score->unsolved = each.at(5).get<std::string>();
         if (!std::isfinite(score->flip) || !std::isfinite(score->structure) ||
-            !std::isfinite(score->likeness))
+            !std::isfinite(score->likeness) || !std::isfinite(score->kept))
             return std::nullopt;
     }
     result.calls = json.at("calls").get<std::vector<std::string>>();
@@ -327,9 +509,15 @@ std::optional<Review> parseReview(std::string_view text) try {
                 {each.at(0).get<std::string>(), each.at(1).get<double>(), each.at(2).get<double>()});
     result.showNothing = json.at("showNothing").get<std::vector<bool>>();
     for (const Json& each : json.at("reactions")) {
-        result.reactions.push_back(each.is_null() ? std::nullopt : std::optional(each.get<double>()));
-        if (result.reactions.back() && !std::isfinite(*result.reactions.back())) return std::nullopt;
+        std::optional<Change>& change = result.reactions.emplace_back();
+        if (each.is_null()) continue;
+        change = Change{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<bool>()};
+        if (!std::isfinite(change->mean) || !std::isfinite(change->strength)) return std::nullopt;
     }
+    for (const Json& each : json.at("readPictures"))
+        result.readPictures.push_back(
+            {each.at(0).get<std::string>(), each.at(1).get<std::string>(), each.at(2).get<bool>()});
+    result.digest = json.at("digest").get<std::string>();
     return result;
 } catch (const Json::exception&) {
     return std::nullopt;

@@ -21,22 +21,26 @@ namespace glibra::classroom {
 struct ReviewTask {
     std::filesystem::path scene;  ///< empty: only `sources`
     RenderOptions options;        ///< `within` is the submission's own folder; empty for the reference
-    std::filesystem::path site;   ///< that the pictures are relative to
+    std::vector<RenderOptions> others{};                        ///< of the other pictures
+    std::filesystem::path site;                                 ///< that the pictures are relative to
     std::vector<std::pair<std::string, std::string>> pictures;  ///< of the reference and of the submission
     std::optional<suite::ColorShare> has{};                     ///< what pictures of an exercise have
     std::vector<Slider> sliders;                                ///< whose pairs are indices of `pictures`
     std::vector<std::filesystem::path> sources;                 ///< files and folders of given code
+    std::filesystem::path handedIn{};                           ///< the folder or file of the submission
 };
 
 struct Review {
     std::vector<UsedProgram> programs;
-    std::vector<SourceFile> files;             ///< with a `within` only those of that folder
+    std::vector<SourceFile> files;             ///< what runs of them, with a `within` only of that folder
     std::vector<std::string> notCompared;      ///< the other shaders, and what is too large: one phrase each
     std::vector<std::optional<Score>> scores;  ///< one per pair of pictures; nothing if one cannot be read
     std::vector<bool> showNothing{};           ///< one per picture of the submission
-    std::vector<std::optional<double>> reactions{};  ///< one per slider
+    std::vector<std::optional<Change>> reactions{};  ///< one per slider
     std::vector<RangedUniform> ranges{};
     std::vector<std::string> calls{};  ///< functions that all its shaders call
+    std::vector<ReadPicture> readPictures{};
+    std::string digest{};  ///< of what was handed in
 };
 
 /// A shader source of more than this many bytes is not compared. No scene can use one.

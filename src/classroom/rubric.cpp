@@ -4,22 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "base/contained.h"
-#include "base/whole_file.h"
 #include "classroom/hand_in_time.h"
 #include "suite/file/glob.h"
 
 namespace glibra::classroom {
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-constexpr std::uint64_t kLargestMarks = 16u << 20u;
-constexpr std::size_t kLongestComment = 10'000;
 
 /// The part of the points (0 to 1), why, and the moment that shows it.
 struct Judgement {
@@ -49,11 +39,18 @@ Judgement judgeSlider(const Check& check, const Entry& entry) {
 }
 
 Judgement judgeStage(const Check& check, const Entry& entry) {
+    std::string idle;
     for (const UsedProgram& program : entry.programs)
-        for (const std::string& stage : program.stages)
-            if (stage == check.of || (check.of == "tessellation" && stage.starts_with("tessellation")))
+        for (const std::string& stage : program.stages) {
+            if (stage != check.of && (check.of != "tessellation" || !stage.starts_with("tessellation")))
+                continue;
+            if (std::ranges::find(program.idle, stage) == program.idle.end())
                 return {1, fmt::format("in program '{}'", program.name)};
-    return {0, fmt::format("no program has a {} shader", check.of)};
+            idle = program.name;
+        }
+    return {0, idle.empty()
+                   ? fmt::format("no program has a {} shader", check.of)
+                   : fmt::format("nothing is drawn with the {} shader of program '{}'", check.of, idle)};
 }
 
 Judgement judgeReaction(const Check& check, const Classroom& room, const Entry& entry) {
@@ -61,19 +58,23 @@ Judgement judgeReaction(const Check& check, const Classroom& room, const Entry& 
     if (slider == room.sliders.end()) return {0, "it was not varied"};
     const auto index = static_cast<std::size_t>(slider - room.sliders.begin());
     const std::size_t moment = slider->pairs.front().second;
-    const std::optional<double> own = index < entry.reactions.size() ? entry.reactions[index] : std::nullopt;
+    const std::optional<Change> own = index < entry.reactions.size() ? entry.reactions[index] : std::nullopt;
     if (!own) return {0, "its pictures were not drawn"};
-    constexpr double kVisible = 5e-4;
-    const std::string figure = fmt::format("its pictures differ by {:.4f}", *own);
-    if (check.kind == Check::Kind::ignores) return {*own < kVisible ? 1.0 : 0.0, figure, moment};
-    switch (reactionOf(room, entry, index)) {
-        case Reaction::full:
+    std::string figure = fmt::format("its pictures differ by {:.4f}", own->mean);
+    const bool isSeen = own->mean >= kLeastReaction;
+    if (check.kind == Check::Kind::ignores) return {isSeen ? 0.0 : 1.0, figure, moment};
+    if (isSeen) figure += fmt::format(", by {:.3f} where they change", own->strength);
+    switch (reactsOf(room, entry, index)) {
+        case Reacts::yes:
             return {1, figure, moment};
-        case Reaction::weak:
-            return {0.5, figure + ", those of the reference by more", moment};
-        case Reaction::unknown:
-            return {*own >= kVisible ? 1.0 : 0.0, figure, moment};
-        case Reaction::none:
+        case Reacts::weakly:
+            return {0.5,
+                    figure + (own->isOtherwise ? ", in another way than those of the reference"
+                                               : ", those of the reference by more"),
+                    moment};
+        case Reacts::unknown:
+            return {isSeen ? 1.0 : 0.0, figure, moment};
+        case Reacts::no:
             break;
     }
     return {0, figure, moment};
@@ -82,7 +83,7 @@ Judgement judgeReaction(const Check& check, const Classroom& room, const Entry& 
 /// The mean over the moments, and the moment that is worst.
 Judgement judgeLikeness(const Check& check, const Classroom& room, const Entry& entry) {
     const bool isFlip = check.of == "flip";
-    double sum = 0, worstPart = 2;
+    double sum = 0, worst = -1;
     std::size_t count = 0;
     Judgement verdict;
     for (std::size_t i = 0; i < room.moments.size() && i < entry.pictures.size(); ++i) {
@@ -91,19 +92,25 @@ Judgement judgeLikeness(const Check& check, const Classroom& room, const Entry& 
             }))
             continue;
         ++count;
-        double part = 0;
         const std::optional<Score>& score = entry.pictures[i].score;
         const double value = score ? (isFlip ? score->flip : score->likeness) : 0;
         if (score)
-            part = check.full == check.none
-                       ? (isFlip ? value <= check.full : value >= check.full)
-                       : std::clamp((value - check.none) / (check.full - check.none), 0., 1.);
-        sum += part;
-        if (part >= worstPart) continue;
-        worstPart = part;
+            sum += (isFlip ? score->kept : 1) *
+                   (check.full == check.none
+                        ? (isFlip ? value <= check.full : value >= check.full)
+                        : std::clamp((value - check.none) / (check.full - check.none), 0., 1.));
+        // How far it is from the reference, also beyond where the points begin and end.
+        const double distance = !score ? 2 : isFlip ? value : 1 - value;
+        if (distance <= worst) continue;
+        worst = distance;
         verdict.moment = i;
         verdict.reason = score ? fmt::format("{} {:.3f}", isFlip ? "FLIP" : "likeness", value)
                                : std::string("a picture was not drawn");
+        constexpr double kUnlike = .5;
+        if (score && score->effect && *score->effect < kUnlike)
+            verdict.reason += ", because it does not change as the reference does";
+        else if (score && !isFlip && room.moments.size() == 1)
+            verdict.reason += " of the whole picture, the only one";
     }
     if (count == 0) return {0, "no picture was drawn"};
     verdict.part = entry.drawsNothing ? 0 : sum / static_cast<double>(count);
@@ -174,7 +181,7 @@ Judgement judge(const Check& check, const Classroom& room, const Entry& entry) {
         case Check::Kind::solved:
             return judgeSolved(room, entry);
         case Check::Kind::byHand:
-            return {0, "to be marked by hand"};
+            return {0, "not yet marked by hand"};
     }
     return {};
 }
@@ -187,7 +194,8 @@ void giveMarks(const Rubric& rubric, const Classroom& room, const HandedIn& hand
         Judgement verdict = judge(check, room, entry);
         // To the hundredth, so that the sum is that of what is shown.
         entry.marks.push_back({check.name, std::round(verdict.part * check.points * 100) / 100, check.points,
-                               check.isBonus, std::move(verdict.reason), verdict.moment, false});
+                               check.isBonus, std::move(verdict.reason), verdict.moment, false,
+                               check.kind == Check::Kind::byHand});
     }
     entry.lateFactor = 1;
     entry.lateReason.clear();
@@ -204,68 +212,6 @@ void giveMarks(const Rubric& rubric, const Classroom& room, const HandedIn& hand
     entry.lateFactor = 1 - lost;
     entry.lateReason = fmt::format("{:g} {} late, {:g} % less", std::ceil(*days),
                                    std::ceil(*days) == 1 ? "day" : "days", std::round(lost * 1000) / 10);
-}
-
-Result<TeacherMarks> parseTeacherMarks(std::string_view text) try {
-    TeacherMarks marks;
-    const Json json = Json::parse(text);
-    for (const auto& [name, each] : json.items()) {
-        OwnMarks own;
-        if (!each.is_object())
-            return diagnose(
-                "suite-E27",
-                fmt::format("this is no file of marks: '{}' is no object of points and comment", name));
-        if (each.contains("comment"))
-            own.comment = each.at("comment").get<std::string>().substr(0, kLongestComment);
-        if (each.contains("points"))
-            for (const auto& [check, points] : each.at("points").items())
-                own.points[check] = points.get<double>();
-        marks[name] = std::move(own);
-    }
-    return marks;
-} catch (const Json::exception& failure) {
-    return diagnose("suite-E27", fmt::format("this is no file of marks: {}", failure.what()));
-}
-
-std::string toText(const TeacherMarks& marks) {
-    Json json = Json::object();
-    for (const auto& [name, each] : marks) {
-        if (each.points.empty() && each.comment.empty()) continue;
-        json[name] = {{"comment", each.comment}, {"points", each.points}};
-    }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-Result<TeacherMarks> readTeacherMarks(const fs::path& site) {
-    std::error_code failure;
-    if (!fs::exists(fs::symlink_status(site / kMarksFile, failure))) return TeacherMarks{};
-    const auto text = base::textIn(base::openBeneath(site, kMarksFile), kLargestMarks);
-    if (!text) return diagnose("suite-E27", fmt::format("cannot read '{}'", (site / kMarksFile).string()));
-    Result<TeacherMarks> marks = parseTeacherMarks(*text);
-    for (Diagnostic& each : marks.diagnostics) each.place = {(site / kMarksFile).string(), 1, 1};
-    return marks;
-}
-
-void limitPoints(const Entry& entry, OwnMarks& marks) {
-    for (const Mark& each : entry.marks)
-        if (const auto own = marks.points.find(each.check); own != marks.points.end())
-            own->second = std::clamp(own->second, 0.0, each.most);
-}
-
-void applyTeacherMarks(const TeacherMarks& marks, Entry& entry) {
-    const auto own = marks.find(entry.submission.name);
-    if (own == marks.end()) return;
-    entry.comment = own->second.comment;
-    OwnMarks counted = own->second;
-    limitPoints(entry, counted);
-    for (const auto& [check, points] : counted.points) {
-        if (!std::isfinite(points)) continue;
-        const auto mark = std::ranges::find(entry.marks, check, &Mark::check);
-        if (mark == entry.marks.end()) continue;
-        mark->points = points;
-        mark->isOwn = true;
-        mark->reason = "the teacher's own points";
-    }
 }
 
 }  // namespace glibra::classroom

@@ -13,7 +13,6 @@
 #include <glibra/result.h>
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -77,28 +76,5 @@ struct HandedIn {
 
 /// Sets marks, lateFactor and lateReason of an entry.
 void giveMarks(const Rubric& rubric, const Classroom& classroom, const HandedIn& handedIn, Entry& entry);
-
-/// What a teacher has typed about one submission.
-struct OwnMarks {
-    std::map<std::string, double> points;  ///< by the name of the check, instead of what the check gave
-    std::string comment;
-};
-/// By the name of the submission.
-using TeacherMarks = std::map<std::string, OwnMarks>;
-
-/// The file beside the page that keeps what a teacher has typed.
-inline constexpr const char* kMarksFile = "marks.json";
-
-/// No marks if there is no such file; error: it cannot be read (suite-E27).
-Result<TeacherMarks> readTeacherMarks(const std::filesystem::path& site);
-Result<TeacherMarks> parseTeacherMarks(std::string_view text);
-std::string toText(const TeacherMarks& marks);
-
-/// Limits points to what counts: from 0 to the most of the entry's check of that name.
-void limitPoints(const Entry& entry, OwnMarks& marks);
-
-/// Replaces points and adds comments; points stay within 0 and the most of the check. Names that are no check
-/// any more are left out.
-void applyTeacherMarks(const TeacherMarks& marks, Entry& entry);
 
 }  // namespace glibra::classroom

@@ -8,6 +8,7 @@
 
 #include "base/escape_xml.h"
 #include "base/page_template.h"
+#include "base/text.h"
 #include "base/utf8.h"
 #include "classroom/page_parts.h"
 #include "embedded/class_page.h"
@@ -31,13 +32,26 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
         text.replace(at, from.size(), to);
 }
 
+/// True for the names of devices, which Windows gives no file, whatever follows a point.
+bool isOfWindows(std::string_view name) {
+    std::string word(name.substr(0, name.find('.')));
+    while (word.ends_with(' ')) word.pop_back();
+    for (const char* each : {"con", "prn", "aux", "nul"})
+        if (base::sameWord(word, each)) return true;
+    return word.size() == 4 && word[3] >= '0' && word[3] <= '9' &&
+           (base::sameWord(word.substr(0, 3), "com") || base::sameWord(word.substr(0, 3), "lpt"));
+}
+
 }  // namespace
 
 std::string studentFile(const Classroom& room, std::size_t index) {
     std::string name = room.entries[index].submission.name.substr(0, 200);
     for (char& each : name)
-        if (each == '/' || each == '\\' || each == ':' || static_cast<unsigned char>(each) < ' ') each = '_';
-    if (name.empty() || name.front() == '.') name = fmt::format("{:04}", index + 1);
+        if (std::string_view("/\\:*?\"<>|").find(each) != std::string_view::npos ||
+            static_cast<unsigned char>(each) < ' ')
+            each = '_';
+    if (name.empty() || name.front() == '.' || isOfWindows(name))
+        name = fmt::format("{:04} {}", index + 1, name);
     return name + ".html";
 }
 
@@ -76,6 +90,7 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
     made.command.clear();
     made.leftOut.clear();
     made.absent.clear();
+    made.unplaced.clear();
     keys.clear();
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Entry& from = room.entries[order[i]];

@@ -8,9 +8,6 @@
 #include <utility>
 
 #include "classroom/normal_form.h"
-#include "glsl/read/report.h"
-#include "glsl/read/source.h"
-#include "glsl/read/stage_text.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
@@ -20,7 +17,7 @@ namespace {
 using glsl::Token;
 using glsl::TokenKind;
 
-constexpr std::uint32_t kName = 1, kNumber = 2;
+constexpr std::uint32_t kName = 1;
 
 /// FNV-1a, by Fowler, Noll and Vo.
 std::uint32_t codeOf(std::string_view text) {
@@ -47,33 +44,28 @@ class Text {
     }
 
     [[nodiscard]] std::span<const Token* const> code() const { return code_; }
-    [[nodiscard]] bool isOfDirective(std::size_t index) const { return isOfDirective_[index]; }
+    /// The texts of all macros, one after another.
+    [[nodiscard]] std::span<const Token* const> macros() const { return macros_; }
     [[nodiscard]] std::span<const std::vector<const Token*>> directives() const { return directives_; }
 
   private:
     void addLine(const std::vector<const Token*>& line) {
         if (line.empty() || line.front()->text != "#") {
             code_.insert(code_.end(), line.begin(), line.end());
-            isOfDirective_.resize(code_.size(), false);
             return;
         }
         directives_.push_back(line);
         // What a macro computes is code like any other.
-        if (line.size() > 1 && line[1]->text == "define") code_.insert(code_.end(), line.begin(), line.end());
-        isOfDirective_.resize(code_.size(), true);
+        if (line.size() > 1 && line[1]->text == "define")
+            macros_.insert(macros_.end(), line.begin(), line.end());
     }
 
     std::string text_;
     std::deque<std::string> joined_;
     std::vector<Token> tokens_;
-    std::vector<const Token*> code_;
-    std::vector<bool> isOfDirective_;
+    std::vector<const Token*> code_, macros_;
     std::vector<std::vector<const Token*>> directives_;
 };
-
-std::string_view textAt(std::span<const Token* const> code, std::size_t index) {
-    return index < code.size() ? code[index]->text : std::string_view{};
-}
 
 int depthChange(std::string_view text, char open, char close) {
     if (text.size() != 1) return 0;
@@ -96,49 +88,58 @@ bool beginsInterface(std::string_view word) {
     return kWords.contains(word);
 }
 
-/// Names of functions that the text defines or declares: after a type, before a "(", outside of all braces.
-std::set<std::string_view> ownFunctions(std::span<const Token* const> code) {
-    std::set<std::string_view> names;
-    int depth = 0;
-    for (std::size_t i = 0; i < code.size(); ++i) {
-        depth += depthChange(code[i]->text, '{', '}');
-        if (depth <= 0 && i > 0 && code[i]->kind == TokenKind::word && code[i - 1]->kind == TokenKind::word &&
-            code[i - 1]->text != "define" && textAt(code, i + 1) == "(")
-            names.insert(code[i]->text);
-    }
-    return names;
+std::vector<CodeToken> codeOf(std::span<const Token* const> tokens) {
+    std::vector<CodeToken> code;
+    for (const Token* each : tokens)
+        code.push_back(
+            {each->text, 0, {each->line, 0}, each->kind == TokenKind::word, each->kind == TokenKind::number});
+    return code;
 }
 
 }  // namespace
 
-std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t most) {
-    const Text text(glsl);
-    const std::span<const Token* const> code = text.code();
-    const std::set<std::string_view> own = ownFunctions(code);
-    std::vector<CodeToken> all;
+std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const OwnFunctions& own) {
+    const auto text = [&](std::size_t i) { return i < tokens.size() ? tokens[i].text : std::string_view{}; };
+    std::vector<CodeToken> kept;
+    std::size_t statement = 0;  // where the one that is being read begins in `kept`
     int braces = 0, parentheses = 0;
-    for (std::size_t i = 0; i < code.size(); ++i) {
-        const Token& token = *code[i];
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const CodeToken& token = tokens[i];
         braces += depthChange(token.text, '{', '}');
         parentheses += depthChange(token.text, '(', ')');
         if (braces <= 0 && parentheses <= 0 && beginsInterface(token.text)) {
-            i = endOfDeclaration(code, i) - 1;
+            kept.resize(statement);  // also what stands before the word: layout(...), flat
+            int depth = 0;
+            for (; i < tokens.size(); ++i) {
+                depth += depthChange(text(i), '{', '}');
+                if (depth <= 0 && text(i) == ";") break;
+            }
             continue;
         }
-        std::uint32_t kind = codeOf(token.text);
-        if (token.kind == TokenKind::number) {
-            kind = kNumber;
-        } else if (token.kind == TokenKind::word) {
+        CodeToken& one = kept.emplace_back(token);
+        one.code = codeOf(token.text);
+        if (token.isNumber) {
+            one.code = kNumberCode;
+        } else if (token.isWord) {
             const bool isBuiltIn =
-                token.text.starts_with("gl_") || (textAt(code, i + 1) == "(" && !own.contains(token.text));
-            if (glsl::keywordSince(token.text) == 0 && !isBuiltIn) kind = kName;
+                token.text.starts_with("gl_") || (text(i + 1) == "(" && !own.contains(token.text));
+            if (glsl::keywordSince(token.text) == 0 && !isBuiltIn) one.code = kName;
         }
-        all.push_back({token.text, kind, token.line, token.kind == TokenKind::word,
-                       token.kind == TokenKind::number, text.isOfDirective(i)});
+        if (braces <= 0 && (token.text == ";" || token.text == "}")) statement = kept.size();
     }
-    all = inOrder(withoutDeadCode(std::move(all), own), kNumber);
+    return kept;
+}
+
+std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t most) {
+    const Text text(glsl);
+    const std::vector<CodeToken> written = codeOf(text.code()), macros = codeOf(text.macros());
+    const OwnFunctions own = ownFunctions(written);
+    std::vector<CodeToken> all = inOrder(withoutDeadCode(comparedCode(written, own), own), kNumberCode);
+    const std::vector<CodeToken> last = inOrder(comparedCode(macros, own), kNumberCode);
+    all.insert(all.end(), last.begin(), last.end());
     std::vector<SourceToken> tokens;
-    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) tokens.push_back({all[i].code, all[i].line});
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
+        tokens.push_back({all[i].code, all[i].line.number});
     return tokens;
 }
 
@@ -179,20 +180,6 @@ std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl) {
         i = end - 1;
     }
     return found;
-}
-
-std::vector<std::string> calledFunctions(const glsl::StageSource& stage, glsl::IncludeReader include) {
-    glsl::ProgramRequest request;
-    request.include = std::move(include);
-    glsl::StageText text;
-    text.request = &request;
-    glsl::Report ignored;  // the scene has been checked already
-    glsl::readSource(stage, text, ignored);
-    std::set<std::string_view> names;
-    for (std::size_t i = 0; i + 1 < text.view.size(); ++i)
-        if (text.view[i].kind == TokenKind::word && text.view[i + 1].text == "(")
-            names.insert(text.view[i].text);
-    return {names.begin(), names.end()};
 }
 
 const char* stageName(glsl::Stage stage) {

@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  // of a class
-constexpr std::size_t kMostEntries = 100'000;                  // likewise
+constexpr std::size_t kMostEntries = 200'000;                  // likewise
+constexpr std::size_t kLeastEntries = 200;                     // of each submission of a large class
 constexpr const char* kMark = ".made-by-glibra";
 constexpr const char* kFormerMark = "made-by-glibra";
 
@@ -53,6 +54,13 @@ Diagnostics makeFolder(const fs::path& site, const char* name) {
     }
     const int problem = base::writeBeneath(site, fs::path(name) / kMark, {});
     return problem == 0 ? Diagnostics{} : fail(std::generic_category().message(problem));
+}
+
+/// Removes what was unpacked before something went wrong.
+void empty(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::directory_entry& each : base::entriesOf(folder))
+        if (each.path().filename() != kMark) fs::remove_all(each.path(), ignored);
 }
 
 /// Copies an ordinary file by reading and writing alone, which is all that a sandbox allows.
@@ -112,6 +120,7 @@ Result<fs::path> unpackExport(const fs::path& archive, const UnpackOptions& opti
             if (outcome.end == base::Outcome::End::finished) why = outcome.answer;
         },
         [](std::size_t, const std::string&) {});
+    if (!why.empty()) empty(folder);
     if (!why.empty())
         return withoutId(Severity::error, fmt::format("cannot unpack '{}': {}", archive.string(), why));
     return descended(folder);
@@ -138,6 +147,7 @@ Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions&
     }
     UnpackLimits allowed;
     allowed.bytes = std::min(allowed.bytes, kMostBytes / packed.size());
+    allowed.entries = std::min(allowed.entries, std::max(kLeastEntries, kMostEntries / packed.size()));
     const int jobs = suite::readingJobs(options.jobs);
     base::runInWorkers(
         packed.size(),
@@ -151,6 +161,7 @@ Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions&
             packed[index]->problem = outcome.end == base::Outcome::End::finished
                                          ? outcome.answer
                                          : "the zip file could not be unpacked within the limits";
+            if (!packed[index]->problem.empty()) empty(packed[index]->folder);
         },
         [](std::size_t, const std::string&) {});
     for (Submission* each : packed)

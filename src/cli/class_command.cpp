@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "classroom/hand_in_time.h"
 #include "classroom/import_table.h"
 #include "classroom/rubric.h"
+#include "classroom/teacher_marks.h"
 #include "cli/class_input.h"
 #include "cli/class_serve.h"
 #include "cli/command_line.h"
@@ -49,8 +51,14 @@ base::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
     return sandbox;
 }
 
-/// Gives all marks. False if the late rule knows of no submission when it came in.
-bool mark(const ClassInput& input, classroom::Classroom& room) {
+/// What marking has found out.
+struct Marked {
+    bool knowsTimes = true;  ///< false: the late rule knows of no submission when it came in
+    Diagnostics remarks;     ///< about what the teacher has typed
+};
+
+/// Gives all marks.
+Marked mark(const ClassInput& input, classroom::Classroom& room) {
     bool knowsTimes = input.find.names.book() == classroom::GradeBook::canvas;  // which marks the late ones
     for (std::size_t i = 0; i < room.entries.size(); ++i) {
         classroom::Entry& entry = room.entries[i];
@@ -69,9 +77,18 @@ bool mark(const ClassInput& input, classroom::Classroom& room) {
         knowsTimes = knowsTimes || handedIn.daysLate || handedIn.time || handedIn.isLate ||
                      classroom::readMoodleStatus(handedIn.status).daysLate;
         if (input.rubric) classroom::giveMarks(*input.rubric, room, handedIn, entry);
-        classroom::applyTeacherMarks(input.own, entry);
     }
-    return knowsTimes || !input.rubric || !input.rubric->late;
+    return {knowsTimes || !input.rubric || !input.rubric->late,
+            classroom::applyTeacherMarks(input.own, room)};
+}
+
+/// Gives typed points that do not know what they were typed for the last hand-in that the page has shown, and
+/// keeps that.
+void keepDigests(ClassInput& input, const classroom::Classroom& room) {
+    const std::string before = classroom::toText(input.own);
+    classroom::addDigests(input.own, room, classroom::readDigests(input.plan.site));
+    if (classroom::toText(input.own) != before) classroom::writeTeacherMarks(input.own, input.plan.site);
+    classroom::writeDigests(room, input.plan.site);
 }
 
 void nameAbsent(const ClassInput& input, classroom::Classroom& room) {
@@ -109,11 +126,66 @@ int writeFiles(const ClassArguments& arguments, const ClassInput& input, classro
     return printErrors(classroom::writeSite(room, input.plan.site, files)) ? kSceneIsWrong : kDone;
 }
 
+/// The file that most keeps a submission from being drawn: "image.bmp"; empty if it is another reason.
+std::string missingFile(const classroom::Entry& entry) {
+    const auto first = std::find_if(entry.diagnostics.begin(), entry.diagnostics.end(),
+                                    [](const Diagnostic& each) { return each.severity == Severity::error; });
+    return first != entry.diagnostics.end() && first->id == "file-E01" ? first->subject : std::string();
+}
+
+/// Names what several submissions miss, and where a teacher puts it for all of them.
+void reportMissing(const classroom::Classroom& room) {
+    std::map<std::string, std::size_t> users;
+    for (const classroom::Entry& each : room.entries)
+        if (const std::string file = missingFile(each); !file.empty()) ++users[file];
+    for (const auto& [file, count] : users) {
+        if (count < 2) continue;
+        const std::string ending = fs::path(file).extension().string();
+        const bool isShader = ending == ".vert" || ending == ".frag" || ending == ".geom" ||
+                              ending == ".tcs" || ending == ".tes" || ending == ".comp" || ending == ".glsl";
+        printLine(base::printableText(fmt::format(
+            "glibra: note: {} submissions miss '{}'; if it was given to all, put it into '{}'", count, file,
+            (fs::path(room.folder) / (isShader ? "shaders" : "textures")).string())));
+    }
+}
+
+/// Says which fields nobody has typed points into yet.
+void reportOpen(const classroom::Classroom& room) {
+    std::map<std::string, std::size_t> open;
+    std::size_t all = 0;
+    for (const classroom::Entry& entry : room.entries)
+        for (const classroom::Mark& each : entry.marks)
+            if (each.isOpen && !each.isBonus) {
+                ++open[each.check];
+                ++all;
+            }
+    if (all == 0) return;
+    std::string checks;
+    for (const auto& [check, count] : open)
+        checks += fmt::format("{}'{}' of {}", checks.empty() ? "" : ", ", check, count);
+    printLine(base::printableText(fmt::format(
+        "glibra: note: {} not yet marked by hand: {}; submissions with such fields have no grade to import",
+        all == 1 ? "1 field is" : fmt::format("{} fields are", all), checks)));
+}
+
+/// Says that a check of likeness cannot tell an effect from the rest of a picture.
+void noteWholePictures(const ClassInput& input, const classroom::Classroom& room) {
+    if (!input.rubric || room.moments.size() > 1) return;
+    for (const classroom::Check& each : input.rubric->checks)
+        if (each.kind == classroom::Check::Kind::like)
+            return printLine(base::printableText(fmt::format(
+                "glibra: note: the check '{}' compares whole pictures, because there is one of each "
+                "submission; with --sweep or --time it also compares what changes",
+                each.name)));
+}
+
 void report(const classroom::Classroom& room, const fs::path& site) {
     for (const classroom::Entry& each : room.entries)
         if (classroom::stateOf(each) != "drawn")
             printLine(base::printableText(fmt::format("{}: {}: {}", each.submission.name,
                                                       classroom::stateOf(each), classroom::reasonOf(each))));
+    reportMissing(room);
+    reportOpen(room);
     for (const classroom::Entry& each : room.entries)
         if (const Diagnostics hint = libraryHint(each.submission.scene, each.diagnostics); !hint.empty()) {
             print(hint);
@@ -157,7 +229,11 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     room.began = utcNow();
     room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     nameAbsent(input, room);
-    if (!mark(input, room))
+    keepDigests(input, room);
+    const Marked marked = mark(input, room);
+    print(marked.remarks);
+    noteWholePictures(input, room);
+    if (!marked.knowsTimes)
         printLine(
             "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a "
             "roster "

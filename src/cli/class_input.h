@@ -11,6 +11,7 @@
 #include "classroom/roster.h"
 #include "classroom/rubric.h"
 #include "classroom/submissions.h"
+#include "classroom/teacher_marks.h"
 #include "cli/interruption.h"
 #include "cli/site_options.h"
 

@@ -1,11 +1,12 @@
 #include "cli/class_serve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,12 +60,7 @@ WebReply pictureReply(const fs::path& site, const std::string& file) {
 
 /// What one POST changes: {"entry": 3, "check": "is drawn", "points": 1.5} or {"entry": 3, "comment": "..."}.
 /// Points null: those of the check again.
-std::string change(const Json& asked, const std::vector<std::string>& names, classroom::TeacherMarks& own) {
-    if (!asked.is_object() || !asked.contains("entry") || !asked["entry"].is_number_unsigned())
-        return "expected the number of an entry";
-    const auto index = asked["entry"].get<std::size_t>();
-    if (index >= names.size()) return "there is no such entry";
-    classroom::OwnMarks& marks = own[names[index]];
+std::string change(const Json& asked, const classroom::Entry& entry, classroom::OwnMarks& marks) {
     if (asked.contains("comment")) {
         if (!asked["comment"].is_string() || asked["comment"].get<std::string>().size() > kLongestComment)
             return "expected a comment of at most 10,000 bytes";
@@ -73,43 +69,57 @@ std::string change(const Json& asked, const std::vector<std::string>& names, cla
     if (!asked.contains("check")) return {};
     if (!asked["check"].is_string() || !asked.contains("points")) return "expected a check and its points";
     const auto check = asked["check"].get<std::string>();
+    const auto mark = std::find_if(entry.marks.begin(), entry.marks.end(),
+                                   [&](const classroom::Mark& each) { return each.check == check; });
+    if (mark == entry.marks.end()) return "there is no such check";
     if (asked["points"].is_null()) {
-        marks.points.erase(check);
+        classroom::typePoints(marks, entry, check, std::nullopt);
         return {};
     }
     if (!asked["points"].is_number() || !std::isfinite(asked["points"].get<double>()))
         return "expected points as a number";
-    marks.points[check] = asked["points"].get<double>();
+    const auto points = asked["points"].get<double>();
+    if (points < 0 || points > mark->most)
+        return fmt::format("expected points from 0 to {:g}, found {:g}", mark->most, points);
+    classroom::typePoints(marks, entry, check, points);
     return {};
+}
+
+/// The number of the entry that a request names; nothing if there is none.
+std::optional<std::size_t> entryOf(const Json& asked, const ClassService& service) {
+    if (!asked.is_object() || !asked.contains("entry") || !asked["entry"].is_number_unsigned())
+        return std::nullopt;
+    const auto index = asked["entry"].get<std::size_t>();
+    const std::vector<std::string> names = shownBy(service).names;
+    if (index >= names.size()) return std::nullopt;
+    const std::vector<classroom::Entry>& all = service.room.entries;
+    const auto entry = std::find_if(all.begin(), all.end(), [&](const classroom::Entry& each) {
+        return each.submission.name == names[index];
+    });
+    if (entry == all.end()) return std::nullopt;
+    return static_cast<std::size_t>(entry - all.begin());
 }
 
 WebReply takeMarks(const ClassService& service, const WebRequest& request) {
     const Json asked = Json::parse(request.body, nullptr, false);
-    const Shown before = shownBy(service);
+    const std::optional<std::size_t> index = entryOf(asked, service);
+    if (!index) return wrong("expected the number of an entry");
+    const classroom::Entry* const entry = &service.room.entries[*index];
     classroom::TeacherMarks changed = service.own;
-    if (const std::string problem = change(asked, before.names, changed); !problem.empty())
+    if (const std::string problem = change(asked, *entry, classroom::marksOf(changed, service.room, *index));
+        !problem.empty())
         return wrong(problem);
-    const auto index = asked["entry"].get<std::size_t>();
-    const std::string& name = before.names[index];
-    const auto entry =
-        std::find_if(service.room.entries.begin(), service.room.entries.end(),
-                     [&](const classroom::Entry& each) { return each.submission.name == name; });
-    if (entry == service.room.entries.end()) return wrong("there is no such entry");
-    if (asked.contains("check") &&
-        std::none_of(entry->marks.begin(), entry->marks.end(), [&](const classroom::Mark& each) {
-            return each.check == asked["check"].get<std::string>();
-        }))
-        return wrong("there is no such check");
-    classroom::limitPoints(*entry, changed[name]);
-    const std::string text = classroom::toText(changed);
-    if (base::writeBeneath(service.site, classroom::kMarksFile, std::as_bytes(std::span(text))) != 0)
+    if (classroom::writeTeacherMarks(changed, service.site) != 0)
         return {500, "application/json", Json{{"error", "cannot write marks.json"}}.dump()};
     service.own = std::move(changed);
     service.mark();
     if (!service.write()) return {500, "application/json", Json{{"error", "cannot write the page"}}.dump()};
     Json reply = {{"marks", Json::array()}, {"comment", entry->comment}};
     for (const classroom::Mark& each : entry->marks)
-        reply["marks"].push_back({{"check", each.check}, {"points", each.points}, {"own", each.isOwn}});
+        reply["marks"].push_back({{"check", each.check},
+                                  {"points", each.points},
+                                  {"own", each.isOwn},
+                                  {"open", each.isOpen && !each.isBonus}});
     if (const std::optional<double> points = classroom::pointsOf(*entry)) reply["points"] = *points;
     return {200, "application/json", reply.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "classroom/classroom.h"
-#include "classroom/rubric.h"
+#include "classroom/teacher_marks.h"
 
 namespace glibra::cli {
 

@@ -381,6 +381,8 @@ constexpr CatalogueRow kCatalogueRows[] = {
     {"suite-W02", "the quarantine of 'oval' ended on 2026-12-31; remove it from the suite"},
     {"suite-W03", "an ignored rectangle of 'oval' counts again since 2026-12-31; remove it from the suite"},
     {"suite-W04", "only 0.4 % of the picture of 'oval' is compared"},
+    {"suite-W05",
+     "marks.json: no submission is 'ana', which has 3 points for 'report'; it stays in the file"},
     // Results of suites
     {"result-E01", "this is not a line of results: 'verdict': there is no verdict 'good'"},
     {"result-E02", "another run is writing its results to 'results'; give each run a folder of its own"},

@@ -27,6 +27,7 @@
 #include <fstream>
 #include <functional>
 #include <thread>
+#include <vector>
 
 #include "base/memory_limit.h"
 #include "base/workers.h"
@@ -285,6 +286,55 @@ TEST_F(Confined, DrawsWithThreadsAndMachineCodeOfItsOwn) {
     });
     EXPECT_EQ(inChild([]() -> bool { ::abort(); }, &sandbox), 128 + SIGABRT)
         << "a failed assertion must be seen as one";
+}
+
+TEST_F(Confined, HasNoMemoryThatItsLimitDoesNotCount) {
+    constexpr std::size_t kBytes = 1U << 20U;
+    const auto maps = [](int flags, int file) {
+        return ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, flags, file, 0) != MAP_FAILED;
+    };
+    isStopped("a file in memory", [] { return ::memfd_create("x", 0) >= 0; });
+    isStopped("shared memory", [&] { return maps(MAP_SHARED | MAP_ANONYMOUS, -1); });
+    isStopped("shared memory with more flags",
+              [&] { return maps(MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE | MAP_POPULATE, -1); });
+    isStopped("shared zeros", [&] {
+        const int zero = ::open("/dev/zero", O_RDWR);
+        return zero >= 0 && maps(MAP_SHARED, zero);
+    });
+    isStopped("a segment of System V", [] { return ::syscall(SYS_shmget, 0, kBytes, 0600) >= 0; });
+    isAllowed("private memory", [&] { return maps(MAP_PRIVATE | MAP_ANONYMOUS, -1); });
+}
+
+TEST_F(Confined, WritesNoFileBeyondTheLimit) {
+    const auto grows = [&](off_t bytes) {
+        ::signal(SIGXFSZ, SIG_IGN);
+        const int file = ::open((root / "out/large").c_str(), O_RDWR | O_CREAT | O_TRUNC, 0600);
+        return file >= 0 && ::ftruncate(file, bytes) == 0;
+    };
+    isStopped("a file of 2 GiB", [&] { return grows(off_t{2} << 30U); });
+    isAllowed("a file of 1 GiB", [&] { return grows(static_cast<off_t>(kLargestWritten)); });
+    isStopped("a limit that is raised again", [&] {
+        const rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+        return ::setrlimit(RLIMIT_FSIZE, &limit) == 0 && grows(off_t{2} << 30U);
+    });
+}
+
+TEST_F(Confined, AWorkerThatFillsTheDiskIsEnded) {
+    std::vector<Outcome::End> ends(2, Outcome::End::stopped);
+    runInWorkers(
+        2, {.sandbox = &sandbox},
+        [&](std::size_t piece, const Step&) -> std::string {
+            const std::vector<char> block(std::size_t{4} << 20U, 'x');
+            const int file = ::open((root / "out/full").c_str(), O_WRONLY | O_CREAT, 0600);
+            // Over and over, so that the test needs no disk of that size.
+            while (piece == 0 && ::pwrite(file, block.data(), block.size(), 0) > 0) {
+            }
+            return {};
+        },
+        [&](std::size_t piece, const Outcome& outcome) { ends[piece] = outcome.end; },
+        [](std::size_t, const std::string&) {});
+    EXPECT_EQ(ends[0], Outcome::End::crashed);
+    EXPECT_EQ(ends[1], Outcome::End::finished) << "others go on";
 }
 
 TEST_F(Confined, SandboxesCannotBeLeftOrWidened) {

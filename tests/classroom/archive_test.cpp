@@ -85,6 +85,26 @@ TEST_F(ArchiveTest, BombsEndAtTheLimits) {
     for (int i = 0; i < 30; ++i) many[std::to_string(i)] = "x";
     writeZip(made / "a.zip", many);
     EXPECT_EQ(unpacked({.entries = 20}), "the zip file has more than 20 files and folders");
+    EXPECT_EQ(unpacked({.entries = 30}), "");
+    // Few files may make many folders.
+    many.clear();
+    for (int i = 0; i < 10; ++i) {
+        std::string path;
+        for (int depth = 0; depth < 20; ++depth) path += std::to_string(i) + "/";
+        many[path + "a"] = "";
+    }
+    fs::remove(made / "a.zip");
+    writeZip(made / "a.zip", many);
+    EXPECT_EQ(unpacked({.entries = 100}), "the zip file has more than 100 files and folders");
+    EXPECT_EQ(unpacked({.entries = 210}), "");
+}
+
+TEST_F(ArchiveTest, OneFolderOfManyFilesCountsOnce) {
+    std::map<std::string, std::string> many;
+    for (int i = 0; i < 30; ++i) many["a/b/" + std::to_string(i)] = "x";
+    writeZip(made / "a.zip", many);
+    EXPECT_EQ(unpacked({.entries = 32}), "");
+    EXPECT_NE(unpacked({.entries = 31}), "");
 }
 
 TEST_F(ArchiveTest, DamagedFilesAreNamed) {
@@ -125,6 +145,22 @@ class UnpackTest : public testing::Test {
     suite::Folder made;
     SubmissionOptions options;
 };
+
+TEST_F(UnpackTest, NothingStaysOfOneThatReachesALimit) {
+    zipFile file = zipOpen64((made / "ana.zip").c_str(), APPEND_STATUS_CREATE);
+    for (int i = 0; i < 1'500; ++i) {
+        std::string path;
+        for (int depth = 0; depth < 20; ++depth) path += std::to_string(i) + "/";
+        addEntry(file, (path + "a").c_str(), "");
+    }
+    ASSERT_EQ(zipClose(file, nullptr), ZIP_OK);
+    fs::create_directory(made / "all");
+    fs::rename(made / "ana.zip", made / "all/ana.zip");
+    const Submissions found = find();
+    ASSERT_EQ(found.all.size(), 1U);
+    EXPECT_EQ(found.all[0].problem, "the zip file has more than 20000 files and folders");
+    EXPECT_TRUE(fs::is_empty(made / "site/unpacked/ana"));
+}
 
 TEST_F(UnpackTest, AZipFileIsASubmissionAndSoIsTheOnlyOneOfAFolder) {
     writeZip(made / "all/ana.zip", {{"p/a.glib", "Sphere\n"}, {"p/a.frag", ""}});

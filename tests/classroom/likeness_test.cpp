@@ -223,17 +223,18 @@ TEST(Likeness, ReactionsAreTheSameFromNearAndFromFar) {
         const Shown one{.pattern = dotsOf(kPeriod), .radius = radius, .ambient = ambient};
         Shown other = one;
         other.pattern = dotsOf(kPeriod * 1.5);
-        return reaction(draw(one), draw(other));
+        return reaction(draw(one), draw(other)).mean;
     };
     const double near = reactionAt(90, .3);
     EXPECT_GT(near, .02);
     for (const double radius : {70, 45, 30}) EXPECT_NEAR(reactionAt(radius, .3) / near, 1, .4) << radius;
     const image::Image dots = draw({.pattern = dotsOf(kPeriod)});
     const image::Image nothing = draw({.pattern = dotsOf(kPeriod), .x = 900});
-    EXPECT_EQ(reaction(dots, dots), 0);
-    EXPECT_EQ(reaction(nothing, nothing), 0);
-    EXPECT_GT(reaction(dots, nothing), .02);
-    EXPECT_EQ(reaction(dots, image::Image{3, 2, 3, image::Component::u8, std::vector<std::byte>(18)}), 1)
+    EXPECT_EQ(reaction(dots, dots).mean, 0);
+    EXPECT_EQ(reaction(dots, dots).strength, 0);
+    EXPECT_EQ(reaction(nothing, nothing).mean, 0);
+    EXPECT_GT(reaction(dots, nothing).mean, .02);
+    EXPECT_EQ(reaction(dots, image::Image{3, 2, 3, image::Component::u8, std::vector<std::byte>(18)}).mean, 1)
         << "pictures of two sizes";
 }
 

@@ -20,8 +20,9 @@ std::vector<std::uint32_t> normalCodes(const std::string& text) {
 
 /// The body of a function that reads a and b and writes the global o.
 std::string body(const std::string& statements) {
-    return "float helper(float x) { return x; }\nvoid main() { float a = sin(o), b = cos(o);\n" + statements +
-           "\n}\n";
+    return "float count; float helper(float x) { count += x; return x; }\nvoid main() { float a = sin(o), b "
+           "= cos(o);\n" +
+           statements + "\n}\n";
 }
 
 struct SamePair {

@@ -204,7 +204,13 @@ TEST(Reviews, ComeBackAsTheyWereAndDamagedOnesAreNone) {
     made.files = {{"a.frag", {{4'000'000'000U, 3}, {7, 12}}}};
     made.scores = {Score{0.125, 1, 0.5}, std::nullopt};
     made.showNothing = {false, true};
-    made.reactions = {0.25, std::nullopt};
+    made.reactions = {Change{0.25, 0.5, true}, std::nullopt};
+    made.scores[0]->effect = 0.75;
+    made.readPictures = {{"a.png", "12ab", true}};
+    made.digest = "34cd";
+    made.files[0].others = {"b.glsl"};
+    made.files[0].tokens[1].file = 1;
+    made.programs[0].idle = {"vertex"};
     const std::optional<Review> back = parseReview(toText(made));
     ASSERT_TRUE(back);
     EXPECT_EQ(back->programs[0].name, "Dots");
@@ -215,7 +221,17 @@ TEST(Reviews, ComeBackAsTheyWereAndDamagedOnesAreNone) {
     EXPECT_EQ(back->scores[0]->likeness, 0.5);
     EXPECT_FALSE(back->scores[1]);
     EXPECT_EQ(back->showNothing, made.showNothing);
-    EXPECT_EQ(back->reactions, made.reactions);
+    ASSERT_EQ(back->reactions.size(), 2U);
+    EXPECT_EQ(back->reactions[0]->mean, 0.25);
+    EXPECT_EQ(back->reactions[0]->strength, 0.5);
+    EXPECT_TRUE(back->reactions[0]->isOtherwise);
+    EXPECT_FALSE(back->reactions[1]);
+    EXPECT_EQ(back->scores[0]->effect, 0.75);
+    EXPECT_EQ(back->readPictures.at(0).name, "a.png");
+    EXPECT_TRUE(back->readPictures.at(0).isLikeReference);
+    EXPECT_EQ(back->digest, "34cd");
+    EXPECT_EQ(back->files[0].others, made.files[0].others);
+    EXPECT_EQ(back->programs[0].idle, made.programs[0].idle);
     for (const char* each :
          {"", "{", "[]", "{\"programs\":[],\"files\":[]}", "{\"programs\":1,\"files\":[],\"scores\":[]}",
           "{\"programs\":[],\"files\":[{\"path\":\"a\",\"codes\":[1],\"lines\":[]}],\"scores\":[]}",

@@ -6,8 +6,6 @@
 
 #include <cmath>
 
-#include "../suite/folder.h"
-
 namespace glibra::classroom {
 namespace {
 
@@ -23,7 +21,7 @@ Picture pictureWith(double flip, double likenessOf) {
 Classroom classOfOne() {
     Classroom room;
     room.reference.submission.scene = "solution.glib";
-    room.reference.reactions = {0.1};
+    room.reference.reactions = {Change{0.1, 0.1}};
     room.moments.resize(2);
     room.moments[0].label = "uAd=0.1";
     room.moments[1].label = "uAd=0.3";
@@ -31,7 +29,7 @@ Classroom classOfOne() {
     Entry& entry = room.entries.emplace_back();
     entry.submission = {"ana", "all/ana", "all/ana/a.glib", {}};
     entry.pictures = {pictureWith(0.01, 0.9), pictureWith(0.09, 0.6)};
-    entry.reactions = {0.08};
+    entry.reactions = {Change{0.08, 0.08}};
     entry.ranges = {{"uAd", 0.01, 0.5}};
     entry.calls = {"main", "mix", "smoothstep"};
     entry.programs = {
@@ -63,8 +61,13 @@ TEST(Rubrics, GivePointsForEachKindOfCheck) {
     EXPECT_EQ(markOf("uses = \"texture\"").points, 0);
     EXPECT_EQ(markOf("avoids = \"texture\"").points, 4);
     EXPECT_EQ(markOf("avoids = \"mix\"").points, 0);
+    Classroom idle = classOfOne();
+    idle.entries[0].programs[0].idle = {"tessellation control"};
+    EXPECT_EQ(markOf("stage = \"tessellation\"", idle).points, 0) << "nothing is drawn with it";
+    EXPECT_EQ(markOf("stage = \"fragment\"", idle).points, 4);
     EXPECT_EQ(markOf("without = \"glib-W*\"").points, 4);
     EXPECT_EQ(markOf("by-hand = true").points, 0);
+    EXPECT_TRUE(markOf("by-hand = true").isOpen);
     EXPECT_EQ(markOf("solved = true").points, 4);
 }
 
@@ -92,6 +95,18 @@ TEST(Rubrics, GivePartialCreditForLikeness) {
     EXPECT_EQ(worst.moment, std::optional<std::size_t>(1));
     EXPECT_EQ(worst.reason, "likeness 0.600");
     EXPECT_EQ(markOf("like = 0.8\nnone = 0.7").points, 2);
+    Classroom without = classOfOne();
+    for (Picture& each : without.entries[0].pictures) {
+        each.score->effect = 0.1;
+        each.score->kept = 0;
+    }
+    EXPECT_EQ(markOf("like = 0.2\nmeasure = \"flip\"", without).points, 0) << "without the effect";
+    EXPECT_EQ(markOf("like = 0.2\nmeasure = \"flip\"", without).reason,
+              "at worst FLIP 0.090, because it does not change as the reference does");
+    EXPECT_EQ(markOf("like = 0.5").reason, "at worst likeness 0.600") << "both have all points";
+    EXPECT_EQ(markOf("like = 0.5").moment, std::optional<std::size_t>(1));
+    EXPECT_EQ(markOf("like = 1\nnone = 0.95").reason, "at worst likeness 0.600") << "none has any";
+    EXPECT_EQ(markOf("like = 0.1\nmeasure = \"flip\"").reason, "at worst FLIP 0.090");
     EXPECT_EQ(markOf("like = 0.05\nmeasure = \"flip\"\nat = \"uAd=0.1\"").points, 4);
     EXPECT_EQ(markOf("like = 0.05\nmeasure = \"flip\"").points, 3.6) << "(0.25 - 0.09) / 0.2 of the other";
     Classroom room = classOfOne();
@@ -102,9 +117,13 @@ TEST(Rubrics, GivePartialCreditForLikeness) {
 
 TEST(Rubrics, WeakReactionsAndSingleWarningsAreHalf) {
     Classroom room = classOfOne();
-    room.entries[0].reactions = {0.01};
+    room.entries[0].reactions = {Change{0.01, 0.01}};
     EXPECT_EQ(markOf("reacts = \"uAd\"", room).points, 2);
-    room.entries[0].reactions = {0.0};
+    room.entries[0].reactions = {Change{0.08, 0.08, true}};
+    EXPECT_EQ(markOf("reacts = \"uAd\"", room).points, 2) << "in another way than the reference";
+    room.entries[0].reactions = {Change{0.001, 0.08}};
+    EXPECT_EQ(markOf("reacts = \"uAd\"", room).points, 4) << "in a small part of the picture";
+    room.entries[0].reactions = {Change{}};
     EXPECT_EQ(markOf("reacts = \"uAd\"", room).points, 0);
     EXPECT_EQ(markOf("ignores = \"uAd\"", room).points, 4);
     room.entries[0].reactions = {std::nullopt};
@@ -218,34 +237,6 @@ TEST(Rubrics, KeysOfAnotherKindOfCheckAreErrors) {
     EXPECT_EQ(mistakeOf("drawn = false\n").substr(0, 33), "2 suite-E03 drawn: expected true,");
     EXPECT_EQ(mistakeOf("lik = 0.8\ndrawn = true\n"),
               "2 suite-E02 unknown key 'lik' in [[check]]; did you mean 'like'?");
-}
-
-TEST(TeachersMarks, ReplacePointsAndSurvive) {
-    const suite::Folder made;
-    TeacherMarks marks;
-    marks["ana"] = {{{"is drawn", 1.5}, {"gone", 3}}, "well\ndone \"x\""};
-    suite::writeText(made / kMarksFile, toText(marks));
-    const Result<TeacherMarks> read = readTeacherMarks(made.path());
-    ASSERT_TRUE(read);
-    Classroom room = classOfOne();
-    Entry& entry = room.entries[0];
-    giveMarks(*readRubricText("[[check]]\ndrawn = true\npoints = 2\n", "x"), room, {}, entry);
-    applyTeacherMarks(*read, entry);
-    EXPECT_EQ(pointsOf(entry), 1.5);
-    EXPECT_TRUE(entry.marks[0].isOwn);
-    EXPECT_EQ(entry.comment, "well\ndone \"x\"");
-    TeacherMarks wild;
-    wild["ana"].points["is drawn"] = 1e9;
-    applyTeacherMarks(wild, entry);
-    EXPECT_EQ(pointsOf(entry), 2);
-    limitPoints(entry, wild["ana"]);
-    EXPECT_EQ(wild["ana"].points["is drawn"], 2) << "marks.json keeps what counts";
-    wild["ana"].points = {{"is drawn", -3}, {"gone", 7}};
-    limitPoints(entry, wild["ana"]);
-    EXPECT_EQ(wild["ana"].points, (std::map<std::string, double>{{"gone", 7}, {"is drawn", 0}}));
-    EXPECT_TRUE(readTeacherMarks(made / "missing")->empty());
-    suite::writeText(made / kMarksFile, "{\"ana\": 3}");
-    EXPECT_FALSE(readTeacherMarks(made.path()));
 }
 
 }  // namespace

@@ -59,28 +59,6 @@ void main() {
 }
 )";
 
-std::vector<std::string> callsOf(const std::string& text, glsl::IncludeReader include = {}) {
-    return calledFunctions({glsl::Stage::fragment, "a.frag", text}, std::move(include));
-}
-
-TEST(Calls, AreThoseThatAreCompiled) {
-    using Names = std::vector<std::string>;
-    const std::string end = "void main() { f = vec4(SS(0., 1., x)); }\n";
-    EXPECT_EQ(callsOf("#version 330\n#define SS smoothstep\n" + end), (Names{"main", "smoothstep", "vec4"}))
-        << "a macro stands for its text";
-    EXPECT_EQ(callsOf("#version 330\n#define SS(a, b, x) mix(a, b, step(.5, x))\n" + end),
-              (Names{"main", "mix", "step", "vec4"}));
-    EXPECT_EQ(callsOf("#version 330\n#if 0\nfloat a = noise1(x);\n#else\nfloat b = sin(x);\n#endif\n"
-                      "#ifdef NEVER\nfloat c = cos(x);\n#endif\n#define UNUSED tan(1.)\n"),
-              Names{"sin"});
-    const auto include = [](std::string_view name, std::string_view) -> std::optional<glsl::IncludedFile> {
-        if (name != "more.glsl") return std::nullopt;
-        return glsl::IncludedFile{"more.glsl", "#define SS fract\nfloat g(float x) { return exp(x); }\n"};
-    };
-    EXPECT_EQ(callsOf("#version 330\n#include \"more.glsl\"\nfloat y = SS(x);\n", include),
-              (Names{"exp", "fract", "g"}));
-}
-
 std::vector<SourceFile> fileOf(std::string_view text) {
     return {{"a.frag", comparableTokens(text)}};
 }

@@ -269,6 +269,151 @@ TEST_F(ClassInput, TheTeachersPointsSurviveANewRun) {
     EXPECT_EQ(readFile(folder / "site/marks.json"), "not JSON");
 }
 
+TEST_F(ClassInput, PointsThatFindNoPlaceAreNamedAndFollowTheStudent) {
+    const std::string rubric =
+        "[[check]]\ndrawn = true\npoints = 4\n[[check]]\nname = \"report\"\nby-hand = true\npoints = 6\n";
+    writeScene("all/Ana Lee_12_assignsubmission_file_/", kReference);
+    folder.write("class.toml", rubric);
+    const Finished first = run("--rubric class.toml --grade-book moodle");
+    ASSERT_EQ(first.status, 0);
+    EXPECT_TRUE(contains(first.err, "1 field is not yet marked by hand: 'report' of 1")) << first.err;
+    EXPECT_FALSE(contains(readFile(folder / "site/import-moodle.csv"), "4.00"))
+        << "no grade that is not whole";
+    folder.write("site/marks.json",
+                 "{\"Ana Lee_12_assignsubmission_file_\": {\"points\": {\"report\": 5}},"
+                 " \"zed\": {\"points\": {\"report\": 3}}}");
+    const Finished second = run("--rubric class.toml --names moodle");
+    ASSERT_EQ(second.status, 0);
+    EXPECT_EQ(grades()["Ana Lee"]["points"], "9.00000") << "by what was handed in";
+    EXPECT_TRUE(contains(second.err, "no submission is 'zed', which has 3 points for 'report'"))
+        << second.err;
+    EXPECT_TRUE(contains(page(), "no submission is &#39;zed&#39;") ||
+                contains(page(), "no submission is 'zed'"));
+    EXPECT_TRUE(contains(readFile(folder / "site/import-moodle.csv"), "9.00"));
+    folder.write("class.toml", rubric + "[[check]]\nname = \"essay\"\nby-hand = true\nbonus = true\n");
+    EXPECT_FALSE(contains(run("--rubric class.toml --names moodle").err, "not yet marked"))
+        << "a bonus may stay";
+    std::string renamed = rubric;
+    renamed.replace(renamed.find("report"), 6, "write-up");
+    folder.write("class.toml", renamed);
+    const Finished third = run("--rubric class.toml --names moodle");
+    EXPECT_TRUE(contains(third.err, "the rubric has no check for the 5 points for 'report' of 'Ana Lee'"))
+        << third.err;
+    EXPECT_TRUE(contains(readFile(folder / "site/marks.json"), "zed"));
+}
+
+TEST_F(ClassInput, PointsInsteadOfACheckEndWhenAStudentHandsInAgain) {
+    writeScene("all/ana/", kReference);
+    writeScene("all/bob/", kReference);
+    folder.write("class.toml", "[[check]]\ndrawn = true\npoints = 4\n");
+    ASSERT_EQ(run("--rubric class.toml").status, 0);
+    folder.write("site/marks.json",
+                 "{\"ana\": {\"points\": {\"is drawn\": 1}}, \"bob\": {\"points\": {\"is drawn\": 2}}}");
+    writeScene("all/ana/", dots("0.,.5,0.", "1.,1.,1."));
+    for (int i = 0; i < 2; ++i) {
+        const Finished again = run("--rubric class.toml");
+        EXPECT_TRUE(contains(again.err, "'ana' was handed in again after you typed 1 point for 'is drawn'"))
+            << again.err;
+        EXPECT_EQ(grades()["ana"]["points"], "4.00000");
+        EXPECT_EQ(grades()["bob"]["points"], "2.00000");
+        EXPECT_FALSE(contains(again.err, "'bob' was handed in again"));
+    }
+}
+
+/// A photograph, and a lens over a part of it.
+std::string lens(const std::string& change) {
+    return "#version 330 core\nuniform sampler2D uImage;\nuniform float uMag;\nin vec2 vST;\nout vec4 f;\n"
+           "void main() {\n  vec2 d = vST - .5;\n" +
+           change + "}\n";
+}
+
+TEST_F(ClassInput, AnEffectOnAPartOfThePictureDecidesAboutLikeness) {
+    const auto write = [&](const std::string& where, const std::string& change,
+                           const char* camera = "Ortho -5 5 -5 5\nLookAt 0 0 2 0 0 0 0 1 0\n") {
+        folder.write(where + "a.vert",
+                     "#version 330 core\nout vec2 vST;\nvoid main() { vST = aTexCoord0.st; "
+                     "gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
+        folder.write(where + "a.frag", lens(change));
+        folder.write(where + "image.png", readFile(GLIBRA_SOURCE_DIR "/textures/village.png"));
+        folder.write(where + "a.glib", std::string(camera) +
+                                           "Texture2D 5 image.png\nVertex a.vert\nFragment a.frag\n"
+                                           "Program P uImage 5 uMag <1. 1. 25.>\nQuadXY .2 5.\n");
+    };
+    const std::string show = "  f = texture(uImage, d + .5);\n";
+    write("ref/", "  if (length(d) < .2) d /= uMag;\n" + show);
+    // The lens works, works in part, or there is none.
+    write("all/a1 same/", "  if (length(d) < .2) d /= uMag;\n" + show);
+    write("all/a2 square/", "  if (max(abs(d.x), abs(d.y)) < .18) d /= uMag;\n" + show);
+    write("all/a3 larger/", "  if (length(d) < .24) d /= uMag;\n" + show);
+    write("all/a4 rim/", "  float r = length(d);\n  if (r < .2) d /= uMag;\n" + show +
+                             "  if (abs(r - .2) < .01) f = vec4(1.);\n");
+    write("all/a5 camera/", "  if (length(d) < .2) d /= uMag;\n" + show,
+          "Perspective 60\nLookAt 1 .6 9 0 0 0 0 1 0\n");
+    write("all/b1 half/", "  if (length(d) < .2 && d.x > 0.) d /= uMag;\n" + show);
+    write("all/b2 weak/", "  if (length(d) < .2) d /= 1. + .25 * (uMag - 1.);\n" + show);
+    write("all/b3 small/", "  if (length(d) < .06) d /= uMag;\n" + show);
+    write("all/c1 plain/", "  d *= 1. + 1e-9 * uMag;\n" + show);
+    write("all/c2 tint/", "  d *= 1. + 1e-9 * uMag;\n" + show + "  f.b *= .7;\n");
+    write("all/c3 fixed/", "  if (length(d) < .2) d /= 2. + 1e-9 * uMag;\n" + show);
+    write("all/c4 disc/", show + "  if (length(d) < .2) f.rgb = vec3(uMag / 25., .3, .8);\n");
+    folder.write("class.toml",
+                 "[[check]]\nname = \"looks\"\nlike = 0.8\npoints = 4\n[[check]]\nreacts = \"uMag\"\n");
+    ASSERT_EQ(run("--rubric class.toml --sweep 'uMag = [1, 2, 4]'").status, 0);
+    auto table = grades();
+    ASSERT_EQ(table.size(), 12U);
+    std::size_t wrong = 0, all = 0;
+    for (auto& [name, row] : table) {
+        const double points = std::stod(row["points looks"]);
+        const std::string& reacts = row["reacts uMag"];
+        EXPECT_GE(points, name[0] == 'a' ? 3 : 0) << name;
+        EXPECT_LE(points, name[0] == 'c' ? 1 : 4) << name;
+        EXPECT_EQ(reacts == "yes", name[0] != 'c') << name;
+        for (auto& [other, its] : table) {
+            if (other[0] <= name[0]) continue;
+            ++all;
+            wrong += std::stod(row["likeness"]) > std::stod(its["likeness"]) ? 0 : 1;
+        }
+    }
+    EXPECT_LE(wrong, all / 10) << wrong << " of " << all << " pairs";
+    // One picture of each shows no effect, which is said.
+    folder.write("looks.toml", "[[check]]\nname = \"looks\"\nlike = 0.8\n");
+    EXPECT_TRUE(contains(run("--rubric looks.toml").err, "the check 'looks' compares whole pictures"));
+}
+
+TEST_F(ClassInput, APictureOfTheSolutionIsNamed) {
+    writeScene("all/ana/", kReference);
+    ASSERT_EQ(run("").status, 0);
+    folder.write("all/bob/mine.png", readFile(folder / "site/pictures/0000-1.png"));
+    folder.write("all/bob/a.vert", "#version 330 core\nvoid main() { gl_Position = aVertex; }\n");
+    folder.write("all/bob/a.frag",
+                 "#version 330 core\nuniform sampler2D uP;\nout vec4 f;\nvoid main() { f = texture(uP, "
+                 "gl_FragCoord.xy / 128.); }\n");
+    folder.write("all/bob/a.glib",
+                 "Texture2D 5 mine.png\nVertex a.vert\nFragment a.frag\nProgram P uP 5\nQuadXY 0. 1.\n");
+    ASSERT_EQ(run("").status, 0);
+    EXPECT_TRUE(contains(page(), "It reads a picture that looks like the reference's: mine.png") ||
+                contains(page(), "It reads a picture that looks like the reference&#39;s: mine.png"));
+}
+
+TEST_F(ClassInput, ProgramsThatDrawNothingCountForNoCheck) {
+    writeScene("all/ana/", kReference, sceneWith() + "Fragment never.frag\nProgram Never\n");
+    folder.write("all/ana/never.frag",
+                 "#version 330 core\nout vec4 f;\nvoid main() { f = vec4(cos(gl_FragCoord.x)); }\n");
+    writeScene("all/bob/", kReference, sceneWith() + "Geometry g.geom\nProgram Never\n");
+    folder.write("all/bob/g.geom",
+                 "#version 330 core\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) "
+                 "out;\nvoid main() {}\n");
+    folder.write("class.toml",
+                 "[[check]]\nuses = \"cos\"\n[[check]]\nuses = \"smoothstep\"\n[[check]]\nstage = "
+                 "\"geometry\"\n[[check]]\nstage = \"fragment\"\n");
+    ASSERT_EQ(run("--rubric class.toml").status, 0);
+    EXPECT_EQ(grades()["ana"]["points uses cos"], "0.00000");
+    EXPECT_EQ(grades()["ana"]["points uses smoothstep"], "1.00000");
+    EXPECT_EQ(grades()["bob"]["points has a geometry shader"], "0.00000");
+    EXPECT_EQ(grades()["bob"]["points has a fragment shader"], "1.00000");
+    EXPECT_TRUE(contains(page(), "nothing is drawn with the geometry shader of program"));
+}
+
 TEST_F(ClassInput, PointsTypedOnTheServedPageAreKept) {
     writeScene("all/ana/", kReference);
     writeScene("all/bob/", kReference);

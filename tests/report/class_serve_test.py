@@ -110,10 +110,12 @@ class Served(unittest.TestCase):
         self.assertEqual(self.type(browser, POINTS % (ada, "report"), "4.5"), "saved")
         self.assertEqual(self.type(browser, POINTS % (ada, "a nice extra"), "2"), "saved")
         self.assertEqual(self.type(browser, f"#{bo} .commentField", 'It does <not> compile; ask "me"!'), "saved")
-        self.assertEqual(self.type(browser, POINTS % (bo, "report"), "99"), "saved")
+        said = self.type(browser, POINTS % (bo, "report"), "99")
+        self.assertIn("not saved", said)
+        self.assertIn("more than the 6 points", said)
         total = "return document.querySelector(`#${arguments[0]} .marks tfoot td`).textContent"
         self.assertEqual(browser.run(total, ada), "10.5")
-        self.assertEqual(browser.run("return document.querySelector(arguments[0]).value", POINTS % (bo, "report")), "6", "no more than there are")
+        self.assertEqual(browser.run("return document.querySelector(arguments[0]).value", POINTS % (bo, "report")), "99", "it stays to be corrected")
         row = "return document.querySelector(`.overview a[href='#${arguments[0]}']`).closest('tr').querySelector('.points').textContent"
         self.assertEqual(browser.run(row, ada), "10.5")
         lines = """return [...document.querySelectorAll('.marks td:nth-child(3)')].map((each) =>
@@ -127,6 +129,7 @@ class Served(unittest.TestCase):
         self.assertEqual(browser.run(total, ada), "10.5")
         kept = json.loads(self.read("site/marks.json"))
         self.assertEqual(kept["Ada"]["points"], {"report": 4.5, "a nice extra": 2})
+        self.assertNotIn("report", kept["Bo"]["points"])
         self.assertEqual(kept["Bo"]["comment"], 'It does <not> compile; ask "me"!')
         self.assertEqual(self.grades()["Ada"]["points"], "10.50000")
         self.assertEqual([each["message"] for each in browser.logs("browser")], [], "the console is silent")
@@ -152,12 +155,75 @@ class Served(unittest.TestCase):
         self.type(second, f"#{ada} .commentField", "from the second")
         self.type(first, POINTS % (ada, "a nice extra"), "1.5")
         kept = json.loads(self.read("site/marks.json"))
-        self.assertEqual(kept, {"Ada": {"comment": "from the second", "points": {"a nice extra": 1.5, "report": 3}},
-                                "<b>Cy": {"comment": "", "points": {"report": 3}}})
+        self.assertEqual({name: (each["comment"], each["points"], each["folder"]) for name, each in kept.items()},
+                         {"Ada": ("from the second", {"a nice extra": 1.5, "report": 3}, "Ada"), "<b>Cy": ("", {"report": 3}, "<b>Cy")})
         self.assertEqual(self.grades()["<b>Cy"]["points"], "7.00000")
         first.open(self.address)
         first.wait("return document.querySelectorAll('.commentField').length === 3")
         self.assertEqual(first.run(f"return document.querySelector('#{ada} .commentField').value"), "from the second")
+
+    def test_points_are_numbers_in_every_language_and_nothing_else(self):
+        browser = self.open()
+        ada = self.card(browser, "Ada")
+        field, kept = POINTS % (ada, "report"), None
+        for typed, wanted in (("2,5", 2.5), (" 3 ", 3), (".5", .5), ("6", 6), ("0", 0), ("4.", 4), ("1,25", 1.25)):
+            self.assertEqual(self.type(browser, field, typed), "saved", typed)
+            kept = json.loads(self.read("site/marks.json"))["Ada"]["points"]["report"]
+            self.assertEqual(kept, wanted, typed)
+            self.assertEqual(browser.run("return document.querySelector(arguments[0]).getAttribute('aria-invalid')", field), "false", typed)
+        for typed in ("1e", "1e1", "2,5,1", "1.000,5", "6,01", "9", "-1", "x", "2 5", "NaN", "Infinity", "0x2", "+", ","):
+            self.assertIn("not saved", self.type(browser, field, typed), typed)
+            self.assertEqual(json.loads(self.read("site/marks.json"))["Ada"]["points"]["report"], kept, typed)
+            self.assertEqual(browser.run("return document.querySelector(arguments[0]).getAttribute('aria-invalid')", field), "true", typed)
+            self.assertEqual(browser.run("return document.querySelector(arguments[0]).value", field), typed, "it stays to be corrected")
+        self.assertEqual(self.type(browser, field, ""), "saved")
+        self.assertNotIn("report", json.loads(self.read("site/marks.json")).get("Ada", {}).get("points", {}))
+        for points in (-1, 6.01, 1e9):
+            body = json.dumps({"entry": 0, "check": "report", "points": points}).encode()
+            self.assertEqual(self.ask("POST", f"/{self.token}/marks", body, Content_Type="application/json")[0], 400, points)
+
+    def test_what_nobody_has_marked_is_counted_and_keys_lead_to_it(self):
+        browser = self.open()
+        names = browser.run("return [...document.querySelectorAll('.card')].map((each) => each.dataset.name)")
+        self.assertIn("0 of 3 submissions are marked", browser.run("return document.querySelector('.unmarked').textContent"))
+        self.assertEqual(self.grades()["Ada"]["not marked"], "1")
+        self.assertEqual(self.grades()["Ada"]["points report"], "", "not 0")
+        focused = "const card = document.activeElement.closest('.card'); return card && card.dataset.name"
+        for key, name in (("j", names[0]), ("j", names[1]), ("k", names[0]), ("j", names[1]), ("j", names[2]), ("j", names[2])):
+            browser.press(key)
+            self.assertEqual(browser.run(focused), name, key)
+        self.type(browser, POINTS % (self.card(browser, names[1]), "report"), "3")
+        self.assertIn("1 of 3 submissions are marked", browser.run("return document.querySelector('.unmarked').textContent"))
+        browser.run("document.querySelector('.card').focus()")
+        browser.run("document.activeElement.blur()")
+        browser.press("n")
+        self.assertEqual(browser.run(focused), names[0])
+        self.assertEqual(browser.run("return document.activeElement.tagName"), "INPUT", "its first field")
+        self.assertEqual(self.grades()[names[1]]["not marked"], "0")
+
+    def test_what_one_comment_says_can_be_added_to_another(self):
+        browser = self.open()
+        ada, bo = self.card(browser, "Ada"), self.card(browser, "Bo")
+        self.type(browser, f"#{ada} .commentField", "No lighting.")
+        browser.run("document.querySelector(arguments[0]).focus()", f"#{bo} .commentField")
+        options = "return [...document.querySelectorAll(arguments[0])].map((each) => each.value)"
+        self.assertEqual(browser.run(options, f"#{bo} .bank option"), ["", "No lighting."])
+        self.type(browser, f"#{bo} .commentField", "Good dots.")
+        browser.run("document.querySelector('.saved').textContent = ''")
+        browser.run("""const bank = document.querySelector(arguments[0]); bank.focus(); bank.value = 'No lighting.';
+            bank.dispatchEvent(new Event('change'));""", f"#{bo} .bank")
+        browser.wait("return /saved/.test(document.querySelector('.saved').textContent)")
+        self.assertEqual(json.loads(self.read("site/marks.json"))["Bo"]["comment"], "Good dots.\nNo lighting.")
+        self.assertEqual(browser.run(options, f"#{bo} .bank option"), [""], "what it says already is left out")
+
+    def test_points_stay_in_their_card_in_every_window(self):
+        browser = self.open()
+        for width in (320, 500, 760, 1024, 1400, 1920):
+            browser.command("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+            wide = browser.run("""return [...document.querySelectorAll('table.marks')].filter((each) =>
+                each.getBoundingClientRect().right > each.closest('.card').getBoundingClientRect().right + 1).length""")
+            self.assertEqual(wide, 0, width)
+        browser.command("Emulation.clearDeviceMetricsOverride")
 
     def test_a_file_that_cannot_be_written_is_said_and_nothing_counts(self):
         browser = self.open()

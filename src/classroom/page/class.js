@@ -91,5 +91,34 @@ function addSorting() {
     table.before(filter);
 }
 
+// j and k go to the next and to the previous submission that is shown, n to the next one that has a field to mark.
+function goTo(step, isWanted = () => true) {
+    const cards = [...document.querySelectorAll(".card")].filter(each => !each.hidden);
+    const now = document.activeElement.closest(".card");
+    const at = now ? cards.indexOf(now) : step > 0 ? -1 : cards.length;
+    for (let i = at + step; i >= 0 && i < cards.length; i += step) {
+        if (!isWanted(cards[i])) continue;
+        cards[i].tabIndex = -1;
+        cards[i].scrollIntoView({block: "start"});
+        cards[i].focus({preventScroll: true});
+        const field = cards[i].querySelector("tr.open input");
+        if (field && isWanted === hasOpen) field.focus({preventScroll: true});
+        return;
+    }
+}
+
+const hasOpen = card => card.querySelector("tr.open") !== null;
+
+document.addEventListener("keydown", event => {
+    const field = event.target.closest("input, textarea");
+    if (event.metaKey || event.ctrlKey || (field && !event.altKey)) return;
+    const key = event.key.toLowerCase();
+    if (key === "j") goTo(1);
+    else if (key === "k") goTo(-1);
+    else if (key === "n") goTo(1, hasOpen);
+    else return;
+    event.preventDefault();
+});
+
 addComparison();
 addSorting();

@@ -17,8 +17,8 @@ namespace {
 
 /// Browsers open six connections to a host; a few of them, with two browsers, stay without a request for a
 /// while.
-constexpr std::size_t kThreads = 32;
-constexpr int kSeconds = 5;  ///< that a client may take between two bytes
+constexpr std::size_t kThreads = 64;
+constexpr int kSeconds = 1;  ///< that a client may take between two bytes
 
 GlibraText textOf(const std::string& text) {
     return {text.data(), text.size()};

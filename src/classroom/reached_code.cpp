@@ -1,0 +1,282 @@
+#include "classroom/reached_code.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "classroom/normal_form.h"
+#include "glsl/parse/types.h"
+#include "glsl/read/report.h"
+#include "glsl/read/source.h"
+#include "glsl/read/stage_text.h"
+#include "glsl/read/words.h"
+
+namespace glibra::classroom {
+namespace {
+
+using Code = std::vector<CodeToken>;
+
+std::string_view textAt(std::span<const CodeToken> tokens, std::size_t index) {
+    return index < tokens.size() ? tokens[index].text : std::string_view{};
+}
+
+/// A word that the text may declare.
+bool isName(const CodeToken& token) {
+    return token.isWord && glsl::keywordSince(token.text) == 0;
+}
+
+/// The tokens of a stage, with the lines that have them: of what a macro stands for, that of its definition.
+Code codeOf(const glsl::StageText& text) {
+    Code code;
+    for (const glsl::ViewToken& each : text.view) {
+        const glsl::Token& token = text.tokens[each.raw];
+        CodeLine line{token.line, token.file};
+        if (token.body < text.macroTexts.size())
+            line = {text.macroTexts[token.body].line, text.macroTexts[token.body].file};
+        code.push_back(
+            {each.text, 0, line, each.kind == glsl::TokenKind::word, each.kind == glsl::TokenKind::number});
+    }
+    return code;
+}
+
+/// Which items run. Functions are reached by calls, variables and structures by their names.
+std::vector<bool> reachedItems(std::span<const CodeToken> code, std::span<const CodeItem> items) {
+    std::multimap<std::string_view, std::size_t> functions, others;
+    std::vector<std::size_t> open;
+    bool hasMain = false;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const bool isCalled = items[i].parameters.data() != nullptr;
+        for (const std::string_view name : items[i].names) (isCalled ? functions : others).emplace(name, i);
+        const bool isMain = items[i].isFunction && items[i].names.front() == "main";
+        hasMain = hasMain || isMain;
+        // A subroutine is chosen by a uniform.
+        if (isMain || items[i].names.empty() || code[items[i].begin].text == "subroutine") open.push_back(i);
+    }
+    std::vector<bool> reached(items.size(), !hasMain);
+    if (!hasMain) return reached;
+    const auto reach = [&](const auto& named, std::string_view name) {
+        for (auto [each, end] = named.equal_range(name); each != end; ++each)
+            if (!reached[each->second]) {
+                reached[each->second] = true;
+                open.push_back(each->second);
+            }
+    };
+    for (const std::size_t each : open) reached[each] = true;
+    while (!open.empty()) {
+        const CodeItem item = items[open.back()];
+        open.pop_back();
+        for (std::size_t i = item.begin; i < item.end; ++i) {
+            if (!isName(code[i]) || (i > 0 && code[i - 1].text == ".")) continue;
+            reach(others, code[i].text);
+            if (textAt(code, i + 1) == "(") reach(functions, code[i].text);
+        }
+    }
+    return reached;
+}
+
+/// The number of arguments or parameters between two parentheses.
+std::size_t countOf(std::span<const CodeToken> list) {
+    if (list.empty() || (list.size() == 1 && list[0].text == "void")) return 0;
+    std::size_t count = 1;
+    int depth = 0;
+    for (const CodeToken& each : list) {
+        depth += each.text == "(" || each.text == "[" ? 1 : each.text == ")" || each.text == "]" ? -1 : 0;
+        if (depth < 0) break;
+        if (depth == 0 && each.text == ",") ++count;
+    }
+    return count;
+}
+
+/// Adds the names that the reached items call.
+void addCalls(std::span<const CodeToken> code, std::span<const CodeItem> items,
+              const std::vector<bool>& reached, std::set<std::string>& calls) {
+    static const auto kBuiltIn = [] {
+        const std::vector<std::string_view> all = glsl::coreFunctions();
+        return std::set<std::string_view>(all.begin(), all.end());
+    }();
+    std::multimap<std::string_view, std::size_t> own;
+    for (const CodeItem& each : items)
+        if (each.parameters.data() != nullptr)
+            for (const std::string_view name : each.names) own.emplace(name, countOf(each.parameters));
+    for (std::size_t item = 0; item < items.size(); ++item) {
+        if (!reached[item]) continue;
+        for (std::size_t i = items[item].begin; i < items[item].end; ++i) {
+            const std::string_view name = code[i].text;
+            if (!code[i].isWord || textAt(code, i + 1) != "(") continue;
+            // float f(float x)
+            if (i > items[item].begin && code[i - 1].isWord && !glsl::isStatementWord(code[i - 1].text))
+                continue;
+            const auto [first, last] = own.equal_range(name);
+            if (first != last && (kBuiltIn.contains(name) || name.starts_with("texture"))) {
+                const std::size_t arguments = textAt(code, i + 2) == ")" ? 0 : countOf(code.subspan(i + 2));
+                if (std::any_of(first, last, [&](const auto& each) { return each.second == arguments; }))
+                    continue;
+            }
+            if (!glsl::isStatementWord(name)) calls.emplace(name);
+        }
+    }
+}
+
+/// The variable that the assignment at `sign` changes: a of `a.b[i] = c` and `++a`.
+std::string_view targetOf(std::span<const CodeToken> tokens, std::size_t begin, std::size_t sign) {
+    constexpr std::size_t kLongest = 1'000;  // tokens of what is assigned to
+    begin = std::max(begin, sign - std::min(sign, kLongest));
+    for (std::size_t at = sign; at > begin;) {
+        if (tokens[at - 1].text == "]") {
+            for (int depth = 0; at > begin;) {
+                --at;
+                depth += tokens[at].text == "]" ? 1 : tokens[at].text == "[" ? -1 : 0;
+                if (depth == 0) break;
+            }
+        } else if (tokens[at - 1].isWord) {
+            if (at < begin + 2 || tokens[at - 2].text != ".") return tokens[at - 1].text;
+            at -= 2;
+        } else {
+            break;
+        }
+    }
+    return textAt(tokens, sign + 1);
+}
+
+SourceFile runOf(const Code& tokens, const std::vector<std::string>& files) {
+    SourceFile run{files.at(tokens.front().line.file), {}};
+    for (const CodeToken& each : inOrder(tokens, kNumberCode)) {
+        SourceToken& token = run.tokens.emplace_back(SourceToken{each.code, each.line.number, 0});
+        const std::string& path = files.at(each.line.file);
+        if (path == run.path) continue;
+        auto other = std::ranges::find(run.others, path);
+        if (other == run.others.end()) other = run.others.insert(other, path);
+        token.file = static_cast<std::uint32_t>(other - run.others.begin()) + 1;
+    }
+    return run;
+}
+
+void read(const glsl::StageSource& stage, const glsl::IncludeReader& include, bool hasExtensions,
+          std::set<std::string>& calls, ReachedCode& result) {
+    glsl::ProgramRequest request;
+    request.include = include;
+    if (hasExtensions) request.target.hasExtension = [](std::string_view) { return true; };
+    glsl::StageText text;
+    text.request = &request;
+    glsl::Report report;  // the scene has been checked already
+    glsl::readSource(stage, text, report);
+    for (const Diagnostic& each : report.take())
+        result.isWhole = result.isWhole && each.id != "glsl-E11" && each.id != "file-E09";
+    const Code written = codeOf(text);
+    const OwnFunctions own = ownFunctions(written);
+    const Code code = withoutDeadCode(comparedCode(written, own), own);
+    const std::vector<CodeItem> items = itemsOf(code);
+    const std::vector<bool> reached = reachedItems(code, items);
+    if (!hasExtensions) addCalls(code, items, reached, calls);
+    Code run;
+    const auto finish = [&] {
+        if (!run.empty()) result.runs.push_back(runOf(run, text.files));
+        run.clear();
+    };
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (!reached[i] || (!run.empty() && code[items[i].begin].line.file != run.front().line.file))
+            finish();
+        if (!reached[i]) continue;
+        run.insert(run.end(), code.begin() + static_cast<std::ptrdiff_t>(items[i].begin),
+                   code.begin() + static_cast<std::ptrdiff_t>(items[i].end));
+    }
+    finish();
+    const bool asksForExtensions = std::ranges::any_of(
+        text.storage, [](const std::string& each) { return each.find("GL_") != std::string::npos; });
+    if (!hasExtensions && asksForExtensions) read(stage, include, true, calls, result);
+}
+
+}  // namespace
+
+std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens) {
+    std::vector<CodeItem> items;
+    for (std::size_t begin = 0; begin < tokens.size();) {
+        CodeItem item{begin, tokens.size()};
+        int depth = 0;
+        bool hasValue = false;
+        std::size_t open = 0, close = 0;  // the parentheses after the name of a function
+        for (std::size_t i = begin; i < tokens.size(); ++i) {
+            const std::string_view each = tokens[i].text;
+            if (depth == 0 && each == "{" && i > begin && tokens[i - 1].text == ")") item.isFunction = true;
+            hasValue = hasValue || (depth == 0 && each == "=");
+            const bool isDeclared = depth == 0 && !hasValue && isName(tokens[i]);
+            if (isDeclared && textAt(tokens, i + 1) == "(" && i > begin) {
+                open = i + 2;
+                item.names = {each};
+            } else if (open == 0 && isDeclared) {
+                item.names.push_back(each);
+            }
+            if (each == "," && depth == 0) hasValue = false;
+            depth += each == "(" || each == "[" || each == "{"   ? 1
+                     : each == ")" || each == "]" || each == "}" ? -1
+                                                                 : 0;
+            depth = std::max(depth, 0);
+            if (depth == 0 && each == ")" && open > 0 && close == 0) close = i;
+            if (depth > 0 || (each != ";" && (each != "}" || !item.isFunction))) continue;
+            item.end = i + 1;
+            break;
+        }
+        if (close >= open && open > 0) item.parameters = tokens.subspan(open, close - open);
+        item.isFunction = item.isFunction && open > 0;
+        begin = item.end;
+        items.push_back(std::move(item));
+    }
+    return items;
+}
+
+bool hasEffect(std::string_view name) {
+    return name.starts_with("image") || name.starts_with("atomic") || name.starts_with("emit") ||
+           name.starts_with("Emit") || name.starts_with("End") || name.ends_with("arrier");
+}
+
+OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {
+    static const std::set<std::string_view> kAssignments{
+        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"};
+    OwnFunctions own;
+    std::multimap<std::string_view, std::string_view> callers;  // by what they call
+    std::vector<std::string_view> open;
+    for (const CodeItem& item : itemsOf(tokens)) {
+        if (tokens[item.begin].text == "struct" && item.end > item.begin + 1)
+            own.try_emplace(tokens[item.begin + 1].text, false);
+        if (item.parameters.data() == nullptr) continue;
+        const std::string_view name = item.names.front();
+        bool& effect = own.try_emplace(name, false).first->second;
+        std::set<std::string_view> locals;
+        for (std::size_t i = item.begin + 1; i < item.end; ++i) {
+            const std::string_view each = tokens[i].text;
+            if (tokens[i].isWord && tokens[i - 1].isWord && !glsl::isStatementWord(tokens[i - 1].text))
+                locals.insert(each);
+            if (tokens[i].isWord && textAt(tokens, i + 1) == "(") {
+                callers.emplace(each, name);
+                effect = effect || hasEffect(each);
+            }
+            effect = effect || each == "discard" || each == "out" || each == "inout";
+            if (kAssignments.contains(each))
+                effect = effect || !locals.contains(targetOf(tokens, item.begin, i));
+        }
+        if (effect) open.push_back(name);
+    }
+    while (!open.empty()) {
+        const std::string_view called = open.back();
+        open.pop_back();
+        for (auto [each, end] = callers.equal_range(called); each != end; ++each)
+            if (bool& effect = own.at(each->second); !effect) {
+                effect = true;
+                open.push_back(each->second);
+            }
+    }
+    return own;
+}
+
+ReachedCode reachedCode(const glsl::StageSource& stage, const glsl::IncludeReader& include) {
+    ReachedCode result;
+    std::set<std::string> calls;
+    read(stage, include, false, calls, result);
+    result.calls.assign(calls.begin(), calls.end());
+    return result;
+}
+
+}  // namespace glibra::classroom

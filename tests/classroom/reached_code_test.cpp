@@ -1,0 +1,220 @@
+// What a stage runs: what is no part of it hides no copy and earns no points.
+
+#include "classroom/reached_code.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "classroom/similarity.h"
+
+namespace glibra::classroom {
+namespace {
+
+using Names = std::vector<std::string>;
+
+ReachedCode codeOf(const std::string& text, const glsl::IncludeReader& include = {}) {
+    return reachedCode({glsl::Stage::fragment, "a.frag", text}, include);
+}
+
+Names callsOf(const std::string& text, const glsl::IncludeReader& include = {}) {
+    return codeOf(text, include).calls;
+}
+
+bool callsSmoothstep(const std::string& text) {
+    const Names calls = callsOf("#version 330\nin vec2 vST;\nout vec4 f;\nuniform float uA;\n" + text);
+    return std::ranges::find(calls, "smoothstep") != calls.end();
+}
+
+TEST(Calls, AreThoseThatAreCompiled) {
+    const std::string end = "void main() { f = vec4(SS(0., 1., x)); }\n";
+    EXPECT_EQ(callsOf("#version 330\n#define SS smoothstep\n" + end), (Names{"smoothstep", "vec4"}))
+        << "a macro stands for its text";
+    EXPECT_EQ(callsOf("#version 330\n#define SS(a, b, x) mix(a, b, step(.5, x))\n" + end),
+              (Names{"mix", "step", "vec4"}));
+    EXPECT_EQ(callsOf("#version 330\n#if 0\nfloat a = noise1(x);\n#else\nfloat b = sin(x);\n#endif\n"
+                      "#ifdef NEVER\nfloat c = cos(x);\n#endif\n#define UNUSED tan(1.)\n"),
+              Names{"sin"});
+    const auto include = [](std::string_view name, std::string_view) -> std::optional<glsl::IncludedFile> {
+        if (name != "more.glsl") return std::nullopt;
+        return glsl::IncludedFile{"more.glsl", "#define SS fract\nfloat g(float x) { return exp(x); }\n"};
+    };
+    EXPECT_EQ(callsOf("#version 330\n#include \"more.glsl\"\nvoid main() { y = SS(g(x)); }\n", include),
+              (Names{"exp", "fract", "g"}));
+}
+
+TEST(Calls, AreThoseThatRun) {
+    const char* const kUse = "f = vec4(smoothstep(0., 1., vST.x));";
+    const std::string use = kUse;
+    const std::string red = "f = vec4(1., 0., 0., 1.);";
+    for (const std::string& each : std::initializer_list<std::string>{
+             "void main() { " + use + " }",
+             "float s(float x) { return smoothstep(0., 1., x); }\nvoid main() { f = vec4(s(vST.x)); }",
+             "void main() { if (uA > .5) { " + use + " } else " + red + " }",
+             "void main() { if (vST.x > 2.) discard; " + use + " }",
+             "void main() { for (int i = 0; i < 2; ++i) " + use + " }",
+             "#define S smoothstep\nvoid main() { f = vec4(S(0., 1., vST.x)); }",
+             "const float k = smoothstep(0., 1., .5);\nvoid main() { f = vec4(k); }",
+             "void s(inout vec4 c) { c *= smoothstep(0., 1., vST.x); }\nvoid main() { " + red + " s(f); }",
+             "float smoothstep(float a) { return a; }\nvoid main() { f = vec4(smoothstep(0., 1., "
+             "smoothstep(1.))); }",
+             "subroutine float Way();\nsubroutine uniform Way uWay;\n"
+             "subroutine(Way) float one() { return smoothstep(0., 1., vST.x); }\nvoid main() { f = "
+             "vec4(uWay()); }",
+         })
+        EXPECT_TRUE(callsSmoothstep(each)) << each;
+    for (const std::string& each : std::initializer_list<std::string>{
+             "float s(float x) { return smoothstep(0., 1., x); }\nvoid main() { " + red + " }",
+             "float s(float x) { return smoothstep(0., 1., x); }\nfloat t() { return s(1.); }\nvoid main() "
+             "{ " +
+                 red + " }",
+             "float s(float x) { return smoothstep(0., 1., x); }\nvoid main() { float s = 1.; f = vec4(s); }",
+             "void main() { " + red + " if (false) " + use + " }",
+             "void main() { " + red + " if (false) { " + use + " } }",
+             "void main() { if (true) { " + red + " } else { " + use + " } }",
+             "void main() { if (1 > 2) { " + use + " } else { " + red + " } }",
+             "void main() { " + red + " if (!true || false && uA > 0.) { " + use + " } }",
+             "const bool kNever = false;\nvoid main() { " + red + " if (kNever) { " + use + " } }",
+             "void main() { bool never = false; " + red + " if (never) " + use + " }",
+             "#define false true\nvoid main() { if (false) { " + red + " } else { " + use + " } }",
+             "void main() { " + red + " while (false) { " + use + " } }",
+             "void main() { " + red + " for (int i = 0; i < 0; ++i) { " + use + " } }",
+             "void main() { " + red + " return; " + use + " }",
+             "void main() { " + red + " { return; } " + use + " }",
+             "void main() { " + red + " if (true) return; " + use + " }",
+             "void main() { for (int i = 0; i < 2; ++i) { " + red + " break; " + use + " } }",
+             "void main() { " + red + " float a = smoothstep(0., 1., vST.x); }",
+             "void main() { " + red + " smoothstep(0., 1., vST.x); }",
+             "void main() { f = vec4(false ? smoothstep(0., 1., vST.x) : 1.); }",
+             "float junk;\nvoid main() { junk = smoothstep(0., 1., vST.x); " + red + " }",
+             "const float k = smoothstep(0., 1., .5);\nvoid main() { " + red + " }",
+             "float smoothstep(float a) { return a; }\nvoid main() { f = vec4(smoothstep(1.)); }",
+             "float smoothstep(float a, float b, float c) { return a; }\nvoid main() { f = "
+             "vec4(smoothstep(1., 2., 3.)); }",
+             "#if 0\n" + use + "\n#endif\nvoid main() { " + red + " }",
+             "// smoothstep(1.)\nvoid main() { " + red + " }",
+         })
+        EXPECT_FALSE(callsSmoothstep(each)) << each;
+}
+
+/// How much of `a` is in `b`, as the page of a class says it.
+double similarity(const std::string& a, const std::string& b, const glsl::IncludeReader& include = {}) {
+    std::vector<std::vector<Fingerprint>> prints;
+    for (const std::string& each : {a, b}) prints.push_back(fingerprintsOf(codeOf(each, include).runs, {}));
+    const std::vector<SimilarPair> pairs = similarPairs(prints);
+    return pairs.empty() ? 0 : pairs[0].ofA;
+}
+
+constexpr const char* kBlend =
+    "float blend(float a, float b, float x) {\n  float t = clamp((x - a) / (b - a), 0., 1.);\n"
+    "  return t * t * (3. - 2. * t);\n}\n";
+const std::vector<std::string> kLines{
+    "float Ar = uAd / 2., Br = uBd / 2.;",
+    "int numins = int(vST.s / uAd);",
+    "float sc = float(numins) * uAd + Ar;",
+    "float ds = (vST.s - sc) / Ar;",
+    "float t = blend(1. - uTol, 1. + uTol, ds * ds);",
+    "vec3 color = mix(vec3(1., .5, 0.), vec3(.2, .2, 1.), t);",
+    "float light = .3 + .7 * max(0., dot(normalize(vN), vec3(0., 0., 1.)));",
+    "f = vec4(color * light, 1.);"};
+constexpr const char* kHead =
+    "#version 330\nuniform float uAd, uBd, uTol;\nin vec2 vST; in vec3 vN;\nout vec4 f;\n";
+
+std::string shaderOf(const std::string& first, const std::string& between = "",
+                     const std::string& head = "") {
+    std::string text = std::string(kHead) + head + kBlend + "void main() {\n" + first;
+    for (const std::string& each : kLines) text += "  " + each + "\n" + between;
+    return text + "}\n";
+}
+
+TEST(Copies, AreFoundBehindThePreprocessor) {
+    const std::string own = shaderOf("");
+    std::string macros = std::string(kHead) + kBlend, body = "void main() {";
+    for (std::size_t i = 0; i < kLines.size(); ++i) {
+        macros += "#define M" + std::to_string(i) + " " + kLines[i] + "\n";
+        body += " M" + std::to_string(i);
+    }
+    std::string spliced = own;
+    for (std::size_t at = spliced.find("color"); at != std::string::npos; at = spliced.find("color", at + 7))
+        spliced.insert(at + 2, "\\\n");
+    std::string hiddenNames = own;
+    for (std::size_t at = hiddenNames.find("color"); at != std::string::npos;
+         at = hiddenNames.find("color", at))
+        hiddenNames.replace(at, 5, "C");
+    for (const std::string& each : std::initializer_list<std::string>{
+             shaderOf("#ifdef NEVER\n  return;\n#endif\n"),
+             shaderOf("#if 0\n  return;\n#endif\n"),
+             shaderOf("#if 0\n  discard;\n#endif\n"),
+             shaderOf("#ifndef ALWAYS\n#else\n  return;\n#endif\n"),
+             shaderOf("", "#if 0\n  return;\n#endif\n"),
+             shaderOf("#if 0\n  if (false)\n#endif\n"),
+             shaderOf("#if GL_NO_such_thing\n  return;\n#endif\n"),
+             shaderOf("#ifdef GL_NV_gpu_shader5\n#else\n  return;\n#endif\n"),
+             shaderOf("  if (false) {\n", "", "#define false true\n") + "}\n",
+             shaderOf("  if (true) {\n") + "}\n",
+             shaderOf("  while (true) {\n", "") + "}\n",
+             shaderOf("", "  float junk = fract(vST.x);\n"),
+             shaderOf("", "  hide();\n", "void hide() { float a = sin(1.); }\n"),
+             shaderOf("", "  float x = hide(vST.x);\n", "float hide(float a) { a += 1.; return a * 2.; }\n"),
+             shaderOf("", "  if (2 < 1) { f.x = 3.; }\n"),
+             shaderOf("", "  { ; }\n"),
+             shaderOf("", "",
+                      "float junk(float a) { return sin(a) * cos(a) + tan(a) * exp(a) / log(a) - a; }\n"),
+             macros + body + "}\n",
+             "#define C color\n" + hiddenNames,
+             spliced,
+         })
+        EXPECT_GE(similarity(own, each), .8) << each;
+    const auto include = [&](std::string_view name, std::string_view) -> std::optional<glsl::IncludedFile> {
+        const std::size_t line = static_cast<std::size_t>(name[0] - '0');
+        return glsl::IncludedFile{std::string(name), kLines.at(line) + "\n"};
+    };
+    std::string included = std::string(kHead) + kBlend + "void main() {\n";
+    for (std::size_t i = 0; i < kLines.size(); ++i)
+        included += "#include \"" + std::to_string(i) + ".glsl\"\n";
+    EXPECT_GE(similarity(own, included + "}\n", include), .8) << "each line in a file of its own";
+}
+
+TEST(Copies, AreNotCodeThatNeverRuns) {
+    const std::string own = shaderOf("");
+    const std::string other =
+        "#version 330\nin vec3 vN;\nout vec4 f;\nvoid main() { f = vec4(.5 + .5 * vN, 1.); }\n";
+    std::string unused = std::string(kHead) + kBlend + "void never() {\n";
+    for (const std::string& each : kLines) unused += each + "\n";
+    EXPECT_EQ(similarity(own, unused + "}\n" + other.substr(other.find("void"))), 0);
+}
+
+TEST(ReachedCode, LinesAreThoseThatAReaderLooksFor) {
+    const ReachedCode code = codeOf("#version 330\n#define BODY f = vec4(1.);\n\nvoid main() {\n  BODY\n}\n");
+    ASSERT_EQ(code.runs.size(), 1U);
+    std::vector<std::int32_t> lines;
+    for (const SourceToken& each : code.runs[0].tokens) lines.push_back(each.line);
+    std::ranges::sort(lines);
+    EXPECT_EQ(lines.front(), 2) << "the text of a macro is where it is defined";
+    EXPECT_EQ(lines.back(), 6);
+    EXPECT_EQ(code.runs[0].path, "a.frag");
+}
+
+TEST(ReachedCode, FunctionsThatAreLeftOutSeparateWhatIsAroundThem) {
+    const std::string text =
+        "#version 330\nout vec4 f;\nvec4 a() { return vec4(1.); }\nvec4 b() { return vec4(2.); }\n"
+        "vec4 c() { return vec4(3.); }\nvoid main() { f = a() + c(); }\n";
+    EXPECT_EQ(codeOf(text).runs.size(), 2U);
+    EXPECT_EQ(codeOf("#version 330\nfloat a() { return 1.; }\nfloat b() { return 2.; }\n").runs.size(), 1U)
+        << "without a main all of them count";
+}
+
+TEST(ReachedCode, EndsInTimeForWhatIsNoCode) {
+    for (const char* each :
+         {"(", ")", "{", "}", "[", "+", "a=", "if(", "f(){", "if(1)", "a?", "while(0)", "else ", "do "}) {
+        std::string text = "void main() {";
+        for (int i = 0; i < 20'000; ++i) text += each;
+        (void)codeOf(text);
+    }
+}
+
+}  // namespace
+}  // namespace glibra::classroom
