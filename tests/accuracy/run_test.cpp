@@ -150,7 +150,7 @@ TEST(Recommendation, IsNothingThatIsWrong) {
     EXPECT_NE(recommendation(angles).find("use grid (3)"), std::string::npos) << recommendation(angles);
 }
 
-TEST(Recommendation, IsNothingThatAScenesCannotUse) {
+TEST(Recommendation, IsNothingThatASceneCannotUse) {
     Figure figure = byDifficulty({{"on the processor", {timedPoint(1, 1e-9, .1), timedPoint(2, 1e-9, .1)}},
                                   {"shader", {timedPoint(1, .1, 1), timedPoint(2, .1, 1)}},
                                   {"slow shader", {timedPoint(1, .1, 9), timedPoint(2, .1, 9)}}});
@@ -306,8 +306,8 @@ Result<std::vector<Figure>> throws(Bench& /*bench*/) {
     throw std::runtime_error("no memory for that");
 }
 
-/// Needs a process into which no earlier test has loaded a driver: --gtest_filter='ApartFromTheStart.*'
-TEST(ApartFromTheStart, ASubjectThatCrashesIsReportedAndTheOthersAreMeasured) {
+/// Needs a process into which no earlier test has loaded a driver: --gtest_filter='*ApartFromTheStart.*'
+TEST(RunApartFromTheStart, ASubjectThatCrashesIsReportedAndTheOthersAreMeasured) {
     const std::vector<Subject> table{
         {"one", "One", works}, {"bad", "Bad", crashes}, {"worse", "Worse", throws}, {"last", "Last", works}};
     std::vector<const Subject*> chosen;

@@ -234,7 +234,8 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
                                              .label = std::string(kind.name),
                                              .error = *gap,
                                              .time = timing,
-                                             .memory = bufferBytes(kind, kCostSide)}}});
+                                             .memory = bufferBytes(kind, kCostSide)}},
+                                 .isForScenes = !kind.isReversed});
     }
     const Point& standard = figure.curves[1].points.front();
     const Point& last = figure.curves.back().points.front();
