@@ -87,7 +87,7 @@ TEST_F(OrderCheck, CoversFragmentsAndSteps) {
     const Diagnostics drawn = found(fragment);
     ASSERT_EQ(drawn.size(), 1U) << text(drawn);
     EXPECT_EQ(drawn.front().id, "memory-W07");
-    EXPECT_EQ(drawn.front().place.line, 9) << text(drawn);
+    EXPECT_EQ(drawn.front().place.line, 10) << text(drawn);
     const std::string stepped = computing("list[atomicAdd(count, 1) % 64] += i * count;");
     const std::string dispatch = "Dispatch Fill 8\n";
     const std::string head = stepped.substr(0, stepped.size() - dispatch.size());
