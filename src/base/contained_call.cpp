@@ -121,8 +121,12 @@ bool runInThread(const CallLimits& limits, std::function<void()> work) {
 
 SharedMemory::SharedMemory(std::size_t size) {
     // Without a reservation: most callers fill a small part of what they ask for.
-    void* const memory =
-        ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    const auto mapped = [&](int kind) {
+        return ::mmap(nullptr, size, PROT_READ | PROT_WRITE, kind | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    };
+    void* memory = mapped(MAP_SHARED);
+    // A confined process (sandbox.h) can neither share memory nor fork: its calls run in a thread.
+    if (memory == MAP_FAILED && errno == EPERM) memory = mapped(MAP_PRIVATE);
     if (memory != MAP_FAILED) bytes_ = {static_cast<std::byte*>(memory), size};
 }
 

@@ -32,8 +32,8 @@ bool isSmallEnough(const VertexDraw& draw, const Numbers& numbers) {
 
 class Refinement {
   public:
-    explicit Refinement(const VertexRequest& request) : request_(request) {
-        for (const VertexDraw& each : request.draws) {
+    explicit Refinement(const VertexRequest& request) : request_(request), draws_(request.draws) {
+        for (const VertexDraw& each : draws_) {
             values_.numbers.push_back(each.numbers);
             programs_.insert(each.program);
         }
@@ -58,8 +58,8 @@ class Refinement {
                                                      double factor) const {
         std::vector<ShapeChoice> from, to;
         double shapes = 0;
-        for (std::size_t i = 0; i < request_.draws.size(); ++i) {
-            const VertexDraw& draw = request_.draws[i];
+        for (std::size_t i = 0; i < draws_.size(); ++i) {
+            const VertexDraw& draw = draws_[i];
             Numbers coarse = values_.numbers[i];
             Numbers fine = coarse;
             if (programs.contains(draw.program)) {
@@ -84,10 +84,25 @@ class Refinement {
         return error;
     }
 
+    /// The counts along straight lines of a program's draws are at least those of the scene. True if any was
+    /// less.
+    bool keepStraight(plan::PlannedProgramIndex program) {
+        bool isRaised = false;
+        for (std::size_t i = 0; i < draws_.size(); ++i)
+            if (VertexDraw& draw = draws_[i]; draw.program == program)
+                for (const CountArgument& each : draw.model->usedCounts())
+                    if (each.smooth == kAsGiven && draw.numbers[each.index] < draw.before[each.index]) {
+                        draw.numbers[each.index] = draw.before[each.index];
+                        isRaised = true;
+                    }
+        return isRaised;
+    }
+
     VertexError refine(plan::PlannedProgramIndex program, const VertexError& first) {
         double factor = 1;
         VertexError error = first;
-        const bool isFree = std::ranges::any_of(request_.draws, [&](const VertexDraw& each) {
+        if (keepStraight(program)) error = measure({program}, 1).value_or(first);
+        const bool isFree = std::ranges::any_of(draws_, [&](const VertexDraw& each) {
             return each.program == program && (each.isFree[0] || each.isFree[1]);
         });
         for (int round = 0; isFree && !error.isKept && round < kMostRounds; ++round) {
@@ -100,13 +115,14 @@ class Refinement {
             factor *= growth;
             error = *found;
         }
-        for (std::size_t i = 0; i < request_.draws.size(); ++i)
-            if (const VertexDraw& draw = request_.draws[i]; draw.program == program)
+        for (std::size_t i = 0; i < draws_.size(); ++i)
+            if (const VertexDraw& draw = draws_[i]; draw.program == program)
                 values_.numbers[i] = more(draw, draw.numbers, factor, true);
         return error;
     }
 
     const VertexRequest& request_;
+    std::vector<VertexDraw> draws_;
     std::set<plan::PlannedProgramIndex> programs_;
     VertexValues values_;
 };

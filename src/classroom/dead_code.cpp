@@ -232,8 +232,7 @@ class DeadCode {
         if (count == 0) {
             const bool isExpression =
                 !(tokens_[begin].isWord && begin + 1 < end && tokens_[begin + 1].isWord) &&
-                text(begin) != "break" && text(begin) != "continue" &&
-                !(tokens_[begin].isWord && text(begin + 1) == "(" && !own_.contains(text(begin)));
+                text(begin) != "break" && text(begin) != "continue";
             if (isExpression) kill(begin, end);
             return;
         }

@@ -228,8 +228,11 @@ std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens) {
 }
 
 bool hasEffect(std::string_view name) {
-    return name.starts_with("image") || name.starts_with("atomic") || name.starts_with("emit") ||
-           name.starts_with("Emit") || name.starts_with("End") || name.ends_with("arrier");
+    static const std::set<std::string_view> kWithOutputs{"modf",       "frexp",        "uaddCarry",
+                                                         "usubBorrow", "umulExtended", "imulExtended"};
+    return kWithOutputs.contains(name) || name.starts_with("image") || name.starts_with("atomic") ||
+           name.starts_with("emit") || name.starts_with("Emit") || name.starts_with("End") ||
+           name.ends_with("arrier");
 }
 
 OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {

@@ -171,15 +171,15 @@ TEST(Grades, HaveALinePerSubmissionAndColumnsPerMoment) {
         table,
         "submission,state,reason,scene,pictures,drawn,flip,worst flip,structure,worst "
         "structure,likeness,errors,"
-        "warnings,stages,uniforms,most similar,similarity,not compared,flip uTol=0,structure uTol=0,flip "
-        "uTol=0.1,structure uTol=0.1\r\n"
+        "warnings,stages,uniforms,most similar,similarity,not compared,flip uTol=0,structure uTol=0,"
+        "likeness uTol=0,flip uTol=0.1,structure uTol=0.1,likeness uTol=0.1\r\n"
         "<img src=x "
         "onerror=alert(1)>,drawn,,a.glib,2,2,0.50000,0.75000,0.37500,0.50000,0.50000,0,1,fragment,uTol,,,,"
-        "0.25000,0.50000,0.75000,0.25000\r\n"
+        "0.25000,0.50000,0.75000,0.75000,0.25000,0.25000\r\n"
         "\"'=HYPERLINK(\"\"http://x\"\")\",crashed,\"the process that drew it ended, by signal "
         "11\",a.glib,2,1,"
-        "0.00000,0.00000,0.00000,0.00000,1.00000,0,0,,,,,,0.00000,0.00000,,\r\n"
-        "cem,no-scene,the folder has no scene,,2,0,,,,,,0,0,,,,,,,,,\r\n");
+        "0.00000,0.00000,0.00000,0.00000,1.00000,0,0,,,,,,0.00000,0.00000,1.00000,,,\r\n"
+        "cem,no-scene,the folder has no scene,,2,0,,,,,,0,0,,,,,,,,,,,\r\n");
 }
 
 TEST(Grades, AFieldIsNeverAFormulaNorALine) {

@@ -201,7 +201,8 @@ TEST_F(ClassCommand, SimilarCodeIsShownSideBySideButNotWhatWasGiven) {
         renamed.replace(at, 3, "all");
     folder.write("handout/start.glsl", given);
     const auto with = [&](const std::string& own) {
-        return replaced(fragment("uTone"), "void main", given + own + "void main");
+        return replaced(fragment(own.empty() ? "uTone" : "tint(vec3(uTone), uTone).x"), "void main",
+                        given + own + "void main");
     };
     hand("ana", with(copied));
     hand("bob", with(renamed));
@@ -295,7 +296,8 @@ TEST_F(ClassCommand, NobodyTakesTheCodeOfOthersOutOfTheComparison) {
         "vec3 tint(vec3 at, float by) {\n    vec3 sum = vec3(0.);\n    for (int i = 0; i < 4; ++i) {\n"
         "        sum += mix(at, at.zxy, by) * float(i) / 6.;\n        at = reflect(at, normalize(sum + "
         ".1));\n    }\n    return clamp(sum, 0., 1.);\n}\n";
-    const std::string shader = replaced(fragment("uTone"), "void main", copied + "void main");
+    const std::string shader =
+        replaced(fragment("tint(vec3(uTone), uTone).x"), "void main", copied + "void main");
     // Scenes in one folder; eve uses the files of the two others, one of whom has copied from the other.
     folder.write("all/a.vert", kVertex);
     for (const std::string each : {"ana", "bob"}) {
@@ -327,8 +329,8 @@ TEST_F(ClassCommand, PaddingHidesNoCopy) {
     const auto padded = [&](std::size_t tokens) {
         std::string text = "#version 330 core\n#if 0\n";
         for (std::size_t i = 0; i < tokens / 4; ++i) text += "a+b;\n";
-        return replaced(replaced(fragment("uTone"), "void main", copied + "void main"), "#version 330 core\n",
-                        text + "#endif\n");
+        return replaced(replaced(fragment("tint(vec3(uTone), uTone).x"), "void main", copied + "void main"),
+                        "#version 330 core\n", text + "#endif\n");
     };
     hand("ana", padded(0));
     hand("bob", padded(100'000));

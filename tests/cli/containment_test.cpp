@@ -33,10 +33,11 @@ class Containment : public testing::Test {
                     std::to_string(i - 1) + "\n";
         return text + "out vec4 o;\nvoid main() { o = vec4(M" + std::to_string(count) + "); }\n";
     }
-    [[nodiscard]] static std::string longSum(int terms) {
-        std::string text = "#version 330 core\nuniform float uA;\nout vec4 o;\nvoid main() { o = vec4(uA";
-        for (int i = 0; i < terms; ++i) text += "+uA";
-        return text + "); }\n";
+    /// So many components of components that the driver's compiler runs out of stack.
+    [[nodiscard]] static std::string longSwizzle(int parts) {
+        std::string text = "#version 330 core\nuniform vec4 uA;\nout vec4 o;\nvoid main() { o = uA";
+        for (int i = 0; i < parts; ++i) text += ".xyzw";
+        return text + "; }\n";
     }
     /// A WebP picture of 2 x 2 pixels, which the preloaded library decodes for ever.
     void writeEndlessPicture(const std::string& name) const {
@@ -64,7 +65,7 @@ class Containment : public testing::Test {
 };
 
 TEST_F(Containment, CheckGoesOnAfterASceneThatCrashesTheDriver) {
-    writeScene("deep", longSum(200'000));
+    writeScene("deep", longSwizzle(200'000));
     writeScene("wrong", "#version 330 core\nout vec4 o;\nvoid main() { o = nonsense; }\n");
     writeScene("good", "#version 330 core\nout vec4 o;\nvoid main() { o = vec4(1.); }\n");
     // A sanitizer would end the process by itself, without a signal.

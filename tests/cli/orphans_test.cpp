@@ -39,7 +39,7 @@ TEST_F(DeletedScene, IsNamedWhereverACiServerLooks) {
     EXPECT_FALSE(contains(read("j.xml"), "<failure"));
     const Finished strict = run("--strict-orphans --results one" + files);
     EXPECT_EQ(strict.status, 1);
-    EXPECT_TRUE(contains(read("j.xml"), "<failure message=\"1 golden of no shot of &apos;s&apos;"))
+    EXPECT_TRUE(contains(read("j.xml"), "<failure message=\"1 golden of no shot of &#39;s&#39;"))
         << read("j.xml");
     EXPECT_TRUE(contains(read("j.xml"), "failures=\"1\""));
     // The parts of a run say it, too, and their merge.

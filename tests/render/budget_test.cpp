@@ -246,7 +246,7 @@ Result<Picture> drawForm(const CurveForm& form, RenderOptions options) {
         bend +
         "[];\nvoid main() {\n    float t = 2. * gl_TessCoord.x - 1.;\n"
         "    gl_Position = uModelViewProjectionMatrix * vec4(t, " +
-        bend + "[0] * t * t, 0., 1.);\n}\n";
+        bend + "[0] * (t * t + 9.) - 9., 0., 1.);\n}\n";  // without bend it is out of sight
     const bool isSet = form.levels.find("uPieces") != std::string::npos;
     const std::string text =
         std::string("Background 0\nOrtho -1.2 1.2 -.4 1.4\nLookAt 0 0 4 0 0 0 0 1 0\nVertex a.vert\n") +
@@ -257,7 +257,7 @@ Result<Picture> drawForm(const CurveForm& form, RenderOptions options) {
 }
 
 // A parabola of 2 x 1 units with 4 pieces is 200 / 4^2 = 12.5 pixels from its chords, however its patch is
-// drawn.
+// drawn; what the finest pieces of the driver are off is added.
 TEST(Budget, MeasuresPatchesInEveryFormInWhichTheyAreDrawn) {
     const std::string last = "gl_InstanceID == 2 ? 1. : 0.";
     const std::vector<CurveForm> forms{
@@ -280,7 +280,7 @@ TEST(Budget, MeasuresPatchesInEveryFormInWhichTheyAreDrawn) {
         RenderOptions options = bounded(.25);
         const Result<Picture> stated = drawForm(form, options);
         ASSERT_TRUE(stated) << form.name << text(stated.diagnostics);
-        EXPECT_NE(text(stated.diagnostics).find("uPieces 4, as the scene states, is up to 12.5 px off"),
+        EXPECT_NE(text(stated.diagnostics).find("uPieces 4, as the scene states, is up to 12.6 px off"),
                   std::string::npos)
             << form.name << text(stated.diagnostics);
         options.overrideCounts = true;
@@ -308,7 +308,7 @@ TEST(Budget, MeasuresLevelsHoweverTheyAreWritten) {
             const Result<Picture> seen = drawForm(form, options);
             ASSERT_TRUE(seen) << form.name << text(seen.diagnostics);
             EXPECT_TRUE(has(seen.diagnostics, "draw-N03")) << form.name << text(seen.diagnostics);
-            EXPECT_NE(text(seen.diagnostics).find("12.5 px off"), std::string::npos)
+            EXPECT_NE(text(seen.diagnostics).find("12.6 px off"), std::string::npos)
                 << form.name << text(seen.diagnostics);
         }
     }

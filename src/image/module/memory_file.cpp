@@ -1,5 +1,6 @@
 #include "image/module/memory_file.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -8,6 +9,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 
 #include "image/module/codec.h"
 
@@ -27,7 +29,12 @@ bool isCutOff(rlim_t size) {
 
 }  // namespace
 
-MemoryFile::MemoryFile() : descriptor_(::memfd_create("glibra-picture", MFD_CLOEXEC)) {
+MemoryFile::MemoryFile(const std::string& near) : descriptor_(::memfd_create("glibra-picture", MFD_CLOEXEC)) {
+    if (descriptor_ < 0 && errno == EPERM) {
+        const std::filesystem::path folder = std::filesystem::path(near).parent_path();
+        descriptor_ =
+            ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    }
     if (descriptor_ < 0) failWith(errno);
 }
 

@@ -9,7 +9,9 @@ namespace glibra::module {
 /// Exists as long as the object. Throws Failure if the system gives none.
 class MemoryFile {
   public:
-    MemoryFile();
+    /// Where files in memory are refused, as to a confined process, it is one without a name on the disk of
+    /// `near`, a path.
+    explicit MemoryFile(const std::string& near);
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
     ~MemoryFile();

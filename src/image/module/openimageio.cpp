@@ -134,7 +134,7 @@ std::vector<unsigned char> encoded(OIIO::ImageOutput& output, const OIIO::ImageS
         write(request.path);
         return memory.buffer();
     }
-    const MemoryFile file;
+    const MemoryFile file(request.path);
     write(file.path());
     return file.content();
 }

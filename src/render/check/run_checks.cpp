@@ -61,22 +61,21 @@ Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& 
     };
     // What Once and Step draw is not counted, so they run before.
     Diagnostics wrong;
-    if (std::ranges::any_of(state.scene.checks, isCounted)) {
+    const bool counts = std::ranges::any_of(state.scene.checks, isCounted);
+    if (counts) {
         Result<image::Image> before = state.draw(moment, stats);
         append(wrong, std::move(before.diagnostics));
         if (!before) return wrong;
     }
     state.forgetDrawn();  // all nodes count
-    // Parts of draws would count again.
-    const double share = state.drawer->timeShare();
-    if (std::ranges::any_of(state.scene.checks, isCounted)) state.drawer->setTimeShare(0);
+    state.drawer->setCounted(counts);
     const gpu::Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
     primitives.begin();
     samples.begin();
     Result<image::Image> picture = state.draw(moment, stats);
     samples.end();
     primitives.end();
-    if (state.drawer) state.drawer->setTimeShare(share);
+    if (state.drawer) state.drawer->setCounted(false);
     append(wrong, std::move(picture.diagnostics));
     if (!picture) return wrong;
     CheckQuestions questions;

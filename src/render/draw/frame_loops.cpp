@@ -11,8 +11,8 @@ namespace glibra::render {
 const BuiltProgram* FrameDrawer::loopCounterOf(plan::PlannedProgramIndex program,
                                                const BuiltProgram& built) const {
     const BuiltProgram* counter = built.loopCounter.get();
-    const bool isWanted =
-        frame_->recordsLoops && !hook_ && !programs_.isReversed() && plan_.programs[program].hasOpenLoops;
+    const bool isWanted = frame_->recordsLoops && !isCounted_ && !hook_ && !programs_.isReversed() &&
+                          plan_.programs[program].hasOpenLoops;
     return isWanted && counter != nullptr && counter->record ? counter : nullptr;
 }
 

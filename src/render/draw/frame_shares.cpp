@@ -31,7 +31,8 @@ bool hasLoop(const BuiltProgram& built) {
 }  // namespace
 
 bool FrameDrawer::mayTakeLong(const plan::PlannedDraw& planned, const BuiltProgram& built) {
-    if (timeShare_ <= 0 || hook_ || plan::writesMemory(plan_.programs[planned.program], planned.textures))
+    if (timeShare_ <= 0 || isCounted_ || hook_ ||
+        plan::writesMemory(plan_.programs[planned.program], planned.textures))
         return false;
     const auto [known, isNew] = loops_.try_emplace(&built, false);
     if (isNew) known->second = hasLoop(built);
@@ -42,7 +43,7 @@ int FrameDrawer::workInShares(const BuiltProgram& built, int rows, double pixels
                               const std::function<void(int first, int end)>& work) {
     // Programs that have been quick are not waited for again.
     double& perPixel = device_.secondsPerPixel(&built);
-    if (timeShare_ <= 0 || (perPixel > 0 && perPixel * pixels < kQuickShare * timeShare_)) {
+    if (timeShare_ <= 0 || isCounted_ || (perPixel > 0 && perPixel * pixels < kQuickShare * timeShare_)) {
         work(0, rows);
         return 1;
     }
