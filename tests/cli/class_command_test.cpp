@@ -199,11 +199,11 @@ TEST_F(ClassCommand, SimilarCodeIsShownSideBySideButNotWhatWasGiven) {
     std::string renamed = copied;
     for (std::size_t at = renamed.find("sum"); at != std::string::npos; at = renamed.find("sum"))
         renamed.replace(at, 3, "all");
-    folder.write("handout/start.glsl", given);
     const auto with = [&](const std::string& own) {
-        return replaced(fragment(own.empty() ? "uTone" : "tint(vec3(uTone), uTone).x"), "void main",
-                        given + own + "void main");
+        return replaced(fragment(own.empty() ? "hill(uTone)" : "tint(vec3(hill(uTone)), uTone).x"),
+                        "void main", given + own + "void main");
     };
+    folder.write("handout/start.glsl", with(""));
     hand("ana", with(copied));
     hand("bob", with(renamed));
     hand("cem", with(""));

@@ -437,12 +437,13 @@ Expect error memory-W05
 TEST(BookNames, OfAPointsSizeBelongsToTheVertexStageAndNewIsAVariable) {
     const auto problems = [](const std::string& fragment) {
         return problemsOf(
-            "Fragment inline\n#version 330 core\nout vec4 f;\nvoid main() { " + fragment +
+            "LookAt 0 0 4 0 0 0 0 1 0\nFragment inline\n#version 330 core\nout vec4 f;\nvoid main() { " +
+            fragment +
             " }\nEndFragment\nVertex inline\n#version 330 core\nvoid main() { gl_PointSize = 2.; "
             "gl_Position = vec4(aVertex.xy, 0., 1.); }\nEndVertex\nProgram P\nQuadXY 0 1\n");
     };
     EXPECT_EQ(problems("float new = .5; f = vec4(new);"), "");
-    EXPECT_NE(problems("gl_PointSize = 2.; f = vec4(1.);").find("'gl_PointSize' undeclared"),
+    EXPECT_NE(problems("gl_PointSize = 2.; f = vec4(1.);").find("gl_PointSize' undeclared"),
               std::string::npos)
         << problems("gl_PointSize = 2.; f = vec4(1.);");
 }
