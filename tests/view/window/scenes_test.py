@@ -353,7 +353,8 @@ class Tabs(ScenesTest):
 class Suites(ScenesTest):
     def test_the_state_becomes_a_shot_that_glibra_test_holds(self):
         scene = self.files / "one.glib"
-        window = self.open(scene, "--size", "320x820")
+        # The samples of the screen are no part of a shot.
+        window = self.open(scene, "--size", "320x820", "--samples", "1")
         window.drag_widget("uniform/Plain/uBlue", 0.25, 0.8)
         window.wait_knob("uBlue", lambda v: v[0] > 0.7)
         window.drag((160, 410), (220, 380))
