@@ -55,11 +55,11 @@ struct VertexValues {
 /// Raises the free counts of a program's draws by one factor until contours are within the bound and all but
 /// one of 1000 pixels have their colour. The error falls with the square of the counts, so the difference to
 /// a picture with half as many again is five ninths of it. Counts along straight lines are compared with at
-/// least those of the scene, because a program may show what repeats along them, and become those if they do not
-/// keep the bound. Errors below a tenth of a
-/// pixel of the small pictures are not detected. The search ends early, with isKept false, if meshes would
-/// become larger than kMostBudgetVertices or if finer ones do not help. If no count of a program is free,
-/// only its error is measured. Returns nothing if pictures cannot be drawn.
+/// least those of the scene, because a program may show what repeats along them, and become those if they do
+/// not keep the bound. Errors below a tenth of a pixel of the small pictures are not detected. The search
+/// ends early, with isKept false, if meshes would become larger than kMostBudgetVertices or if finer ones do
+/// not help. If no count of a program is free, only its error is measured. Returns nothing if pictures cannot
+/// be drawn.
 std::optional<VertexValues> vertexValues(const VertexRequest& request);
 
 }  // namespace glibra::budget

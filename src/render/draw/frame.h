@@ -105,7 +105,8 @@ class FrameDrawer {
     /// Draws that may take longer than this many seconds are cut into parts, for the same pixels; 0: none is.
     /// At first it is kTimeShare, and 0 where the processor draws. Vertex stages then run once per part.
     void setTimeShare(double seconds) { timeShare_ = seconds; }
-    /// Queries count what is drawn: each draw is submitted once and whole, so that its loops are not recorded.
+    /// Queries count what is drawn: each draw is submitted once and whole, so that its loops are not
+    /// recorded.
     void setCounted(bool on) { isCounted_ = on; }
     /// Draws only the first `draws` of the plan's draws, counted over all passes in their order. Passes still
     /// begin with their implicit clears.
