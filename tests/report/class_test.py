@@ -6,6 +6,7 @@ usage: class_test.py GLIBRA [--pictures FOLDER [SITE]]     (the second writes sc
 import base64
 import contextlib
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -71,6 +72,8 @@ return result;
 
 def hand_in(folder, name, own="", tone="uTone"):
     os.makedirs(folder, exist_ok=True)
+    if "tint(" in own:  # code that nobody calls is compared with none; this call changes no pixel
+        tone = f"({tone} * step(-1., tint(vec3(uTone), uTone).x))"
     files = {".vert": VERTEX, ".frag": FRAGMENT.replace("OWN", own).replace("TONE", tone),
              ".glib": SCENE.replace("NAME", name)}
     for ending, text in files.items():
@@ -157,7 +160,8 @@ class ClassPage(unittest.TestCase):
 
     def test_similar_code_opens_side_by_side(self):
         first = "document.querySelector('.similar')"
-        self.assertIn("100 %", self.browser.run(f"return {first}.querySelector('summary').textContent"))
+        share = re.match(r"\s*(\d+) % of ", self.browser.run(f"return {first}.querySelector('summary').textContent"))
+        self.assertGreater(int(share[1]), 80)  # the copied function; what they call it with is their own
         self.browser.run(f"{first}.querySelector('summary').click()")
         self.assertTrue(self.browser.run(f"return {first}.open"))
         left, right = self.browser.run(f"""return [...{first}.querySelectorAll('.sides > div')].slice(0, 2).map((each) =>
