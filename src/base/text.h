@@ -1,12 +1,15 @@
 #pragma once
-// Letters, words and counts in texts: ASCII only, in any locale.
+// Small operations on text.
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace glibra::base {
+
+// Letters, words and counts in texts: ASCII only, in any locale.
 
 constexpr char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -80,5 +83,39 @@ std::string counted(std::integral auto count, std::string_view one, std::string_
 std::string countedInGroups(std::integral auto count, std::string_view one, std::string_view several = {}) {
     return detail::withNoun(groupedText(count), one, several);
 }
+
+// Fields of tables as text.
+
+/// A field of a CSV file (RFC 4180), quoted if it has one of `special`.
+inline std::string csvField(std::string_view text, std::string_view special = ",\"\r\n") {
+    if (text.find_first_of(special) == std::string_view::npos) return std::string(text);
+    std::string field = "\"";
+    for (const char each : text) field.append(each == '"' ? 2 : 1, each);
+    return field + '"';
+}
+
+// Texts as words of a command line.
+
+/// In single quotes of a POSIX shell.
+inline std::string shellQuoted(std::string_view text) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+/// As one word of a POSIX shell; quoted only where it has to be: if it has other characters than letters,
+/// digits and those of `plain`.
+inline std::string shellWord(std::string_view text, std::string_view plain = "_-+=./,:@%") {
+    const auto isPlain = [&](char c) { return isLetter(c) || isDigit(c) || plain.find(c) != plain.npos; };
+    const bool needsNone = !text.empty() && std::all_of(text.begin(), text.end(), isPlain);
+    return needsNone ? std::string(text) : shellQuoted(text);
+}
+
+// Makes text of unknown origin (messages, names, scenes) valid for XML and HTML.
+
+/// For XML 1.0 and HTML, in element content and in attributes with double quotes. The characters & < > " '
+/// are escaped. What XML cannot contain (most control characters, U+FFFE, U+FFFF, bytes that are not UTF-8)
+/// becomes U+FFFD.
+std::string escapeXml(std::string_view text);
 
 }  // namespace glibra::base

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-#include "gpu/context/current.h"
+#include "gpu/context/fork.h"
 
 namespace glibra::classic {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "geometry/list_topology.h"
+#include "geometry/list_mesh.h"
 
 namespace glibra::classic {
 namespace {

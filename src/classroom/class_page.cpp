@@ -12,7 +12,6 @@
 #include <tuple>
 #include <vector>
 
-#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/text.h"
 #include "base/utf8.h"

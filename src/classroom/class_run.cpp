@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/contained.h"
-#include "base/folder_entries.h"
+#include "base/files.h"
 #include "base/workers.h"
 #include "classroom/compare_sources.h"
 #include "classroom/moments.h"

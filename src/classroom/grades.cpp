@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <iterator>
 
-#include "base/csv.h"
+#include "base/text.h"
 #include "base/utf8.h"
 #include "classroom/csv_record.h"
 

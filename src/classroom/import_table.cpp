@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "base/csv.h"
+#include "base/text.h"
 #include "base/utf8.h"
 #include "classroom/csv_record.h"
 #include "suite/number_of.h"

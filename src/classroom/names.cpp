@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/contained.h"
-#include "base/whole_file.h"
+#include "base/files.h"
 
 namespace glibra::classroom {
 namespace {

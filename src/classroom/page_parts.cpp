@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/contained.h"
-#include "base/escape_xml.h"
+#include "base/files.h"
+#include "base/text.h"
 #include "base/utf8.h"
-#include "base/whole_file.h"
 #include "classroom/review.h"
 #include "suite/report/packed_pixels.h"
 

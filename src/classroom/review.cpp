@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "base/contained.h"
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "classroom/effect.h"
 #include "classroom/likeness.h"
 #include "classroom/reached_code.h"

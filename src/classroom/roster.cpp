@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "classroom/hand_in_time.h"
 #include "glib/text.h"
 #include "image/file.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "classroom/hand_in_time.h"
 #include "classroom/rubric.h"
 #include "image/file.h"

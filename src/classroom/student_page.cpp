@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/text.h"
 #include "base/utf8.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/contained.h"
-#include "base/whole_file.h"
+#include "base/files.h"
 
 namespace glibra::classroom {
 namespace {

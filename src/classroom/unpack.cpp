@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "base/contained.h"
-#include "base/folder_entries.h"
+#include "base/files.h"
 #include "base/memory_limit.h"
-#include "base/whole_file.h"
 #include "base/workers.h"
 #include "classroom/archive.h"
 #include "classroom/submissions.h"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/shell_word.h"
+#include "base/text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "image/file.h"

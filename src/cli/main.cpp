@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/standard_files.h"
+#include "base/files.h"
 #include "base/suggest.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"

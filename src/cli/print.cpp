@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/standard_files.h"
+#include "base/files.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/scene_arguments.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "glib/limits.h"
 #include "glib/text.h"
 #include "image/file.h"

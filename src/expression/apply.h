@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "expression/code.h"
+#include "expression/expression.h"
 
 namespace glibra::expression {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "expression/code.h"
+#include "expression/expression.h"
 
 namespace glibra::expression {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "base/escape_xml.h"
+#include "base/text.h"
 
 namespace glibra::gallery {
 namespace {

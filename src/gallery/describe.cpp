@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "classroom/tokens.h"
 #include "glib/limits.h"
 #include "glib/text.h"

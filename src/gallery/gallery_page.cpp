@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/text.h"
 #include "base/utf8.h"

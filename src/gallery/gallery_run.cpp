@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "base/contained.h"
-#include "base/folder_entries.h"
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "base/workers.h"
 #include "gallery/describe.h"
 #include "gallery/gallery_page.h"

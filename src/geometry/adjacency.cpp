@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <span>
 
-#include "geometry/hash_index.h"
-
 namespace glibra::geometry {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/list_topology.h"
+#include "geometry/list_mesh.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/limits.h"
 #include "glib/text.h"

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "base/file_source.h"
+#include "base/files.h"
 #include "image/image.h"
 #include "image/read.h"
 

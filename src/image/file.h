@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "base/file_source.h"
+#include "base/files.h"
 #include "image/limits.h"
 
 namespace glibra::image {

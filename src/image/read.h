@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <span>
 
-#include "base/file_source.h"
+#include "base/files.h"
 #include "image/image.h"
 #include "image/module_loader.h"
 

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "base/device_lost.h"
-#include "gpu/context/current.h"
 #include "gpu/context/fork.h"
 #include "gpu/state/neutral_state.h"
 #include "library/renderer_state.h"

@@ -14,7 +14,7 @@
 
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "view/scene/live_scene.h"
 
 namespace glibra {

@@ -1,7 +1,10 @@
 #include "noise/graph.h"
 
+#include <fmt/format.h>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/mix.h"
 
@@ -121,6 +124,163 @@ double graphRange(const GraphOptions& options) {
     const double gradient = options.smoothness == Smoothness::cubic ? 1 / 4. : 5 / 16.;
     const double heights = options.lattice == Lattice::gradient ? 0 : 1;
     return octaves * (heights + (hasGradients ? gradient * options.dimensions : 0));
+}
+
+// Draws noise as graphs, coloured pictures and textures.
+
+namespace {
+
+std::uint8_t asByte(double value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
+}
+
+/// Maps the range of the noise to 0..1.
+double shown(const GraphOptions& options, double noise) {
+    const double part = noise / graphRange(options);
+    return options.turbulence ? part : (part + 1) / 2;
+}
+
+/// The vertical position of a value in the graph: pixels from the top.
+double rowOf(const GraphOptions& options, double noise, int height) {
+    return (1 - shown(options, noise)) * height;
+}
+
+/// Converts OKLab to linear sRGB to sRGB, clamped to 0..1 (Ottosson, A perceptual color space for image
+/// processing, 2020).
+std::array<double, 3> screenColor(double lightness, double a, double b) {
+    const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+    const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+    const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+    const std::array<double, 3> linear{4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+                                       -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+                                       -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
+    std::array<double, 3> color{};
+    std::ranges::transform(linear, color.begin(), [](double each) {
+        const double c = std::clamp(each, 0.0, 1.0);
+        return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+    });
+    return color;
+}
+
+/// From blue over green to yellow, with a chroma that fits into sRGB.
+std::array<double, 3> uniformColor(double t) {
+    const double lightness = .2 + .75 * t;
+    const double hue = (275 - 170 * t) * std::numbers::pi / 180;
+    const double chroma = .035 + .09 * std::sin(std::numbers::pi * std::min(1.0, .2 + .75 * t));
+    return screenColor(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
+}
+
+}  // namespace
+
+std::array<double, 3> colorOf(ColorScale scale, double t) {
+    t = std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0;
+    switch (scale) {
+        case ColorScale::grey:
+            return {t, t, t};
+        case ColorScale::rainbow: {
+            // Hue 240 (blue) to 0 (red).
+            const double h = 4 * (1 - t);
+            return {std::clamp(std::abs(h - 3) - 1, 0.0, 1.0), std::clamp(2 - std::abs(h - 2), 0.0, 1.0),
+                    std::clamp(2 - std::abs(h - 4), 0.0, 1.0)};
+        }
+        case ColorScale::heated:
+            return {std::clamp(3 * t, 0.0, 1.0), std::clamp(3 * t - 1, 0.0, 1.0),
+                    std::clamp(3 * t - 2, 0.0, 1.0)};
+        case ColorScale::sky:
+            return {t, t, 1};
+        case ColorScale::fire:
+            return {1, t, 0};
+        case ColorScale::uniform:
+            break;
+    }
+    return uniformColor(t);
+}
+
+std::string graphSvg(const GraphOptions& options, int width, int height) {
+    const double zero = rowOf(options, 0, height);
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
+        "<path d=\"M0 {2:.2f}H{0}\" stroke=\"#999\"/>\n<path fill=\"none\" stroke=\"#1f4e9c\" "
+        "stroke-width=\"2\" d=\"",
+        width, height, zero);
+    const int steps = 4 * width;
+    for (int i = 0; i <= steps; ++i)
+        svg += fmt::format(
+            "{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', static_cast<double>(i) * width / steps,
+            rowOf(options, graphNoise(options, static_cast<double>(i) * options.cells / steps), height));
+    svg += "\"/>\n";
+    for (int i = 0; i <= options.cells; ++i)
+        svg += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"4\" fill=\"#c33\"/>\n",
+                           static_cast<double>(i) * width / options.cells,
+                           rowOf(options, graphNoise(options, i), height));
+    return svg + "</svg>\n";
+}
+
+std::vector<std::uint8_t> graphPixels(const GraphOptions& options, int width, int height) {
+    constexpr double kHalfLine = 1;
+    constexpr double kPoint = 4;
+    std::vector<std::uint8_t> pixels(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                                     255);
+    const auto row = [&](double x) {
+        return rowOf(options, graphNoise(options, x * options.cells / width), height);
+    };
+    const double zero = rowOf(options, 0, height);
+    const auto blend = [&](std::size_t at, const std::array<double, 3>& color, double part) {
+        for (std::size_t c = 0; c < 3; ++c)
+            pixels[at + c] = asByte((1 - part) * pixels[at + c] / 255.0 + part * color[c]);
+    };
+    for (int x = 0; x < width; ++x) {
+        const double here = row(x + .5);
+        // The distance to a line is the vertical distance times the cosine of the angle of its slope.
+        const double slope = row(x + 1.0) - row(x);
+        const double steep = 1 / std::sqrt(1 + slope * slope);
+        const double nearest = std::round((x + .5) * options.cells / width);
+        const double pointX = nearest * width / options.cells;
+        const double pointY = rowOf(options, graphNoise(options, nearest), height);
+        for (int y = 0; y < height; ++y) {
+            const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                        static_cast<std::size_t>(x));
+            blend(at, {.6, .6, .6}, std::clamp(1 - std::abs(y + .5 - zero), 0.0, 1.0));
+            blend(at, {.12, .31, .61},
+                  std::clamp(kHalfLine + .5 - std::abs(y + .5 - here) * steep, 0.0, 1.0));
+            blend(at, {.8, .2, .2},
+                  std::clamp(kPoint + .5 - std::hypot(x + .5 - pointX, y + .5 - pointY), 0.0, 1.0));
+        }
+    }
+    return pixels;
+}
+
+std::vector<std::uint8_t> noisePixels(const GraphOptions& options, ColorScale scale, int width, int height) {
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = height - 1; y >= 0; --y)
+        for (int x = 0; x < width; ++x)
+            for (const double each :
+                 colorOf(scale, shown(options, graphNoise(options, (x + .5) * options.cells / width,
+                                                          (y + .5) * options.cells / height))))
+                pixels.push_back(asByte(each));
+    return pixels;
+}
+
+std::vector<std::byte> noiseTexture(const GraphOptions& options, int width, int height) {
+    std::vector<std::byte> bytes;
+    const auto add = [&](std::uint32_t word) {
+        for (unsigned shift = 0; shift < 32; shift += 8)
+            bytes.push_back(static_cast<std::byte>(word >> shift & 0xFFU));
+    };
+    add(static_cast<std::uint32_t>(width));
+    const int rows = options.dimensions == 2 ? height : 1;
+    if (options.dimensions == 2) add(static_cast<std::uint32_t>(height));
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double noise = graphNoise(options, static_cast<double>(x) * options.cells / width,
+                                            static_cast<double>(y) * options.cells / rows);
+            const auto word = std::bit_cast<std::uint32_t>(static_cast<float>(noise));
+            for (int c = 0; c < 3; ++c) add(word);
+            add(std::bit_cast<std::uint32_t>(1.F));
+        }
+    return bytes;
 }
 
 }  // namespace glibra::noise

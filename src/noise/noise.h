@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "noise/texel_bytes.h"
+#include "noise/weights.h"
 
 namespace glibra::noise {
 

@@ -7,7 +7,6 @@
 #include <span>
 #include <utility>
 
-#include "base/shell_word.h"
 #include "base/text.h"
 #include "image/file.h"
 #include "image/write.h"

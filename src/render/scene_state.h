@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/pixel_stream.h"
-#include "gpu/object/target.h"
 #include "image/image.h"
 #include "render/draw/labels.h"
 #include "render/draw/tile.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "expression/names.h"
+#include "expression/known_names.h"
 
 namespace glibra::scene {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/contained.h"
-#include "base/file_source.h"
+#include "base/files.h"
 #include "scene/folder_listings.h"
 #include "scene/objects.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "expression/names.h"
+#include "expression/known_names.h"
 #include "glib/script.h"
 #include "scene/file_lookup.h"
 #include "scene/frame_inputs.h"

@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "base/file_source.h"
+#include "base/files.h"
 #include "base/program_resources.h"
-#include "base/sampler_state.h"
+#include "base/raster_state.h"
 #include "base/texel_format.h"
 #include "geometry/list_mesh.h"
 #include "geometry/mesh.h"

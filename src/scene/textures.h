@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "base/file_source.h"
+#include "base/files.h"
 #include "scene/file_lookup.h"
 #include "scene/scene.h"
 

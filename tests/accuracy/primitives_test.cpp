@@ -10,8 +10,8 @@
 #include "bench/reference/bezier_surface.h"
 #include "bench/reference/solids.h"
 #include "bench/subjects/subjects.h"
-#include "geometry/shapes/box.h"
-#include "geometry/shapes/sphere.h"
+#include "geometry/shapes/polyhedra.h"
+#include "geometry/shapes/spheres.h"
 #include "geometry/shapes/teapot.h"
 #include "samples.h"
 

@@ -1,4 +1,4 @@
-#include "base/file_kind.h"
+#include "base/files.h"
 
 #include <gtest/gtest.h>
 

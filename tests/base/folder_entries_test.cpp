@@ -1,6 +1,6 @@
 // The entries of folders that are there, missing or forbidden.
 
-#include "base/folder_entries.h"
+#include "base/files.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

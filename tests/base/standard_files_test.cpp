@@ -1,4 +1,4 @@
-#include "base/standard_files.h"
+#include "base/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,6 @@
 #include <random>
 
 #include "geometry/shapes/teapot.h"
-#include "geometry/shapes/teapot_patches.h"
 #include "glib/command_table.h"
 #include "surfaces.h"
 

@@ -8,12 +8,11 @@
 
 #include "geometry/list_mesh.h"
 #include "geometry/mix.h"
-#include "geometry/shapes/box.h"
-#include "geometry/shapes/plane.h"
+#include "geometry/shapes/cylinders.h"
+#include "geometry/shapes/flat.h"
+#include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/primitive.h"
-#include "geometry/shapes/sphere.h"
-#include "geometry/shapes/tetrahedron.h"
-#include "geometry/shapes/torus.h"
+#include "geometry/shapes/spheres.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

@@ -1,6 +1,6 @@
 // The capsule against its closed forms.
 
-#include "geometry/shapes/capsule.h"
+#include "geometry/shapes/spheres.h"
 
 #include <algorithm>
 #include <numbers>

@@ -15,7 +15,6 @@
 
 #include "geometry/mix.h"
 #include "geometry/obj/obj_mesh.h"
-#include "geometry/obj/plane_outline.h"
 
 namespace glibra::geometry {
 namespace {

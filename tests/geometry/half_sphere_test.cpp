@@ -1,6 +1,6 @@
 // The half sphere against its closed forms.
 
-#include "geometry/shapes/half_sphere.h"
+#include "geometry/shapes/spheres.h"
 
 #include "mesh_checks.h"
 

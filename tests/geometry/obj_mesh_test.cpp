@@ -8,7 +8,7 @@
 
 #include "geometry/frame.h"
 #include "geometry/mix.h"
-#include "geometry/shapes/sphere.h"
+#include "geometry/shapes/spheres.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

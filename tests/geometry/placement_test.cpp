@@ -4,13 +4,10 @@
 #include <numbers>
 
 #include "geometry/frame.h"
-#include "geometry/shapes/arrow.h"
-#include "geometry/shapes/box.h"
-#include "geometry/shapes/cone.h"
-#include "geometry/shapes/cylinder.h"
-#include "geometry/shapes/disk.h"
-#include "geometry/shapes/sphere.h"
-#include "geometry/shapes/torus.h"
+#include "geometry/shapes/cylinders.h"
+#include "geometry/shapes/flat.h"
+#include "geometry/shapes/polyhedra.h"
+#include "geometry/shapes/spheres.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

@@ -1,6 +1,6 @@
 // The plane and its repeated texture.
 
-#include "geometry/shapes/plane.h"
+#include "geometry/shapes/flat.h"
 
 #include "mesh_checks.h"
 

@@ -1,6 +1,6 @@
 // The pyramid against its closed forms.
 
-#include "geometry/shapes/pyramid.h"
+#include "geometry/shapes/polyhedra.h"
 
 #include "mesh_checks.h"
 

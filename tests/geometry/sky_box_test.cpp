@@ -1,7 +1,7 @@
 // The cube of the sky, seen from inside.
 
 #include "geometry/frame.h"
-#include "geometry/shapes/box.h"
+#include "geometry/shapes/polyhedra.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

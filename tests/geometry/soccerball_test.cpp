@@ -1,6 +1,6 @@
 // The soccer ball compared with the numbering and placement of language, 4.2.
 
-#include "geometry/shapes/soccerball.h"
+#include "geometry/shapes/polyhedra.h"
 
 #include <numbers>
 #include <set>

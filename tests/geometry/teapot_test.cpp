@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "geometry/shapes/teapot_patches.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

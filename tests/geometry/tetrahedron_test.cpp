@@ -1,6 +1,6 @@
 // The tetrahedron against its closed forms.
 
-#include "geometry/shapes/tetrahedron.h"
+#include "geometry/shapes/polyhedra.h"
 
 #include "mesh_checks.h"
 

@@ -4,12 +4,10 @@
 #include <set>
 
 #include "geometry/frame.h"
-#include "geometry/shapes/box.h"
-#include "geometry/shapes/cone.h"
-#include "geometry/shapes/cylinder.h"
-#include "geometry/shapes/sphere.h"
+#include "geometry/shapes/cylinders.h"
+#include "geometry/shapes/polyhedra.h"
+#include "geometry/shapes/spheres.h"
 #include "geometry/shapes/teapot.h"
-#include "geometry/shapes/torus.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

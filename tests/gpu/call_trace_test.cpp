@@ -1,11 +1,10 @@
 // Compares listed calls with calls made by hand.
 
-#include "gpu/context/call_trace.h"
+#include "gpu/context/call_counter.h"
 
 #include <array>
 
 #include "fixture.h"
-#include "gpu/context/call_counter.h"
 
 namespace glibra::gpu {
 namespace {

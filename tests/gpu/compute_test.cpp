@@ -6,11 +6,10 @@
 #include <cstring>
 
 #include "fixture.h"
-#include "gpu/object/buffer_clear.h"
 #include "gpu/object/deferred_clears.h"
-#include "gpu/object/query.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/readback.h"
-#include "gpu/object/target.h"
+#include "gpu/object/timer.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
 #include "gpu/object/readback.h"
-#include "gpu/object/reflection.h"
-#include "gpu/object/target.h"
+#include "gpu/object/uniform.h"
 
 namespace glibra::gpu::test {
 

@@ -1,4 +1,4 @@
-#include "gpu/object/reflection.h"
+#include "gpu/object/uniform.h"
 
 #include <fmt/format.h>
 

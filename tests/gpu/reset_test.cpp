@@ -18,7 +18,7 @@
 #include "fixture.h"
 #include "gpu/context/errors.h"
 #include "gpu/object/buffer.h"
-#include "gpu/object/query.h"
+#include "gpu/object/timer.h"
 #include "gpu/object/work_queue.h"
 
 namespace glibra::gpu::test {

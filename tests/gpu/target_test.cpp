@@ -1,4 +1,4 @@
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 
 #include <cmath>
 #include <utility>

@@ -4,7 +4,7 @@
 
 #include "fixture.h"
 #include "gpu/format/value_type.h"
-#include "gpu/object/query.h"
+#include "gpu/object/timer.h"
 
 namespace glibra::gpu {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "bench/draw/offscreen.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
 #include "gpu/object/readback.h"
-#include "gpu/object/target.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {

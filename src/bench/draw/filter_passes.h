@@ -10,9 +10,9 @@
 
 #include "bench/reference/filter_reference.h"
 #include "gpu/context/capabilities.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
 #include "gpu/object/sampler.h"
-#include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 
 namespace glibra::bench {

@@ -10,8 +10,8 @@
 #include "geometry/mesh.h"
 #include "gpu/context/capabilities.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/target.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {

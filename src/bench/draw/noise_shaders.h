@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "bench/draw/noise_volume.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
 #include "gpu/object/sampler.h"
-#include "gpu/object/target.h"
 
 namespace glibra::bench {
 

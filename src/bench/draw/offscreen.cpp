@@ -7,8 +7,8 @@
 
 #include "gpu/context/errors.h"
 #include "gpu/object/buffer.h"
-#include "gpu/object/query.h"
 #include "gpu/object/readback.h"
+#include "gpu/object/timer.h"
 
 namespace glibra::bench {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "gpu/context/capabilities.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/target.h"
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bench/core/bench.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 
 namespace glibra::bench {

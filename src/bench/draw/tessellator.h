@@ -12,8 +12,8 @@
 
 #include "gpu/context/capabilities.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/target.h"
 
 namespace glibra::bench {
 

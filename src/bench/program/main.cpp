@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/device_lost.h"
-#include "base/standard_files.h"
+#include "base/files.h"
 #include "bench/program/commands.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"

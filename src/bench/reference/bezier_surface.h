@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "geometry/shapes/teapot_patches.h"
+#include "geometry/shapes/teapot.h"
 
 namespace glibra::bench {
 

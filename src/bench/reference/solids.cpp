@@ -8,10 +8,8 @@
 #include <vector>
 
 #include "bench/reference/triangle_net.h"
-#include "geometry/shapes/cone.h"
-#include "geometry/shapes/cylinder.h"
-#include "geometry/shapes/sphere.h"
-#include "geometry/shapes/torus.h"
+#include "geometry/shapes/cylinders.h"
+#include "geometry/shapes/spheres.h"
 
 namespace glibra::bench {
 namespace {

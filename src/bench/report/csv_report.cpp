@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/csv.h"
+#include "base/text.h"
 
 namespace glibra::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/escape_xml.h"
+#include "base/text.h"
 #include "bench/core/fit.h"
 #include "bench/core/front.h"
 #include "bench/report/log_axis.h"

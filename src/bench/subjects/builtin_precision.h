@@ -10,8 +10,8 @@
 
 #include "bench/reference/builtin_functions.h"
 #include "gpu/context/capabilities.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 
 namespace glibra::bench {

@@ -12,7 +12,7 @@
 #include "bench/core/paired.h"
 #include "bench/core/subject.h"
 #include "gpu/context/context.h"
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 
 namespace glibra::bench {
 

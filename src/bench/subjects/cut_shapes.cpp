@@ -15,9 +15,8 @@
 #include "bench/core/fit.h"
 #include "bench/reference/bezier_surface.h"
 #include "bench/reference/solids.h"
-#include "geometry/shapes/soccerball.h"
+#include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/teapot.h"
-#include "geometry/shapes/teapot_patches.h"
 
 namespace glibra::bench {
 namespace {

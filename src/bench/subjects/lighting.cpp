@@ -12,8 +12,8 @@
 #include "bench/draw/offscreen.h"
 #include "bench/reference/analytic_lighting.h"
 #include "bench/subjects/subjects.h"
-#include "geometry/shapes/sphere.h"
-#include "geometry/shapes/torus.h"
+#include "geometry/shapes/cylinders.h"
+#include "geometry/shapes/spheres.h"
 
 namespace glibra::bench {
 namespace {

@@ -10,8 +10,8 @@
 #include "bench/subjects/cut_shapes.h"
 #include "bench/subjects/subjects.h"
 #include "bench/subjects/teapot.h"
-#include "geometry/shapes/soccerball.h"
-#include "geometry/shapes/sphere.h"
+#include "geometry/shapes/polyhedra.h"
+#include "geometry/shapes/spheres.h"
 
 namespace glibra::bench {
 namespace {

@@ -11,7 +11,6 @@
 #include "bench/reference/solids.h"
 #include "bench/reference/triangle_net.h"
 #include "geometry/shapes/teapot.h"
-#include "geometry/shapes/teapot_patches.h"
 
 namespace glibra::bench {
 namespace {

@@ -13,7 +13,7 @@
 #include "bench/reference/pn_triangle.h"
 #include "bench/subjects/subjects.h"
 #include "bench/subjects/tessellation_cracks.h"
-#include "geometry/shapes/teapot_patches.h"
+#include "geometry/shapes/teapot.h"
 
 namespace glibra::bench {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "bench/core/fit.h"
 #include "bench/draw/tessellator.h"
-#include "geometry/shapes/teapot_patches.h"
+#include "geometry/shapes/teapot.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,18 +1,171 @@
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
-#include "base/file_kind.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "geometry/obj/concave_faces.h"
 #include "geometry/obj/file_remarks.h"
 #include "geometry/obj/obj_model.h"
 #include "geometry/obj/obj_plain.h"
-#include "geometry/obj/text_scanner.h"
 
 namespace glibra::geometry {
 namespace {
+
+// A cursor over a line-oriented text of numbers, fast enough for a hundred megabytes.
+
+/// A statement ends with the line (LF, CR LF or CR) or at a `#` that begins a token. A backslash at the end
+/// of a line joins the next line to it. Blanks are space, tab, vertical tab and form feed.
+class TextScanner {
+  public:
+    explicit TextScanner(std::string_view text)
+        : at_(text.data()), end_(text.data() + text.size()), lineStart_(at_) {}
+
+    [[nodiscard]] bool atEnd() const { return at_ == end_; }
+    [[nodiscard]] int line() const { return line_; }
+    /// The column, in bytes from 1.
+    [[nodiscard]] int column() const { return static_cast<int>(at_ - lineStart_) + 1; }
+    /// The next byte; a line feed at the end of the text.
+    [[nodiscard]] char current() const { return at_ == end_ ? '\n' : *at_; }
+    void advance() { ++at_; }
+
+    void skipBlanks() {
+        for (;;) {
+            while (at_ != end_ && isBlank(*at_)) ++at_;
+            if (at_ == end_ || *at_ != '\\' || !skipJoin()) return;
+        }
+    }
+
+    /// True if the statement has no further token. Call skipBlanks first.
+    [[nodiscard]] bool statementEnds() const { return at_ == end_ || isLineEnd(*at_) || *at_ == '#'; }
+
+    /// Reads everything up to a blank, a line end or a join.
+    std::string_view token() {
+        const char* const start = at_;
+        while (at_ != end_ && !isBlank(*at_) && !isLineEnd(*at_) && !(*at_ == '\\' && joinLength(at_) > 0))
+            ++at_;
+        return {start, static_cast<std::size_t>(at_ - start)};
+    }
+
+    /// True if a token ends here.
+    [[nodiscard]] bool tokenEnds() const {
+        return at_ == end_ || isBlank(*at_) || isLineEnd(*at_) || (*at_ == '\\' && joinLength(at_) > 0);
+    }
+
+    /// Reads the longest prefix that is a number: [+-] digits [. digits] [exponent]. Returns false and reads
+    /// nothing if there is none or if it is not finite as a float. A number too small for a float is 0.
+    bool number(float& value);
+
+    /// Reads [+-] digits, limited to +-9e18. Returns false and reads nothing if there are no digits.
+    bool integer(long long& value);
+
+    /// Goes to the start of the next line that is not joined to this one.
+    void nextLine();
+
+  private:
+    static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+    static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
+    static bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+    /// The number of bytes of the backslash at `at` with the blanks and the line end after it; 0 if it does
+    /// not join lines.
+    [[nodiscard]] std::size_t joinLength(const char* at) const;
+    bool skipJoin();
+
+    const char* at_;
+    const char* end_;
+    const char* lineStart_;
+    int line_ = 1;
+};
+
+bool TextScanner::number(float& value) {
+    const char* digits = at_;
+    if (digits != end_ && (*digits == '+' || *digits == '-')) ++digits;
+    // from_chars also accepts "inf" and "nan", but no plus sign.
+    const bool begins =
+        digits != end_ && (isDigit(*digits) || (*digits == '.' && digits + 1 != end_ && isDigit(digits[1])));
+    if (!begins) return false;
+    const char* const start = *at_ == '+' ? digits : at_;
+    float result = 0;
+    const auto [rest, failure] = std::from_chars(start, end_, result);
+    if (failure == std::errc::result_out_of_range) {
+        // Too large or too small: as a double it is clear which; beyond a double's range the sign of the
+        // exponent decides.
+        double wide = 0;
+        const bool isWide = std::from_chars(start, rest, wide).ec == std::errc{};
+        const char* const exponent = std::find_if(start, rest, [](char c) { return c == 'e' || c == 'E'; });
+        const bool isTiny = isWide ? std::abs(wide) < 1
+                                   : (exponent != rest && exponent + 1 != rest && exponent[1] == '-') ||
+                                         *digits == '0' || *digits == '.';
+        if (!isTiny) return false;
+        result = static_cast<float>(wide);
+    } else if (failure != std::errc{}) {
+        return false;
+    }
+    value = result;
+    at_ = rest;
+    return true;
+}
+
+bool TextScanner::integer(long long& value) {
+    const char* at = at_;
+    const bool negative = at != end_ && *at == '-';
+    if (at != end_ && (*at == '+' || *at == '-')) ++at;
+    if (at == end_ || !isDigit(*at)) return false;
+    constexpr long long kLargest = 9'000'000'000'000'000'000;
+    long long result = 0;
+    for (; at != end_ && isDigit(*at); ++at)
+        result = result > kLargest / 10 - 1 ? kLargest : result * 10 + (*at - '0');
+    value = negative ? -result : result;
+    at_ = at;
+    return true;
+}
+
+void TextScanner::nextLine() {
+    bool inComment = false;
+    for (; at_ != end_; ++at_) {
+        if (*at_ == '#') inComment = true;
+        if (*at_ == '\\' && !inComment) {
+            if (const std::size_t length = joinLength(at_); length > 0) {
+                skipJoin();
+                --at_;
+                continue;
+            }
+        }
+        if (isLineEnd(*at_)) {
+            if (*at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n') ++at_;
+            ++at_;
+            ++line_;
+            lineStart_ = at_;
+            return;
+        }
+    }
+}
+
+std::size_t TextScanner::joinLength(const char* at) const {
+    const char* next = at + 1;
+    while (next != end_ && isBlank(*next)) ++next;
+    if (next == end_) return static_cast<std::size_t>(next - at);
+    if (!isLineEnd(*next)) return 0;
+    if (*next == '\r' && next + 1 != end_ && next[1] == '\n') ++next;
+    return static_cast<std::size_t>(next + 1 - at);
+}
+
+bool TextScanner::skipJoin() {
+    const std::size_t length = joinLength(at_);
+    if (length == 0) return false;
+    const bool hasLineEnd = isLineEnd(at_[length - 1]);
+    at_ += length;
+    if (hasLineEnd) {
+        ++line_;
+        lineStart_ = at_;
+    }
+    return true;
+}
 
 constexpr Triple kWhite{1, 1, 1};
 

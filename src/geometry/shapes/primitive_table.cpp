@@ -3,23 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/shapes/arrow.h"
-#include "geometry/shapes/box.h"
-#include "geometry/shapes/capsule.h"
 #include "geometry/shapes/clouds.h"
-#include "geometry/shapes/cone.h"
-#include "geometry/shapes/cylinder.h"
-#include "geometry/shapes/disk.h"
-#include "geometry/shapes/half_sphere.h"
-#include "geometry/shapes/plane.h"
+#include "geometry/shapes/cylinders.h"
+#include "geometry/shapes/flat.h"
+#include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/primitive.h"
-#include "geometry/shapes/pyramid.h"
 #include "geometry/shapes/quads.h"
-#include "geometry/shapes/soccerball.h"
-#include "geometry/shapes/sphere.h"
+#include "geometry/shapes/spheres.h"
 #include "geometry/shapes/teapot.h"
-#include "geometry/shapes/tetrahedron.h"
-#include "geometry/shapes/torus.h"
 
 namespace glibra::geometry {
 namespace {

@@ -10,7 +10,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "base/file_kind.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "glib/command_table.h"
 #include "glib/limits.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "base/file_kind.h"
+#include "base/files.h"
 #include "base/suggest.h"
 #include "base/text.h"
 #include "glsl/read/condition.h"

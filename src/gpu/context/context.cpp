@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <glad/gl.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -13,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/context/backend.h"
 #include "gpu/context/call_counter.h"
-#include "gpu/context/current.h"
 #include "gpu/context/fork.h"
 #include "gpu/context/reset.h"
 

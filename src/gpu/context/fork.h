@@ -3,10 +3,22 @@
 // not in it, so that every call would wait for ever, and what is on the device belongs to the parent.
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace glibra::gpu {
+
+// The context that a library of others (GLFW, SDL, Qt, ...) made current on this thread.
+
+struct CurrentContext {
+    void* handle = nullptr;                   ///< of EGL, GLX or OSMesa
+    void* (*currentHandle)() = nullptr;       ///< the handle that is current now, or null
+    void* (*address)(const char*) = nullptr;  ///< of a GL function, for all contexts of this kind
+};
+
+/// Nothing if the process has no library by which a context is current on the calling thread.
+std::optional<CurrentContext> currentContext();
 
 /// Notes that the process uses a driver. Processes that are forked from now on cannot.
 void noteDriver();

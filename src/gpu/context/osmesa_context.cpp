@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/context/backend.h"
+#include "gpu/context/context.h"
 #include "gpu/context/library.h"
 
 namespace glibra::gpu {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/number.h"
 #include "gpu/context/errors.h"
 
 namespace glibra::gpu {
@@ -117,6 +119,205 @@ Result<Framebuffer> Framebuffer::create(std::span<const Attachment> colors, cons
         return diagnose("gpu-E05", "cannot draw into these " + std::to_string(colors.size()) +
                                        " colour targets together: " + incompleteness(status));
     return made;
+}
+
+namespace {
+
+template <class T>
+std::unique_ptr<const T> kept(T value) {
+    return std::make_unique<const T>(std::move(value));
+}
+
+std::optional<Diagnostic> countProblem(const Capabilities& capabilities, std::size_t colors) {
+    if (colors <= static_cast<std::size_t>(capabilities.maxDrawBuffers)) return std::nullopt;
+    return diagnose("gpu-E04", std::to_string(colors) + " colour targets; this driver's limit is " +
+                                   std::to_string(capabilities.maxDrawBuffers));
+}
+
+}  // namespace
+
+Result<Target> Target::window(const Capabilities& capabilities, int width, int height, TexelFormat format,
+                              int samples, TexelFormat depthFormat) {
+    Target target;
+    target.width_ = width;
+    target.height_ = height;
+    target.format_ = format;
+    auto color = Renderbuffer::create(capabilities, width, height, format, samples);
+    if (!color) return color.diagnostics;
+    target.samples_ = color->samples();
+    auto depth = Renderbuffer::create(capabilities, width, height, depthFormat, target.samples_);
+    if (!depth) return depth.diagnostics;
+    target.depth_ = kept(std::move(*depth));
+    target.storage_.push_back(kept(std::move(*color)));
+
+    const std::array<Attachment, 1> drawn{target.storage_.back().get()};
+    auto framebuffer = Framebuffer::create(drawn, target.depth_.get());
+    if (!framebuffer) return framebuffer.diagnostics;
+    target.drawn_ = std::move(*framebuffer);
+    if (target.samples_ == 1) return target;
+
+    auto single = Renderbuffer::create(capabilities, width, height, format);
+    if (!single) return single.diagnostics;
+    target.storage_.push_back(kept(std::move(*single)));
+    const std::array<Attachment, 1> readable{target.storage_.back().get()};
+    auto resolved = Framebuffer::create(readable);
+    if (!resolved) return resolved.diagnostics;
+    target.resolved_ = std::move(*resolved);
+    return target;
+}
+
+Result<Target> Target::textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
+                                int samples, SharedDepth depth) {
+    if (textures.empty()) return diagnose("gpu-E05", "a render target needs at least one texture");
+    if (auto problem = countProblem(capabilities, textures.size())) return *std::move(problem);
+    const TextureSize size = textures.front()->size();
+    for (const Texture* each : textures)
+        if (each->shape() != TextureShape::texture2D || each->size() != size)
+            return diagnose("gpu-E05", "textures that are drawn into together must be 2D and of one size");
+
+    Target target;
+    target.width_ = size.width;
+    target.height_ = size.height;
+    target.format_ = textures.front()->format();
+    std::vector<Attachment> direct;
+    std::vector<Attachment> drawn;
+    for (const Texture* each : textures) {
+        direct.emplace_back(each);
+        if (samples <= 1) continue;
+        auto color = Renderbuffer::create(capabilities, size.width, size.height, each->format(), samples);
+        if (!color) return color.diagnostics;
+        target.samples_ = color->samples();
+        target.storage_.push_back(kept(std::move(*color)));
+        drawn.emplace_back(target.storage_.back().get());
+    }
+    if (!depth) {
+        auto own = Renderbuffer::create(capabilities, size.width, size.height, TexelFormat::depth24,
+                                        target.samples_);
+        if (!own) return own.diagnostics;
+        depth = kept(std::move(*own));
+    }
+    target.depth_ = std::move(depth);
+
+    auto framebuffer = Framebuffer::create(drawn.empty() ? direct : drawn, target.depth_.get());
+    if (!framebuffer) return framebuffer.diagnostics;
+    target.drawn_ = std::move(*framebuffer);
+    if (drawn.empty()) return target;
+    auto resolved = Framebuffer::create(direct);
+    if (!resolved) return resolved.diagnostics;
+    target.resolved_ = std::move(*resolved);
+    return target;
+}
+
+Result<Target> Target::parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
+                             const std::optional<TexturePart>& depth, SharedDepth implicitDepth,
+                             std::optional<TexelFormat> implicitFormat) {
+    if (colors.empty() && !depth) return diagnose("gpu-E05", "a render target needs at least one texture");
+    if (auto problem = countProblem(capabilities, colors.size())) return *std::move(problem);
+    std::vector<TexturePart> all(colors.begin(), colors.end());
+    if (depth) all.push_back(*depth);
+    const TexturePart& first = all.front();
+    const TextureSize size = first.size();
+    for (const TexturePart& each : all)
+        if (each.size().width != size.width || each.size().height != size.height ||
+            each.isLayered() != first.isLayered() ||
+            (each.isLayered() && each.texture->layers(each.level) != first.texture->layers(first.level)) ||
+            each.texture->samples() != first.texture->samples())
+            return diagnose(
+                "gpu-E05",
+                "textures that are drawn into together must have the same size, layers and samples");
+    for (const TexturePart& each : colors) {
+        const TexelFormat format = each.texture->format();
+        if (hasDepth(format) || !useOf(capabilities, format).color)
+            return diagnose("gpu-E05", "this driver cannot draw colours into " + std::string(name(format)));
+    }
+    if (depth && !useOf(capabilities, depth->texture->format()).depth)
+        return diagnose("gpu-E05",
+                        "this driver cannot draw depth into " + std::string(name(depth->texture->format())));
+
+    Target target;
+    target.width_ = size.width;
+    target.height_ = size.height;
+    target.samples_ = first.texture->samples();
+    target.format_ = first.texture->format();
+    std::vector<Attachment> attachments;
+    for (const TexturePart& each : colors) {
+        attachments.emplace_back(each);
+        target.formats_.push_back(each.texture->format());
+    }
+    Attachment depthAttachment = kNothing;
+    if (depth) {
+        depthAttachment = *depth;
+    } else if (implicitFormat && first.isLayered()) {
+        // 3D textures hold no depth; all other shapes are drawn with depth of their own shape.
+        const TextureShape drawn = first.texture->shape();
+        const TextureShape shape = drawn == TextureShape::texture3D ? TextureShape::array2D : drawn;
+        const int layers = shape == TextureShape::cube ? 1 : first.texture->layers(first.level);
+        auto own = Texture::create(
+            capabilities,
+            {shape, *implicitFormat, {size.width, size.height, layers}, 1, first.texture->samples()});
+        if (!own) return own.diagnostics;
+        target.layeredDepth_ = kept(std::move(*own));
+        depthAttachment = TexturePart{target.layeredDepth_.get()};
+    } else if (implicitFormat) {
+        if (!implicitDepth) {
+            auto own =
+                Renderbuffer::create(capabilities, size.width, size.height, *implicitFormat, target.samples_);
+            if (!own) return own.diagnostics;
+            implicitDepth = kept(std::move(*own));
+        }
+        target.depth_ = std::move(implicitDepth);
+        depthAttachment = target.depth_.get();
+    }
+    auto framebuffer = Framebuffer::create(attachments, depthAttachment);
+    if (!framebuffer) return framebuffer.diagnostics;
+    target.drawn_ = std::move(*framebuffer);
+    return target;
+}
+
+void Target::bind() const {
+    drawn_.bindForDrawing();
+    glViewport(0, 0, width_, height_);
+}
+
+void Target::clearColor(int index, const std::array<float, 4>& rgba) const {
+    glClearBufferfv(GL_COLOR, index, rgba.data());
+}
+
+void Target::clearColorOfAnyFormat(int index, const std::array<double, 4>& rgba) const {
+    const auto position = static_cast<std::size_t>(index);
+    const TexelFormat format = position < formats_.size() ? formats_[position] : format_;
+    const auto converted = [&](auto convert) {
+        return std::array{convert(rgba[0]), convert(rgba[1]), convert(rgba[2]), convert(rgba[3])};
+    };
+    if (rowOf(format).kind == base::TexelClass::integer)
+        return glClearBufferiv(GL_COLOR, index, converted(base::toInt).data());
+    if (rowOf(format).kind == base::TexelClass::unsignedInteger)
+        return glClearBufferuiv(GL_COLOR, index, converted(base::toUnsigned).data());
+    clearColor(index, converted(base::toFloat));
+}
+
+void Target::clearDepth(float depth) const {
+    glClearBufferfv(GL_DEPTH, 0, &depth);
+}
+
+void Target::clearStencil(int value) const {
+    glClearBufferiv(GL_STENCIL, 0, &value);
+}
+
+bool Target::hasSrgb() const {
+    return std::ranges::find(formats_, TexelFormat::srgb8_alpha8) != formats_.end();
+}
+
+void Target::resolve() const {
+    if (!resolved_) return;
+    drawn_.bindForReading();
+    resolved_->bindForDrawing();
+    for (int i = 0; i < resolved_->colorCount(); ++i) {
+        const auto point = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + i);
+        glReadBuffer(point);
+        glDrawBuffer(point);
+        glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
 }
 
 }  // namespace glibra::gpu

@@ -1,12 +1,15 @@
 #pragma once
 // Renderbuffers, which are drawn into but never sampled, and framebuffers made of renderbuffers and textures.
 
-#include <glad/gl.h>
 #include <glibra/result.h>
 
+#include <glad/gl.h>
+#include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include "gpu/context/capabilities.h"
 #include "gpu/format/pixel_format.h"
@@ -71,6 +74,69 @@ class Framebuffer {
   private:
     Name<glDeleteFramebuffers> name_;
     int colorCount_ = 0;
+};
+
+// What a pass is drawn into: colours and depth of one size, with any number of samples, readable after
+// resolve().
+
+/// A depth buffer that several targets may share.
+using SharedDepth = std::shared_ptr<const Renderbuffer>;
+
+class Target {
+  public:
+    /// Makes a substitute for a window: one colour of that format and a depth buffer.
+    static Result<Target> window(const Capabilities& capabilities, int width, int height, TexelFormat format,
+                                 int samples = 1, TexelFormat depthFormat = TexelFormat::depth24);
+    /// Makes a target of 2D textures of one size, which must outlive the target: colour output i goes to
+    /// textures[i]. With several samples, the textures get their content at resolve(). Without `depth` the
+    /// target makes a depth buffer; a given one must have the same size and number of samples.
+    static Result<Target> textures(const Capabilities& capabilities, std::span<const Texture* const> textures,
+                                   int samples = 1, SharedDepth depth = {});
+
+    /// Makes a target of parts of textures, which must outlive it: colour output i goes to colors[i], depth
+    /// and stencil to `depth`. All have the same size and number of samples; layered and other parts do not
+    /// go together. With colours only, the target makes a depth buffer of `implicitFormat`, if that is one; a
+    /// given one must fit, and only targets without layers use it. Nothing is resolved. Reports gpu-E05 if
+    /// they do not fit together.
+    static Result<Target> parts(const Capabilities& capabilities, std::span<const TexturePart> colors,
+                                const std::optional<TexturePart>& depth, SharedDepth implicitDepth = {},
+                                std::optional<TexelFormat> implicitFormat = TexelFormat::depth24);
+
+    /// Binds the target for drawing and sets the viewport to the whole of it.
+    void bind() const;
+    /// Clears a colour of the bound target, all samples. Only float formats keep values outside 0..1.
+    void clearColor(int index, const std::array<float, 4>& rgba) const;
+    /// The same for any format: integers get the truncated values.
+    void clearColorOfAnyFormat(int index, const std::array<double, 4>& rgba) const;
+    /// Clears the depth of the bound target, by default to the far plane.
+    void clearDepth(float depth = 1) const;
+    void clearStencil(int value = 0) const;
+    /// Averages the samples into what readable() reads; does nothing for one sample. Call bind() again before
+    /// drawing more.
+    void resolve() const;
+
+    /// The framebuffer that pixels are read from, after resolve().
+    [[nodiscard]] const Framebuffer& readable() const { return resolved_ ? *resolved_ : drawn_; }
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] int samples() const { return samples_; }
+    [[nodiscard]] TexelFormat format() const { return format_; }
+    /// True if a colour is sRGB: colours are encoded where GL_FRAMEBUFFER_SRGB is on.
+    [[nodiscard]] bool hasSrgb() const;
+    /// The depth buffer that the target made or was given; null for a depth texture and with layers.
+    [[nodiscard]] const SharedDepth& depth() const { return depth_; }
+
+  private:
+    // Storage is declared before the framebuffers that refer to it, so that it is destroyed after them.
+    // Framebuffers refer to renderbuffers by address, hence the pointers.
+    std::vector<std::unique_ptr<const Renderbuffer>> storage_;
+    SharedDepth depth_;
+    std::unique_ptr<const Texture> layeredDepth_;
+    std::vector<TexelFormat> formats_;  ///< of the colours
+    Framebuffer drawn_;
+    std::optional<Framebuffer> resolved_;
+    int width_ = 0, height_ = 0, samples_ = 1;
+    TexelFormat format_ = TexelFormat::rgba8;
 };
 
 }  // namespace glibra::gpu

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstring>
 
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
 #include "gpu/object/readback.h"
-#include "gpu/object/target.h"
 #include "gpu/object/texture.h"
 #include "gpu/object/vertex_array.h"
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "base/raster_state.h"
-#include "base/sampler_state.h"
 #include "gpu/object/name.h"
 
 namespace glibra::gpu {

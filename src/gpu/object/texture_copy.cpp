@@ -11,7 +11,7 @@
 #include "gpu/object/compute.h"
 #include "gpu/object/deferred_clears.h"
 #include "gpu/object/framebuffer.h"
-#include "gpu/object/texture_storage.h"
+#include "gpu/object/texture.h"
 
 namespace glibra::gpu {
 namespace {

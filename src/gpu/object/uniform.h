@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/program_resources.h"
@@ -25,5 +26,16 @@ int writeBlockMember(std::span<std::byte> block, const base::ActiveUniform& unif
 
 /// The current value of one element of a uniform of the default block.
 std::vector<double> getUniform(const Program& program, const base::ActiveUniform& uniform, int element = 0);
+
+// Queries a linked program for what it reads. Without GL 4.3 neither storage blocks nor
+// fragment outputs are listed.
+
+/// Sets `name` and `emittedName` of a uniform to the same text; a caller that knows the user's names replaces
+/// `name`.
+base::ActiveResources reflect(const Program& program);
+
+/// The location of a colour output of the fragment stage, by its name in the compiled source; -1 if it is not
+/// active.
+int outputLocation(const Program& program, const std::string& name);
 
 }  // namespace glibra::gpu

@@ -9,8 +9,8 @@
 
 #include "gpu/object/buffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/query.h"
-#include "gpu/object/reflection.h"
+#include "gpu/object/timer.h"
+#include "gpu/object/uniform.h"
 #include "render/draw/frame.h"
 #include "render/load/derived_program.h"
 

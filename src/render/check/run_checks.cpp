@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/object/query.h"
 #include "gpu/object/readback.h"
+#include "gpu/object/timer.h"
 #include "render/check/answers.h"
 #include "render/check/nan_search.h"
 #include "render/check/object_content.h"

@@ -6,8 +6,8 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/target.h"
 #include "gpu/object/vertex_array.h"
 #include "render/draw/tile.h"
 #include "render/draw/view_matrices.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "render/draw/frame.h"
 #include "render/file/scene_inputs.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/csv.h"
+#include "base/text.h"
 #include "glib/text.h"
 
 namespace glibra::render {

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "gpu/context/call_counter.h"
-#include "gpu/context/call_trace.h"
 #include "image/format.h"
 #include "image/inspect.h"
 #include "image/video/video_file.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "render/draw/frame.h"
 #include "render/scene_renderer.h"

@@ -10,8 +10,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
-#include "gpu/object/buffer_clear.h"
-#include "gpu/object/buffer_texture.h"
+#include "gpu/object/deferred_clears.h"
 #include "gpu/state/binding_tracker.h"
 #include "plan/buffers.h"
 #include "plan/frame_plan.h"

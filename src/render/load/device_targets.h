@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "render/load/device_textures.h"
 #include "scene/scene.h"
 

@@ -21,7 +21,7 @@
 #include "image/image.h"
 #include "image/limits.h"
 #include "image/texel_block.h"
-#include "noise/texel_bytes.h"
+#include "noise/weights.h"
 #include "plan/frame_plan.h"
 #include "render/load/object_state.h"
 #include "render/load/shared_parts.h"

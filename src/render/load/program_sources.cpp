@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "render/load/hidden_text.h"
 

@@ -7,7 +7,6 @@
 
 #include "glsl/emit/log.h"
 #include "glsl/facts/stage_variables.h"
-#include "gpu/object/reflection.h"
 #include "gpu/object/uniform.h"
 #include "plan/accesses.h"
 #include "render/load/bounded_filter.h"

@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 #include "glsl/translate.h"
-#include "gpu/object/reflection.h"
+#include "gpu/object/uniform.h"
 #include "render/load/derived_program.h"
 #include "render/load/programs.h"
 

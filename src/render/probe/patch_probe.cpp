@@ -11,8 +11,7 @@
 
 #include "base/text.h"
 #include "glsl/emit/wrapped_main.h"
-#include "gpu/object/query.h"
-#include "gpu/object/reflection.h"
+#include "gpu/object/timer.h"
 #include "gpu/object/uniform.h"
 #include "render/draw/frame.h"
 #include "render/draw/patch_split.h"

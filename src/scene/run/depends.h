@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "expression/names.h"
+#include "expression/known_names.h"
 #include "scene/run/state.h"
 
 namespace glibra::scene {

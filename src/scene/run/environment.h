@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-#include "expression/names.h"
+#include "expression/known_names.h"
 #include "scene/camera.h"
 #include "scene/objects.h"
 

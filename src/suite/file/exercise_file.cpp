@@ -5,7 +5,7 @@
 #include <span>
 #include <system_error>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "suite/file/toml_reader.h"
 

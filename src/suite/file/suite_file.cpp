@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/files.h"
 #include "base/text.h"
-#include "base/whole_file.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
 #include "glib/text.h"

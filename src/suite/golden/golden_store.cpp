@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/contained.h"
-#include "base/folder_entries.h"
+#include "base/files.h"
 #include "gpu/context/family.h"
 #include "image/convert.h"
 #include "image/file.h"

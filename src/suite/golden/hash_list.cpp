@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "base/contained.h"
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "suite/write_below.h"
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/folder_entries.h"
+#include "base/files.h"
 #include "image/convert.h"
 #include "image/read.h"
 #include "suite/file/suite_file.h"

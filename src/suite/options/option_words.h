@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/shell_word.h"
+#include "base/text.h"
 #include "suite/options/option_table.h"
 
 namespace glibra::suite {

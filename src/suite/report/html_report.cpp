@@ -7,7 +7,6 @@
 #include <span>
 #include <string_view>
 
-#include "base/escape_xml.h"
 #include "base/page_template.h"
 #include "base/text.h"
 #include "embedded/report_page.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "base/escape_xml.h"
+#include "base/text.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "base/escape_xml.h"
+#include "base/text.h"
 #include "suite/results/figures.h"
 
 namespace glibra::suite {

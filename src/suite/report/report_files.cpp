@@ -7,9 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "base/folder_entries.h"
+#include "base/files.h"
 #include "base/utf8.h"
-#include "base/whole_file.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "base/folder_entries.h"
+#include "base/files.h"
 #include "gpu/context/context.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"

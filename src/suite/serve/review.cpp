@@ -15,8 +15,8 @@
 #include <system_error>
 
 #include "base/contained.h"
+#include "base/files.h"
 #include "base/page_template.h"
-#include "base/whole_file.h"
 #include "embedded/review_page.h"
 #include "gpu/context/family.h"
 #include "image/convert.h"

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "image/image.h"
 #include "image/write.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "glsl/emit/wrapped_main.h"
-#include "gpu/object/reflection.h"
 #include "gpu/object/uniform.h"
 #include "render/load/derived_program.h"
 #include "render/load/gl_names.h"

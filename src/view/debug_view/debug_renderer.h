@@ -11,7 +11,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/vertex_array.h"
 #include "view/debug_view/debug_program.h"
 #include "view/debug_view/debug_view.h"

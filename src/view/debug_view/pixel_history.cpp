@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/raster_state.h"
-#include "gpu/object/query.h"
+#include "gpu/object/timer.h"
 #include "plan/accesses.h"
 #include "view/debug_view/bound_target.h"
 #include "view/debug_view/debug_program.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "render/check/content.h"
 #include "scene/scene.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/files.h"
 #include "base/utf8.h"
-#include "base/whole_file.h"
 #include "image/file.h"
 #include "view/edit/example_folders.h"
 #include "view/edit/text_search.h"

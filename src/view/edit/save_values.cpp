@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "view/edit/example_folders.h"
 

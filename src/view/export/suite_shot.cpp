@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"

@@ -12,7 +12,7 @@
 #include "glsl/emit/emitted_lines.h"
 #include "glsl/emit/wrapped_main.h"
 #include "gpu/context/context.h"
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "plan/frame_plan.h"
 #include "render/pipeline.h"
 #include "render/stats.h"

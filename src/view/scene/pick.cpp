@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "gpu/object/query.h"
+#include "gpu/object/timer.h"
 #include "scene/matrices.h"
 
 namespace glibra::view {

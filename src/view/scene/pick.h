@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "view/scene/live_scene.h"
 
 namespace glibra::view {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/readback.h"
-#include "gpu/object/target.h"
 #include "image/image.h"
 
 namespace glibra::view {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/file.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 
 namespace glibra::view {

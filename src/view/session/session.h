@@ -15,7 +15,7 @@
 
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
-#include "gpu/object/target.h"
+#include "gpu/object/framebuffer.h"
 #include "gpu/object/texture.h"
 #include "view/debug_view/debug_renderer.h"
 #include "view/debug_view/pixel_probe.h"

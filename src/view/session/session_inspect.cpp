@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "view/scene/window_target.h"
 #include "view/session/session.h"

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/whole_file.h"
+#include "base/files.h"
 #include "image/file.h"
 #include "suite/golden/hash.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/standard_files.h"
+#include "base/files.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/written_files.h"

@@ -1,0 +1,715 @@
+#include "expression/parser.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/suggest.h"
+#include "base/text.h"
+#include "expression/apply.h"
+#include "expression/functions.h"
+
+namespace glibra::expression {
+
+void Builder::emit(Instruction instruction, Range range, std::size_t removed, std::size_t added) {
+    instruction.isChecked = unchecked == 0;
+    code_.instructions.push_back(instruction);
+    code_.ranges.push_back(range);
+    depth_ = depth_ - removed + added;
+    highest_ = std::max(highest_, depth_);
+    steps_ = std::max(steps_, code_.instructions.size());
+}
+
+Operand Builder::pushed(std::span<const double> values, Type type, Range range) {
+    Instruction push;
+    push.op = Op::push;
+    push.target = static_cast<std::uint32_t>(code_.constants.size());
+    push.n = static_cast<std::uint8_t>(values.size());
+    code_.constants.insert(code_.constants.end(), values.begin(), values.end());
+    Operand operand{.type = type, .range = range, .begin = end(), .isConstant = true};
+    emit(push, range, 0, values.size());
+    return operand;
+}
+
+Operand Builder::combined(std::span<const Operand> from, Instruction instruction, Type type, Range range) {
+    Operand result{.type = type, .range = range, .begin = from.front().begin};
+    std::size_t removed = 0;
+    bool isConstant = true;
+    for (const Operand& each : from) {
+        removed += each.type.size();
+        isConstant = isConstant && each.isConstant;
+    }
+    emit(instruction, range, removed, type.size());
+    result.isConstant = isConstant && fold(result.begin);
+    return result;
+}
+
+std::span<const double> Builder::valueOf(const Operand& operand) const {
+    const Instruction& push = code_.instructions[operand.begin];
+    return {code_.constants.data() + push.target, push.n};
+}
+
+void Builder::setValue(const Operand& operand, double value) {
+    code_.constants[code_.instructions[operand.begin].target] = value;
+}
+
+/// Replaces the instructions from `first` on, which begin with a push, by a push of their result. False if
+/// the result is a problem, which is then reported whenever the code is run.
+bool Builder::fold(std::size_t first) {
+    if (!isWithinLimits()) return false;
+    double stack[kMostDoubles];
+    if (run(code_, first, nullptr, stack)) return false;
+    const std::size_t size = code_.instructions.back().n;
+    const Range range = code_.ranges.back();
+    Instruction push = code_.instructions[first];
+    push.n = static_cast<std::uint8_t>(size);
+    code_.constants.resize(push.target);
+    code_.constants.insert(code_.constants.end(), stack, stack + size);
+    code_.instructions.resize(first);
+    code_.ranges.resize(first);
+    code_.instructions.push_back(push);
+    code_.ranges.push_back(range);
+    return true;
+}
+
+std::size_t Builder::emitJump(Op op, Range range, std::size_t removed) {
+    Instruction jump;
+    jump.op = op;
+    emit(jump, range, removed, 0);
+    return end() - 1;
+}
+
+void Builder::jumpHere(std::size_t jump) {
+    code_.instructions[jump].target = static_cast<std::uint32_t>(end() - jump - 1);
+}
+
+void Builder::erase(std::size_t first, std::size_t last, std::size_t numbers) {
+    const auto from = static_cast<std::ptrdiff_t>(first);
+    const auto to = static_cast<std::ptrdiff_t>(last);
+    code_.instructions.erase(code_.instructions.begin() + from, code_.instructions.begin() + to);
+    code_.ranges.erase(code_.ranges.begin() + from, code_.ranges.begin() + to);
+    depth_ -= numbers;
+}
+
+std::size_t Builder::use(std::string_view path, Symbol symbol) {
+    const auto found = std::ranges::find(code_.uses, path, &Use::path);
+    if (found != code_.uses.end()) return static_cast<std::size_t>(found - code_.uses.begin());
+    code_.uses.push_back({std::string(path), std::move(symbol)});
+    return code_.uses.size() - 1;
+}
+
+void Builder::finishUses() {
+    constexpr std::size_t kUnread = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> places(code_.uses.size(), kUnread);
+    std::vector<Use> read;
+    for (Instruction& each : code_.instructions) {
+        if (each.op != Op::load && each.op != Op::loadAt) continue;
+        std::size_t& place = places[each.target];
+        if (place == kUnread) {
+            place = read.size();
+            read.push_back(std::move(code_.uses[each.target]));
+            code_.depends = code_.depends | read.back().symbol.depends;
+        }
+        each.target = static_cast<std::uint32_t>(place);
+    }
+    code_.uses = std::move(read);
+}
+
+namespace {
+
+using base::isDigit;
+
+constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
+
+bool isHexDigit(char c) {
+    return isDigit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\n' || c == '\r';
+}
+
+/// Signs of two bytes come first.
+constexpr std::string_view kSigns[] = {"<=", ">=", "==", "!=", "&&", "||", "^^", "<<", ">>", "+",
+                                       "-",  "*",  "/",  "%",  "<",  ">",  "!",  "~",  "&",  "|",
+                                       "^",  "?",  ":",  "(",  ")",  "[",  "]",  ",",  "."};
+
+/// How many bytes from `at` on satisfy the condition.
+template <class Condition>
+std::size_t countWhile(std::string_view text, std::size_t at, const Condition& condition) {
+    std::size_t end = at;
+    while (end < text.size() && condition(text[end])) ++end;
+    return end - at;
+}
+
+/// For a decimal number without sign that no double can hold: true if it is too large, false if it is too
+/// small.
+bool isAboveOne(std::string_view decimal) {
+    constexpr long kFar = 1'000'000;
+    const std::size_t mantissa = std::min(decimal.find_first_of("eE"), decimal.size());
+    const std::size_t point = std::min(decimal.find('.'), mantissa);
+    const std::size_t first = decimal.find_first_of("123456789");
+    if (first >= mantissa) return false;
+    long exponent = 0;
+    if (mantissa < decimal.size()) {
+        const bool isNegative = decimal[mantissa + 1] == '-';
+        const char* const digits = decimal.data() + mantissa + (decimal[mantissa + 1] == '+' ? 2 : 1);
+        if (std::from_chars(digits, decimal.data() + decimal.size(), exponent).ec != std::errc())
+            exponent = isNegative ? -kFar : kFar;
+    }
+    return static_cast<long>(point) - static_cast<long>(first) + exponent > 0;
+}
+
+}  // namespace
+
+Token Lexer::token(TokenKind kind, std::size_t length) const {
+    Token token;
+    token.kind = kind;
+    token.text = text_.substr(at_, length);
+    token.range = {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + token.text.size())};
+    return token;
+}
+
+Token Lexer::wrong(std::size_t length, const char* why) const {
+    Token wrong = token(TokenKind::wrong, length);
+    wrong.why = why;
+    return wrong;
+}
+
+void Lexer::skipBlanks() {
+    while (at_ < text_.size()) {
+        const std::string_view rest = text_.substr(at_);
+        if (isBlank(rest[0])) {
+            ++at_;
+        } else if (rest.starts_with(kNoBreakSpace)) {
+            at_ += kNoBreakSpace.size();
+        } else if (rest[0] == '#' || rest.starts_with("//")) {
+            at_ += countWhile(rest, 0, [](char c) { return c != '\n' && c != '\r'; });
+        } else if (rest[0] == '\\') {
+            // Joins two lines if only blanks and a comment follow it.
+            const std::size_t next = 1 + countWhile(rest, 1, [](char c) { return c == ' ' || c == '\t'; });
+            const std::string_view after = rest.substr(next);
+            if (!after.starts_with('\n') && !after.starts_with('\r') && !after.starts_with('#') &&
+                !after.starts_with("//"))
+                return;
+            at_ += next;
+        } else {
+            return;
+        }
+    }
+}
+
+Token Lexer::number() {
+    const std::string_view rest = text_.substr(at_);
+    const bool isHex =
+        rest.size() > 2 && rest[0] == '0' && (rest[1] == 'x' || rest[1] == 'X') && isHexDigit(rest[2]);
+    std::size_t end = 0;
+    double value = 0;
+    if (isHex) {
+        end = 2 + countWhile(rest, 2, isHexDigit);
+        std::uint64_t whole = 0;
+        const auto read = std::from_chars(rest.data() + 2, rest.data() + end, whole, 16);
+        if (read.ec != std::errc() || whole > (std::uint64_t{1} << 53U))
+            return wrong(end, "a hexadecimal number is at most 2^53");
+        value = static_cast<double>(whole);
+    } else {
+        end = countWhile(rest, 0, isDigit);
+        if (end < rest.size() && rest[end] == '.') end += 1 + countWhile(rest, end + 1, isDigit);
+        if (end < rest.size() && (rest[end] == 'e' || rest[end] == 'E')) {
+            const std::size_t digits =
+                end + (end + 1 < rest.size() && (rest[end + 1] == '+' || rest[end + 1] == '-') ? 2 : 1);
+            const std::size_t count = countWhile(rest, digits, isDigit);
+            if (count > 0) end = digits + count;
+        }
+        const auto read = std::from_chars(rest.data(), rest.data() + end, value);
+        if (read.ec == std::errc::result_out_of_range) {
+            if (isAboveOne(rest.substr(0, end))) return wrong(end, "the number is too large");
+            value = 0;
+        }
+    }
+    // Suffixes of GLSL mean nothing here.
+    std::size_t suffix = 0;
+    for (const std::string_view each : {"lf", "LF", "f", "F", "u", "U"})
+        if (suffix == 0 && rest.substr(end).starts_with(each)) suffix = each.size();
+    const std::size_t more = countWhile(rest, end + suffix, base::isOfName);
+    if (more > 0) return wrong(end + suffix + more, "this is neither a number nor a name");
+    Token number = token(TokenKind::number, end + suffix);
+    number.number = value;
+    return number;
+}
+
+Token Lexer::next() {
+    skipBlanks();
+    if (at_ >= text_.size()) return token(TokenKind::end, 0);
+    const std::string_view rest = text_.substr(at_);
+    Token result;
+    if (isDigit(rest[0]) || (rest.size() > 1 && rest[0] == '.' && isDigit(rest[1]))) {
+        result = number();
+    } else if (base::beginsName(rest[0])) {
+        result = token(TokenKind::name, countWhile(rest, 0, base::isOfName));
+    } else {
+        for (const std::string_view sign : kSigns)
+            if (result.kind == TokenKind::end && rest.starts_with(sign))
+                result = token(TokenKind::sign, sign.size());
+        if (result.kind == TokenKind::end) {
+            // A character of UTF-8 is shown whole.
+            const std::size_t length = 1 + countWhile(rest, 1, [](char c) {
+                                           return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
+                                       });
+            result = wrong(rest[0] == '=' ? 1 : length,
+                           rest[0] == '=' ? "nothing can be assigned here; '==' compares"
+                                          : "this character is not part of the syntax of expressions");
+        }
+    }
+    at_ += result.text.size();
+    return result;
+}
+
+bool Parser::settle(const Operand& operand) {
+    if (operand.unknownWord.empty()) return true;
+    const auto symbol = names_.find(operand.unknownWord);
+    if (symbol)
+        noValue(std::string(operand.unknownWord), *symbol, operand.range);
+    else if (!functionsNamed(operand.unknownWord).empty())
+        problem(operand.range, "expr-E01",
+                fmt::format("'{}' is a function; its arguments follow in parentheses", operand.unknownWord));
+    else
+        unknownName(operand.unknownWord, operand.range);
+    return false;
+}
+
+void Parser::unknownName(std::string_view name, Range range) {
+    std::vector<std::string> known = names_.known({});
+    std::vector<std::string_view> candidates(known.begin(), known.end());
+    candidates.insert(candidates.end(), wanted_.words.begin(), wanted_.words.end());
+    for (const std::string_view each : {"true", "false", "pi"}) candidates.push_back(each);
+    std::string hint = base::suggestion(name, candidates);
+    if (hint.empty() && !wanted_.words.empty())
+        hint = fmt::format(
+            "; the words here are {}",
+            joined(std::vector<std::string>(wanted_.words.begin(), wanted_.words.end()), " and "));
+    problem(range, "expr-E02", fmt::format("unknown name {}{}", quoted(code_.text, range), hint));
+}
+
+bool Parser::compareWithChoice(const Operand& choice, Operand& word) {
+    const std::vector<std::string>& words = code_.uses[*choice.choice].symbol.words;
+    const std::string_view text = textOf(word.range);
+    const auto found = std::ranges::find(words, text);
+    if (found == words.end()) {
+        problem(word.range, "expr-E02",
+                fmt::format("unknown word {}; {} is {}", quoted(code_.text, word.range),
+                            code_.uses[*choice.choice].path, joined(words, " or ")));
+        return false;
+    }
+    build_.setValue(word, static_cast<double>(found - words.begin()));
+    word.type = Type::number();
+    word.unknownWord = {};
+    return true;
+}
+
+Parser::Parsed Parser::named(const Token& first) {
+    if (first.text == "true" || first.text == "false")
+        return build_.pushed(first.text == "true" ? 1 : 0, Type::boolean(), first.range);
+    std::string path(first.text);
+    std::optional<Symbol> symbol = names_.find(path);
+    if (!symbol) return unnamed(first);
+    Parsed index;
+    while (true) {
+        if (token_.is("[") && symbol->count > 0 && !index) {
+            index = subscript(symbol->count);
+            if (!index) return std::nullopt;
+        } else if (token_.is(".")) {
+            const Lexer before = lexer_;
+            const Token dot = token_;
+            const std::uint32_t end = lastEnd_;
+            take();
+            if (token_.kind != TokenKind::name) return unexpected("the name of a field or component");
+            const Token field = token_;
+            auto inner = names_.find(path + "." + std::string(field.text));
+            if (inner) {
+                take();
+                path += "." + std::string(field.text);
+                symbol = std::move(inner);
+                continue;
+            }
+            if (symbol->type.kind == Kind::record && (symbol->count == 0 || index))
+                return noSuchField(path, *symbol, field);
+            if (symbol->count > 0 && !index) {
+                if (field.text != "count") return noSuchField(path, *symbol, field);
+                take();
+                return build_.pushed(static_cast<double>(symbol->count), Type::number(),
+                                     since(first.range.begin));
+            }
+            // A component: postfix() reads it again.
+            lexer_ = before;
+            token_ = dot;
+            lastEnd_ = end;
+            break;
+        } else {
+            break;
+        }
+    }
+    const bool isValue = symbol->type.kind != Kind::record && (symbol->count == 0 || index);
+    if (!isValue && path == first.text && !index) return unnamed(first);  // perhaps the word of a choice
+    return loaded(path, *symbol, index, since(first.range.begin));
+}
+
+std::nullopt_t Parser::noValue(const std::string& path, const Symbol& symbol, Range range) {
+    if (symbol.count > 0 && symbol.type.kind != Kind::record)
+        return problem(range, "expr-E03",
+                       fmt::format("'{}' is an array; use an element, {}[0] to {}[{}], or {}.count", path,
+                                   path, path, symbol.count - 1, path));
+    const std::vector<std::string> fields = names_.known(path);
+    return problem(range, "expr-E03",
+                   fmt::format("'{}' is {} {}, not a value{}{}", path, article(symbol.what), symbol.what,
+                               fields.empty() ? "" : "; use one of its fields ", joined(fields, " and ")));
+}
+
+std::nullopt_t Parser::noSuchField(const std::string& path, const Symbol& symbol, const Token& field) {
+    std::vector<std::string> known = names_.known(path);
+    if (symbol.count > 0 && symbol.type.kind != Kind::record) known.assign(1, "count");
+    const std::vector<std::string_view> candidates(known.begin(), known.end());
+    std::string help = base::suggestion(field.text, candidates);
+    if (help.empty() && !known.empty()) help = fmt::format("; it has {}", joined(known, " and "));
+    return problem(field.range, "expr-E02",
+                   fmt::format("'{}' has no field {}{}", path, quoted(code_.text, field.range), help));
+}
+
+Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Parsed& index, Range range) {
+    if ((symbol.count > 0 && !index) || symbol.type.kind == Kind::record) return noValue(path, symbol, range);
+    if (index && symbol.count == 0)
+        return problem(range, "expr-E03", fmt::format("'{}' is not an array", path));
+    const bool isChoice = !symbol.words.empty() && symbol.type.isNumber();
+    Operand result{.type = symbol.type, .range = range, .begin = index ? index->begin : build_.end()};
+    Instruction load;
+    load.op = index ? Op::loadAt : Op::load;
+    load.n = static_cast<std::uint8_t>(symbol.type.size());
+    const std::size_t place = build_.use(path, std::move(symbol));
+    load.target = static_cast<std::uint32_t>(place);
+    if (isChoice) result.choice = place;
+    build_.emit(load, range, index ? 1 : 0, load.n);
+    return result;
+}
+
+Parser::Parsed Parser::unnamed(const Token& first) {
+    if (first.text == "pi") return build_.pushed(std::numbers::pi, Type::number(), first.range);
+    const auto word = std::ranges::find(wanted_.words, first.text);
+    const bool isWanted = word != wanted_.words.end() && wants(Type::word());
+    Operand operand = build_.pushed(isWanted ? static_cast<double>(word - wanted_.words.begin()) : 0,
+                                    Type::word(), first.range);
+    if (!isWanted) operand.unknownWord = first.text;
+    return operand;
+}
+
+namespace {
+
+// vec3(...), mat4(...), float(...) and the other constructors.
+
+/// What to do with the arguments of a constructor, or why it does not take them. `id` is that of the problem.
+struct Construction {
+    Call call;
+    const char* id = nullptr;
+    std::string why;
+};
+
+const char* applyCut(double* stack, const Instruction& /*i*/) {
+    stack[0] = std::trunc(stack[0]);
+    return nullptr;
+}
+
+/// The type that a constructor makes.
+Type typeNamed(std::string_view name) {
+    if (name == "float" || name == "int") return Type::number();
+    if (name == "bool") return Type::boolean();
+    const auto size = static_cast<std::size_t>(name.back() - '0');
+    if (name.starts_with("mat")) return Type::matrix(size);
+    return Type::vector(size, name.starts_with("bvec") ? Kind::boolean : Kind::number);
+}
+
+Construction with(const Type& type, Apply apply, std::size_t components) {
+    Construction construction{{type, {}}, nullptr, {}};
+    construction.call.instruction.op = Op::call;
+    construction.call.instruction.apply = apply;
+    construction.call.instruction.a = static_cast<std::uint8_t>(components);
+    construction.call.instruction.n = static_cast<std::uint8_t>(type.size());
+    return construction;
+}
+
+/// `name` is that of a row without apply().
+Construction construct(std::string_view name, std::span<const Type> arguments) {
+    const Type type = typeNamed(name);
+    const auto fail = [](const char* id, std::string why) { return Construction{{}, id, std::move(why)}; };
+    std::size_t components = 0;
+    for (const Type& each : arguments) {
+        if (each.kind != Kind::number && each.kind != Kind::boolean)
+            return fail("expr-E03", fmt::format("{} is not made of a {}", name, expression::name(each)));
+        if (each.isMatrix() && (arguments.size() > 1 || type.isVector()))
+            return fail("expr-E03",
+                        fmt::format("{} is not made of a matrix; use its columns, such as m[0]", name));
+        components += each.size();
+    }
+    const std::size_t wanted = type.size();
+    const Type first = arguments.empty() ? Type{} : arguments.front();
+    if (wanted == 1) {
+        if (arguments.size() != 1)
+            return fail("expr-E04", fmt::format("{} takes 1 argument, found {}", name, arguments.size()));
+        return with(type, name == "int" ? applyCut : name == "bool" ? applyTruth : applyFirst, components);
+    }
+    if (arguments.size() == 1 && first.isMatrix()) return with(type, applyResize, components);
+    if (arguments.size() == 1 && first.size() == 1 && type.isMatrix())
+        return with(type, applyDiagonal, components);
+    const auto booleans = [&](Construction construction) {
+        if (type.kind != Kind::boolean) return construction;
+        construction.call.instruction.apply =
+            construction.call.instruction.apply == applySpread
+                ? +[](double* stack, const Instruction& i) {
+                      applySpread(stack, i);
+                      return applyTruth(stack, i);
+                  }
+                : applyTruth;
+        return construction;
+    };
+    if (arguments.size() == 1 && first.size() == 1) return booleans(with(type, applySpread, components));
+    // GLSL: the last argument may have more components than are needed, but not only such.
+    const bool hasUnused =
+        components > wanted && (type.isMatrix() || components - arguments.back().size() >= wanted);
+    if (components < wanted || hasUnused)
+        return fail("expr-E04", fmt::format("{} needs {} components, found {}", name, wanted, components));
+    return booleans(with(type, applyFirst, components));
+}
+
+constexpr std::size_t kMostArguments = 16;
+
+}  // namespace
+
+Parser::Parsed Parser::call(const Token& function) {
+    const std::span<const FunctionRow> forms = functionsNamed(function.text);
+    if (forms.empty()) return unknownFunction(function);
+    const bool takesAll = forms.front().takesAll;
+    build_.unchecked += takesAll ? 1 : 0;
+    const auto arguments = argumentList(function);
+    build_.unchecked -= takesAll ? 1 : 0;
+    if (!arguments) return std::nullopt;
+    const Range range = since(function.range.begin);
+    std::vector<Type> types;
+    for (const Operand& each : *arguments) types.push_back(each.type);
+    if (forms.front().apply == nullptr) {
+        Construction made = construct(function.text, types);
+        if (made.id != nullptr) return problem(range, made.id, std::move(made.why));
+        return build_.combined(*arguments, made.call.instruction, made.call.result, range);
+    }
+    for (const FunctionRow& form : forms) {
+        const auto found = callOf(form, types);
+        if (!found) continue;
+        if (!form.readsTime) return build_.combined(*arguments, found->instruction, found->result, range);
+        return moving(*arguments, *found, function, range);
+    }
+    return noSuchForm(forms, types, range);
+}
+
+Parser::Parsed Parser::moving(std::vector<Operand> arguments, const Call& call, const Token& function,
+                              Range range) {
+    const auto time = names_.find("time");
+    if (!time || !time->type.isNumber() || time->count > 0)
+        return problem(range, "expr-E07",
+                       fmt::format("{} needs 'time', which has no value here", function.text));
+    const Parsed now = loaded("time", *time, std::nullopt, range);
+    if (!now) return std::nullopt;
+    arguments.push_back(*now);
+    return build_.combined(arguments, call.instruction, call.result, range);
+}
+
+std::nullopt_t Parser::unknownFunction(const Token& function) {
+    if (names_.find(function.text))
+        return problem(function.range, "expr-E02",
+                       fmt::format("'{}' is a value, not a function; write '*' to multiply", function.text));
+    std::vector<std::string_view> candidates;
+    for (const FunctionRow& each : functionTable())
+        if (candidates.empty() || candidates.back() != each.name()) candidates.push_back(each.name());
+    return problem(function.range, "expr-E02",
+                   fmt::format("unknown function {}{}", quoted(code_.text, function.range),
+                               base::suggestion(function.text, candidates)));
+}
+
+std::nullopt_t Parser::noSuchForm(std::span<const FunctionRow> forms, std::span<const Type> types,
+                                  Range range) {
+    std::vector<std::string> prototypes, counts;
+    for (const FunctionRow& each : forms) {
+        const std::size_t count = parameterCount(each);
+        if (count == types.size()) prototypes.emplace_back(each.prototype);
+        const std::string number = std::to_string(count);
+        if (counts.empty() || counts.back() != number) counts.push_back(number);
+    }
+    if (prototypes.empty())
+        return problem(range, "expr-E04",
+                       fmt::format("{} takes {} argument{}, found {}", forms.front().name(),
+                                   joined(counts, " or "), counts.back() == "1" ? "" : "s", types.size()));
+    std::vector<std::string> names;
+    for (const Type& each : types) names.push_back(name(each));
+    return problem(range, "expr-E03",
+                   fmt::format("there is no {}({}), only {}", forms.front().name(), joined(names, ", "),
+                               joined(prototypes, " and ")));
+}
+
+std::optional<std::vector<Operand>> Parser::argumentList(const Token& function) {
+    const Level level(*this);
+    if (depth_ > limits_.depth) return tooDeep();
+    std::vector<Operand> arguments;
+    take();  // the parenthesis
+    if (takeIf(")"))
+        return problem(since(function.range.begin), "expr-E04",
+                       fmt::format("{} needs arguments, found none", function.text));
+    do {
+        const Parsed argument = expression();
+        if (!argument || !settle(*argument)) return std::nullopt;
+        arguments.push_back(*argument);
+        if (arguments.size() > kMostArguments)
+            return problem(since(function.range.begin), "expr-E04",
+                           fmt::format("{} has more than {} arguments", function.text, kMostArguments));
+    } while (takeIf(","));
+    if (!takeIf(")")) return unexpected("',' or ')'");
+    return arguments;
+}
+
+std::string_view article(std::string_view noun) {
+    return std::string_view("aeiou").find(noun.empty() ? 'x' : noun.front()) == std::string_view::npos ? "a"
+                                                                                                       : "an";
+}
+
+std::string joined(std::span<const std::string> words, std::string_view last) {
+    std::string text;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        if (k > 0) text += k + 1 == words.size() ? last : std::string_view(", ");
+        text += words[k];
+    }
+    return text;
+}
+
+std::optional<Problem> Parser::parse() {
+    if (token_.kind == TokenKind::end) {
+        problem({0, static_cast<std::uint32_t>(code_.text.size())}, "expr-E01", "the expression is empty");
+        return std::move(problem_);
+    }
+    if (auto result = expression(); result && !problem_) {
+        if (token_.kind != TokenKind::end)
+            unexpected("an operator or the end of the expression");
+        else
+            finish(*result);
+    }
+    return std::move(problem_);
+}
+
+std::nullopt_t Parser::problem(Range range, const char* id, std::string text) {
+    if (!problem_) problem_ = problemAt(code_, range, id, std::move(text));
+    return std::nullopt;
+}
+
+std::nullopt_t Parser::unexpected(std::string_view expected) {
+    if (token_.kind == TokenKind::wrong)
+        return problem(token_.range, "expr-E01",
+                       fmt::format("{}: {}", quoted(code_.text, token_.range), token_.why));
+    return problem(token_.range, "expr-E01",
+                   fmt::format("expected {}, found {}", expected,
+                               token_.kind == TokenKind::end ? std::string("the end of the expression")
+                                                             : quoted(code_.text, token_.range)));
+}
+
+std::nullopt_t Parser::tooDeep() {
+    return problem(token_.range, "expr-E05",
+                   fmt::format("more than {} levels of parentheses, signs or conditions", limits_.depth));
+}
+
+Parser::Parsed Parser::withinLimits(Parsed operand) {
+    if (operand && !build_.isWithinLimits())
+        return problem({0, static_cast<std::uint32_t>(code_.text.size())}, "expr-E05",
+                       "the expression is too long, or holds too many values at once");
+    return operand;
+}
+
+void Parser::take() {
+    lastEnd_ = token_.range.end;
+    token_ = lexer_.next();
+}
+
+bool Parser::takeIf(std::string_view sign) {
+    if (!token_.is(sign)) return false;
+    take();
+    return true;
+}
+
+Range Parser::since(std::uint32_t begin) const {
+    return {begin, lastEnd_};
+}
+
+std::string_view Parser::textOf(Range range) const {
+    return std::string_view(code_.text).substr(range.begin, range.end - range.begin);
+}
+
+bool Parser::wants(const Type& type) const {
+    return std::ranges::find(wanted_.types, type) != wanted_.types.end();
+}
+
+void Parser::finish(Operand result) {
+    if (!settle(result)) return;
+    if (result.choice && wants(Type::word()) && !wants(Type::number())) wordOfChoice(result);
+    const bool accepted = wanted_.types.empty() ? result.type.kind != Kind::word : wants(result.type);
+    if (!accepted && !problem_) {
+        std::vector<std::string> accepts;
+        for (const Type& each : wanted_.types)
+            if (each == Type::word())
+                accepts.insert(accepts.end(), wanted_.words.begin(), wanted_.words.end());
+            else
+                accepts.push_back(name(each));
+        if (accepts.empty()) accepts.emplace_back("number");
+        problem(result.range, "expr-E03",
+                fmt::format("expected {}, found {}", joined(accepts, " or "), name(result.type)));
+    }
+    if (problem_) return;
+    code_.type = result.type;
+    build_.finishUses();
+    code_.instructions.shrink_to_fit();
+    code_.ranges.shrink_to_fit();
+}
+
+void Parser::wordOfChoice(Operand& result) {
+    std::vector<double> places;
+    for (const std::string& each : code_.uses[*result.choice].symbol.words) {
+        const auto found = std::ranges::find(wanted_.words, each);
+        if (found == wanted_.words.end()) {
+            problem(result.range, "expr-E03",
+                    fmt::format("{} may be '{}'; expected {}", code_.uses[*result.choice].path, each,
+                                joined(std::vector<std::string>(wanted_.words.begin(), wanted_.words.end()),
+                                       " or ")));
+            return;
+        }
+        places.push_back(static_cast<double>(found - wanted_.words.begin()));
+    }
+    Instruction word;
+    word.op = Op::word;
+    word.target = static_cast<std::uint32_t>(code_.constants.size());
+    word.b = static_cast<std::uint8_t>(places.size());
+    code_.constants.insert(code_.constants.end(), places.begin(), places.end());
+    build_.emit(word, result.range, 1, 1);
+    result.type = Type::word();
+}
+
+Checked<Expression> parse(std::string_view text, const Place& origin, const Names& names,
+                          const Wanted& wanted, const Limits& limits) {
+    auto code = std::make_shared<Code>();
+    code->origin = origin;
+    if (text.size() > limits.bytes)
+        return problemAt(*code, {}, "expr-E05",
+                         fmt::format("expression of {} bytes; the limit is {}", text.size(), limits.bytes));
+    code->text = text;
+    if (auto problem = Parser(*code, names, wanted, limits).parse()) return std::move(*problem);
+    return Expression(std::move(code));
+}
+
+}  // namespace glibra::expression
