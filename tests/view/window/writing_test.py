@@ -55,14 +55,14 @@ class WrappedLines(WritingTest):
     def open_wrapped(self, **options):
         window = self.open(self.files / "one.glib", "--size", "300x560", **options)
         self.edit(window, 4)
-        self.right = window.state()["source"]["cursor"][0]
         window.key("ctrl+shift+p")
         window.wait(lambda s: s["palette"]["open"] and s["takesText"])
         window.type("wrap long")
         window.wait(lambda s: len(s["palette"]["found"]) == 1)
         window.key("Return")
-        window.wait(lambda s: s["source"]["wraps"] and s["source"]["active"])
-        window.key("ctrl+Home", "Down", "Down", "Down")
+        window.wait(lambda s: s["source"]["wraps"] and not s["palette"]["open"])
+        self.edit(window, 4)
+        window.key("Home")
         window.wait(lambda s: (s["source"]["line"], s["source"]["column"]) == (4, 1))
         return window
 
@@ -146,11 +146,11 @@ class WrappedLines(WritingTest):
         window.wait(lambda s: "find" in s)
         window.key("ctrl+a")
         window.type("vec3(1., 2., 3.)")
-        state = window.wait(lambda s: s.get("find", {}).get("count") == 1)
-        window.key("Return")
-        state = window.wait(lambda s: s["source"]["line"] == 4 and s["source"]["column"] > 60)
+        window.wait(lambda s: s.get("find", {}).get("count") == 1)
+        window.key("Escape")
+        state = window.wait(lambda s: s["source"]["active"] and s["source"]["line"] == 4 and s["source"]["column"] > 60)
         self.assertLess(state["source"]["cursor"][0], text[0] + text[2], "nothing is scrolled sideways")
-        window.key("Escape", "ctrl+q")
+        window.key("ctrl+q")
         self.assertEqual(window.process.wait(), 0)
         again = self.open(self.files / "one.glib", settings=settings)
         again.wait(lambda s: s["source"]["wraps"])
