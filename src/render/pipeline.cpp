@@ -89,12 +89,19 @@ void Pipeline::recordLoops(const plan::FramePlan& of) {
     if (watchesLoops_ && isOpen && loopLimit() > 0) programs.countLoops(of);
 }
 
+void Pipeline::watchLoops(bool on) {
+    watchesLoops_ = on;
+    if (!on) return;
+    frames_ = 0;
+    programs.forgetCutLoops();
+    for (const plan::FramePlan* each : plans()) recordLoops(*each);
+}
+
 bool Pipeline::recordsLoops() const {
-    return std::has_single_bit(frames_ + 1);
+    return watchesLoops_ && std::has_single_bit(frames_ + 1);
 }
 
 Diagnostics Pipeline::takeCutLoops() {
-    ++frames_;
     return loopLimit_.value_or(0) > 0 ? programs.takeCutLoops(*loopLimit_) : Diagnostics();
 }
 
@@ -225,6 +232,7 @@ plan::StillNodes Pipeline::stillNodes(int width, int height) const {
 }
 
 void Pipeline::noteDrawn(int width, int height, const Diagnostics& diagnostics) {
+    ++frames_;
     drawnBefore_.reset();
     isDrawn_ = scene.isModern && drawer && drawer->drawsPlainly() && !hasError(diagnostics);
     if (!isDrawn_) return;

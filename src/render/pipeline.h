@@ -70,10 +70,12 @@ struct Pipeline {
     /// Makes what records the loops that the driver ends (Frame::recordsLoops), if it ends any. Call it
     /// before the first frame of a plan.
     void recordLoops(const plan::FramePlan& of);
+    /// Begins or ends what Setup::watchesLoops says. What was reported before is reported again.
+    void watchLoops(bool on);
     /// True if the next frame records: the first with the values of its uniforms, the second, the fourth and
     /// so on, since buffers and time may lengthen loops.
     [[nodiscard]] bool recordsLoops() const;
-    /// The loops that the driver has ended since the last call: draw-W08. Call it after each frame.
+    /// The loops that the driver has ended since the last call: draw-W08.
     Diagnostics takeCutLoops();
     /// Answers all of a plan's questions, that of draws out of sight by `outOfSight`.
     [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,

@@ -121,6 +121,53 @@ TEST(Session, WarnsOfALoopThatIsTooLongUntilTheValueIsReset) {
     EXPECT_EQ(text(session.diagnostics()), text(before));
 }
 
+TEST(Session, LoopsThatOnlyTheDriverCountsAreReportedAfterThePicture) {
+    const SceneFolder folder(
+        "WindowSize 2 2\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uN <1 100 1000>\n"
+        "QuadXY 0 1\n",
+        {{"a.vert", kPlainVertex},
+         {"a.frag",
+          "#version 430\nuniform int uN; out vec4 c;\nvoid main() {\n  int t = 0;\n"
+          "  for (int i = 0; i < uN; i++)\n    for (int j = 0; j < i; j++) t++;\n"
+          "  c = vec4(t == uN * (uN - 1) / 2);\n}\n"}});
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
+    const int limit = gpu::measureLoopLimit(context());
+    const bool isCut = limit > 0 && limit < 124'750 && context().capabilities().compute;
+    const auto reported = [&] {
+        return std::ranges::count(session.diagnostics(), "draw-W08", &Diagnostic::id);
+    };
+    EXPECT_FALSE(session.watchLoops()) << "the picture comes first";
+    session.drawIfNeeded();
+    for (const double rounds : {100., 500., 100., 500.}) {
+        session.setValue(knobIndex(session, "uN"), {rounds});
+        session.drawIfNeeded();
+        const Color before = pixelOf(session, 1, 1);
+        EXPECT_EQ(reported(), 0) << "not before the picture is there";
+        EXPECT_EQ(session.watchLoops(), limit > 0);
+        EXPECT_EQ(session.drawIfNeeded(), limit > 0);
+        EXPECT_EQ(pixelOf(session, 1, 1), before);
+        EXPECT_EQ(reported(), isCut && rounds == 500 ? 1 : 0) << text(session.diagnostics());
+        EXPECT_FALSE(session.watchLoops()) << "once";
+        EXPECT_FALSE(session.drawIfNeeded());
+    }
+    session.reload();
+    EXPECT_EQ(reported(), 0);
+    session.drawIfNeeded();
+    EXPECT_EQ(session.watchLoops(), limit > 0);
+    session.drawIfNeeded();
+    EXPECT_EQ(reported(), isCut ? 1 : 0);
+}
+
+TEST(Session, LoopsOfShortTextsAreNotWatched) {
+    const SceneFolder folder(kFlatScene, kFlatFiles);
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.drawIfNeeded();
+    EXPECT_FALSE(session.watchLoops());
+    EXPECT_FALSE(session.drawIfNeeded());
+}
+
 TEST(Session, KnobsHaveTheWidgetsOfTheirForms) {
     const SceneFolder folder(kFlatScene, kFlatFiles);
     Session session(context(), {});

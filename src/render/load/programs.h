@@ -102,6 +102,7 @@ class ProgramLibrary {
     /// The loops of programs with a counter that the driver has ended since the last call, after `limit`
     /// rounds: draw-W08, once for each place.
     Diagnostics takeCutLoops(int limit);
+    void forgetCutLoops() { cutLoops_.clear(); }
     /// The invocations of compute programs that are made from now on run in reverse.
     void reverseOrder() { isReversed_ = true; }
     [[nodiscard]] bool isReversed() const { return isReversed_; }

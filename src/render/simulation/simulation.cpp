@@ -271,6 +271,12 @@ void Simulation::changeValues(
             }
 }
 
+void Simulation::forget() {
+    hasRun_ = false;
+    for (const auto* list : {&once_, &steps_})
+        for (const auto& block : *list) block->runs = 0;
+}
+
 void Simulation::takeOver(Simulation& previous) {
     if (!previous.hasRun_ || previous.done_.size() != done_.size()) return;
     for (const Lasting& each : lasting_)

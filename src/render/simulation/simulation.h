@@ -77,7 +77,7 @@ class Simulation {
     Diagnostics advance(const scene::FrameInputs& inputs);
 
     /// The next advance() begins anew.
-    void forget() { hasRun_ = false; }
+    void forget();
     /// Call it after the scene has been interpreted for other values of variables: plans the Step blocks
     /// again. They go on where they are, unless a rate is another one.
     Diagnostics variablesChanged();

@@ -14,6 +14,13 @@
 #include "view/scene/live_state.h"
 
 namespace glibra::view {
+namespace {
+
+bool hasOpenLoops(const plan::FramePlan* plan) {
+    return std::ranges::any_of(plan->programs, &plan::PlannedProgram::hasOpenLoops);
+}
+
+}  // namespace
 
 LiveScene::LiveScene(std::unique_ptr<LiveState> state) : state_(std::move(state)) {}
 LiveScene::~LiveScene() = default;
@@ -147,6 +154,7 @@ void LiveScene::drawOutOfSight(bool on) {
 
 void LiveScene::setValue(const Knob& knob) {
     LiveState& state = *state_;
+    state.watchLoops(false);
     if (!knob.program) {
         state.variables[knob.tag] = knob.current;
         return;
@@ -163,6 +171,19 @@ Diagnostics LiveScene::longLoops() {
         append(diagnostics, plan::reportLongLoops(each, [this] { return state_->loopLimit(); }));
     render::applyStrict(diagnostics, false);  // programs may share a file
     return diagnostics;
+}
+
+bool LiveScene::hasLoopsToWatch() {
+    return std::ranges::any_of(state_->plans(), hasOpenLoops) && state_->loopLimit() > 0;
+}
+
+void LiveScene::watchLoops() {
+    state_->watchLoops(true);
+    state_->forgetDrawn();
+    // What only Once makes is made once more in the same way.
+    if (state_->simulation && state_->scene.steps.empty() &&
+        std::ranges::any_of(state_->simulation->plans(), hasOpenLoops))
+        state_->simulation->forget();
 }
 
 std::vector<Place> LiveScene::openLoops() {

@@ -90,6 +90,11 @@ class LiveScene {
     void setRunHook(render::Simulation::RunHook hook);
     /// The warnings about loops that the driver would end too early with the current values (draw-W08).
     Diagnostics longLoops();
+    /// True if the driver ends loops, and the text and the values of a program do not show that its loops are
+    /// short: with watchLoops() the next draw() and some later ones report those that the driver ends, until
+    /// a value is set. It takes another program for each, and draws twice what stores nothing.
+    [[nodiscard]] bool hasLoopsToWatch();
+    void watchLoops();
     /// The loops of its shaders that may not end with the current values, or only after a long time; see
     /// open_loops.h.
     [[nodiscard]] std::vector<Place> openLoops();

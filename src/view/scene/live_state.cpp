@@ -112,9 +112,16 @@ Diagnostics LiveState::drawFrame(const gpu::Target& target, double time) {
     samples = target.samples();
     drawer->cullToTile(drawsOutOfSight ? 0 : samples);
     const plan::StillNodes still = stillNodes(width, height);
-    Diagnostics diagnostics =
-        drawer->draw(target, {view, width, height, {0, 0, width, height}, time, true, &still});
+    const bool records = recordsLoops();
+    Diagnostics diagnostics = drawer->draw(target, {.view = view,
+                                                    .width = width,
+                                                    .height = height,
+                                                    .tile = {0, 0, width, height},
+                                                    .time = time,
+                                                    .still = &still,
+                                                    .recordsLoops = records});
     noteDrawn(width, height, diagnostics);
+    if (records) append(diagnostics, takeCutLoops());
     return diagnostics;
 }
 

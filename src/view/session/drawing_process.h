@@ -22,6 +22,7 @@ struct DrawingOrder {
     int width = 0, height = 0;
     double time = 0;            ///< of the scene, seconds
     std::uint64_t loading = 0;  ///< another number: the scene is another one
+    bool watchesLoops = false;  ///< Session::watchLoops()
     friend bool operator==(const DrawingOrder&, const DrawingOrder&) = default;
 };
 

@@ -93,6 +93,7 @@ class Drawing {
                 fit(target_, context_.capabilities(), width, height, gpu::TexelFormat::rgba8, samples);
             !target_)
             return problems;
+        if (order.at("watchesLoops").get<bool>()) live_->watchLoops();
         ::alarm(kLongestDraw);
         sendMessage(kDrawingSocket, R"({"begins":true})");
         append(diagnostics, live_->draw(*target_, viewOf(order.at("view")), order.at("time").get<double>(),
@@ -157,7 +158,7 @@ std::string orderText(const DrawnState& state) {
         {"time", state.time},           {"axes", state.axes},
         {"wireframe", state.wireframe}, {"mouse", {state.mouseX, state.mouseY, state.isMouseDown}},
         {"width", state.width},         {"height", state.height},
-        {"samples", state.samples}};
+        {"samples", state.samples},     {"watchesLoops", state.watchesLoops}};
     return order.dump(-1, ' ', false, Order::error_handler_t::replace);
 }
 

@@ -21,6 +21,7 @@ struct DrawnState {
     bool axes = false, wireframe = false;
     double mouseX = .5, mouseY = .5;
     bool isMouseDown = false;
+    bool watchesLoops = false;  ///< LiveScene::watchLoops() comes first
     int width = 1, height = 1, samples = 1;
 };
 

@@ -151,7 +151,8 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
     } else if (!sameScene || !isReleased_) {
         kept_.forget();
     }
-    isReleased_ = isStopped_ = isWaiting_ = showsBefore_ = false;
+    isReleased_ = isStopped_ = isWaiting_ = showsBefore_ = watchesLoops_ = false;
+    isUnwatched_ = true;
     slowFrames_ = 0;
     openLoops_.reset();
     if (picked_) {

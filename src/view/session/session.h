@@ -207,6 +207,10 @@ class Session {
     void setNeedsFrame() { isStale_ = true; }
     /// Draws a frame if the picture is out of date. Returns true if it drew one.
     bool drawIfNeeded();
+    /// Has the next frame report the loops that the driver ends (draw-W08), where the texts of the shaders do
+    /// not show that they are short: once for each loading and after values were set. Call it when nothing
+    /// else is to be done, since it takes time. Returns true if the picture is out of date for this.
+    bool watchLoops();
     /// The last picture; null before the first.
     [[nodiscard]] const gpu::Target* picture() const { return target_ ? &*target_ : nullptr; }
     /// The same picture with one sample per pixel and readable depth; drawn for this if the screen has more.
@@ -326,6 +330,8 @@ class Session {
     bool drawsItself_ = false;  ///< others read what frames leave on the device
     bool hasOtherSamples_ = false;
     bool isStale_ = true;
+    bool isUnwatched_ = true;    ///< watchLoops() has not been called since
+    bool watchesLoops_ = false;  ///< the next frame is drawn for it
     bool isStopped_ = false;
     bool isReleased_ = false;  ///< kept_ has the values of a scene that is on no device
     std::uint64_t framesDrawn_ = 0, timesLoaded_ = 0;

@@ -50,6 +50,7 @@ DrawnState Session::drawnState() const {
     state.width = width_;
     state.height = height_;
     state.samples = samples_;
+    state.watchesLoops = watchesLoops_;
     return state;
 }
 
@@ -121,7 +122,8 @@ Session::Elsewhere Session::drawElsewhere() {
         state.samples = 1;
     }
     drawnShrinking_ = shrinking();
-    const DrawingOrder order{orderText(state), state.width, state.height, state.time, state.loading};
+    const DrawingOrder order{orderText(state), state.width,   state.height,
+                             state.time,       state.loading, watchesLoops_};
     if (!isShown && order.text == tried_) return Elsewhere::tried;
     // What is only slow ends by itself.
     constexpr double kNoLimit = 1e9;
@@ -131,6 +133,10 @@ Session::Elsewhere Session::drawElsewhere() {
             return Elsewhere::waits;
         case DrawingProcess::State::late:
         case DrawingProcess::State::ended:
+            if (process_.order().watchesLoops) {  // without that it was fast enough
+                watchesLoops_ = false;
+                return Elsewhere::waits;
+            }
             if (!isOpen) {
                 slowFrames_ = kNeverSlow;
                 return Elsewhere::no;
@@ -149,6 +155,7 @@ Session::Elsewhere Session::drawElsewhere() {
             }))
             diagnostics_.push_back(each);
     tried_ = process_.order().text;
+    if (process_.order().watchesLoops) watchesLoops_ = false;
     if (!isShown) return tried_ == order.text ? Elsewhere::tried : Elsewhere::waits;
     if (!showReceived(process_.order())) {
         isContained_ = false;

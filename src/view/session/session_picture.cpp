@@ -125,6 +125,14 @@ bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
     return target.has_value();
 }
 
+bool Session::watchLoops() {
+    const bool isFree = live_ && target_ && !isStale_ && !isStopped_ && !measuresObjects_ &&
+                        animations_.empty() && debugView_ == DebugView::picture;
+    if (!isFree || !std::exchange(isUnwatched_, false) || !live_->hasLoopsToWatch()) return false;
+    watchesLoops_ = isStale_ = true;
+    return true;
+}
+
 bool Session::drawIfNeeded() {
     if (!isStale_ || !live_ || isStopped_) return false;
     const Elsewhere elsewhere = drawElsewhere();
@@ -136,6 +144,7 @@ bool Session::drawIfNeeded() {
     }
     if (std::exchange(hasOtherSamples_, false) || received_) target_.reset();
     received_.reset();
+    if (std::exchange(watchesLoops_, false)) live_->watchLoops();
     // Debug views show numbers, which must not be mixed.
     const bool isMixed = debugView_ == DebugView::picture || debugView_ == DebugView::normals;
     if (!makeTarget(target_, isMixed ? samples_ : 1)) {

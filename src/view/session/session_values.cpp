@@ -19,7 +19,8 @@ const Knob* Session::knob(std::string_view program, std::string_view tag) const 
 
 void Session::applyValue(std::size_t knob) {
     live_->setValue(knobs_[knob]);
-    isStopped_ = false;
+    isStopped_ = watchesLoops_ = false;
+    isUnwatched_ = true;
     openLoops_.reset();
     std::erase_if(diagnostics_, [](const Diagnostic& each) {
         return each.id == "draw-W08" || each.id == "view-E04" || each.id == "view-E05";

@@ -147,6 +147,8 @@ void Window::drawFrame() {
     if (isDrawn && isSoftware_) ui.session.noteDrawn(secondsSince(start));
     const bool isAsEvent = input_.isWaiting() || ui.wanted.any();
     framesWanted_ = isAsEvent ? kFramesAfterEvent : framesWanted_ - 1;
+    const bool isIdle = framesWanted_ <= 0 && !ImGui::IsAnyMouseDown() && !isReplayed;
+    if (isIdle && ui.session.watchLoops()) framesWanted_ = kFramesAfterEvent;
 }
 
 /// Draws the picture and what ImGui has drawn last.

@@ -130,6 +130,23 @@ class Hardcopies(KeepingTest):
         window.wait(lambda s: s["hardcopyMessage"] == f"written: {file}: 1280 x 720 pixels")
         self.assertEqual(self.ppm_of(file)[:2], (1280, 720))
 
+    def test_sizes_are_typed_as_expressions(self):
+        window = self.open(self.files / "moving.glib", "--size", "300x1000", "--paused")
+        window.click("hardcopy")
+        window.settle()
+        window.click("hardcopy/size")
+        window.wait(lambda s: "hardcopy/size/other" in s["widgets"])
+        window.click("hardcopy/size/other")
+        window.wait(lambda s: "hardcopy/pixels" in s["widgets"])
+        for part, text in ((0.2, "1920/3"), (0.8, "2*100")):
+            window.settle()
+            window.click("hardcopy/pixels", part)
+            window.key("ctrl+a")
+            window.type(text)
+            window.key("Return")
+        window.click("hardcopy/write")
+        window.wait(lambda s: s["hardcopyMessage"] == f"written: {self.here / 'moving.png'}: 640 x 200 pixels")
+
     def test_a_film_is_one_file(self):
         tools = self.files / "tools"
         tools.mkdir()

@@ -162,6 +162,17 @@ class SlowScenes(WindowTest):
         eye = state["view"]["eye"]
         return all(abs(eye[4 * column + row] - matrix[row][column]) < 1e-9 for row in range(3) for column in range(3))
 
+    def test_loops_that_the_driver_ends_are_reported_after_the_picture(self):
+        (self.files / "loop.glib").write_text("WindowSize 40 40\nOrtho -1 1 -1 1\nVertex a.vert\nFragment loop.frag\n"
+                                              "Program P uN <1 500 1000>\nQuadXY 0 .03\n")
+        (self.files / "loop.frag").write_text(
+            "#version 430\nuniform int uN; out vec4 c;\nvoid main() {\n  int t = 0;\n  for (int i = 0; i < uN; i++)\n"
+            "    for (int j = 0; j < i; j++) t++;\n  c = vec4(t == uN * (uN - 1) / 2);\n}\n")
+        window = self.open(self.files / "loop.glib")
+        state = window.wait(lambda s: any(each["id"] == "draw-W08" for each in s["messages"]))
+        self.assertEqual([each["line"] for each in state["messages"]], [6])
+        self.assertEqual(window.settle()["framesDrawn"], 2, "the picture, and once more for the loops")
+
     def test_drags_count_whole_and_clicks_have_their_place(self):
         # Straight, because the X server may leave out points between others; two axes of rotation.
         across = [(90, 150), (110, 150), (150, 150), (210, 150)]

@@ -322,7 +322,7 @@ void main() {
         self.assertFalse([each for each in every if "#" in each or (each.startswith("Window '") and not each.endswith("'"))])
         for words in ("solution", "compare another", "template", "empty scene", "open scene", "save all", "save values",
                       "hardcopy", "verbose", "noise", "examples|example scenes", "quit", "revert", "live", "your own editor",
-                      "restart", "smooth", "background", "measure", "reset transform", "copy command", "suite", "labels"):
+                      "restart", "smooth", "background", "measure", "reset transform", "copy command", "suite", "labels", "wrap long lines"):
             self.assertTrue(any(all(word in each.lower() for word in choice.split()) for each in every
                                 for choice in words.split("|")), words)
         window.key("Escape")

@@ -41,6 +41,121 @@ class WritingTest(ScenesTest):
         return (self.files / "one.frag").read_text()
 
 
+LONG = "    vec3 first = vec3(.1, .2, .3) + vec3(.4, .5, .6) + vec3(.7, .8, .9) + vec3(uBlue) * 2. + vec3(1., 2., 3.);\n"
+
+
+class WrappedLines(WritingTest):
+    """Lines that are too long continue in further rows."""
+
+    def setUp(self):
+        super().setUp()
+        self.before = SHADER.replace("void main() {\n", "void main() {\n" + LONG)
+        (self.files / "one.frag").write_text(self.before)
+
+    def open_wrapped(self, **options):
+        window = self.open(self.files / "one.glib", "--size", "300x560", **options)
+        self.edit(window, 4)
+        window.key("ctrl+shift+p")
+        window.wait(lambda s: s["palette"]["open"] and s["takesText"])
+        window.type("wrap long")
+        window.wait(lambda s: len(s["palette"]["found"]) == 1)
+        window.key("Return")
+        window.wait(lambda s: s["source"]["wraps"] and not s["palette"]["open"])
+        self.edit(window, 4)
+        window.key("Home")
+        window.wait(lambda s: (s["source"]["line"], s["source"]["column"]) == (4, 1))
+        return window
+
+    def place(self, window):
+        """Line and column of the cursor, and its row."""
+        state = window.settle()
+        _, top, bottom = state["source"]["cursor"]
+        return state["source"]["line"], state["source"]["column"], round((top - self.top) / (bottom - top))
+
+    def test_the_cursor_goes_by_rows(self):
+        window = self.open_wrapped()
+        self.top = window.settle()["source"]["cursor"][1]
+        rows = [self.place(window)]
+        while True:
+            window.key("Down")
+            line, column, row = self.place(window)
+            if line != 4:
+                break
+            rows.append((line, column, row))
+        self.assertGreater(len(rows), 2, "the line has several rows")
+        self.assertEqual([each[2] for each in rows], list(range(len(rows))))
+        self.assertEqual((line, column, row), (5, 1, len(rows)))
+        second = rows[1][1]
+        self.assertEqual(LONG[second - 2], " ", "rows begin behind blanks")
+        window.key("Up")
+        self.assertEqual(self.place(window), rows[-1])
+        window.key(*["Up"] * (len(rows) - 1), "End")
+        self.assertEqual(self.place(window), (4, second, 0), "the end of the first row")
+        window.key("Right")
+        self.assertEqual(self.place(window), (4, second + 1, 1))
+        window.key("Left")
+        self.assertEqual(self.place(window), (4, second, 1))
+        window.key("Left")
+        self.assertEqual(self.place(window), (4, second - 1, 0))
+        # A click beside the third row.
+        x, top, bottom = window.settle()["source"]["cursor"]
+        left = window.state()["widgets"]["source/text"][0]
+        window.move(left + window.state()["widgets"]["source/text"][2] - 30, top + 2.5 * (bottom - top))
+        window.press()
+        window.release()
+        self.assertEqual(self.place(window)[2], 2)
+        window.key("Home")
+        self.assertEqual(self.place(window), rows[2])
+
+    def test_text_is_written_without_the_breaks(self):
+        window = self.open_wrapped()
+        window.key("Down")
+        second = window.settle()["source"]["column"]
+        self.assertGreater(second, 1)
+        window.type("1. * ")
+        expected = self.before.replace(LONG, LONG[:second - 1] + "1. * " + LONG[second - 1:])
+        self.assertEqual(self.text_of(window), expected)
+        window.key(*["ctrl+z"] * 5)
+        self.assertEqual(self.text_of(window), self.before)
+        # Backspace at the beginning of a row, Delete at the end of one.
+        window.key("ctrl+Home", "Down", "Down", "Down", "Down", "BackSpace")
+        self.assertEqual(self.text_of(window), self.before.replace(LONG, LONG[:second - 2] + LONG[second - 1:]))
+        window.key("ctrl+z")
+        self.assertEqual(self.text_of(window), self.before)
+        window.key("ctrl+Home", "Down", "Down", "Down", "End", "Delete")
+        self.assertEqual(self.text_of(window), self.before.replace(LONG, LONG[:second - 1] + LONG[second:]))
+        window.key("ctrl+z")
+        # What is copied over several rows is the text.
+        window.key("ctrl+Home", "Down", "Down", "Down", "shift+Down", "shift+Down", "ctrl+c", "ctrl+End", "ctrl+v")
+        copied = self.text_of(window)[len(self.before):]
+        self.assertGreater(len(copied), second)
+        self.assertTrue(LONG.startswith(copied), copied)
+
+    def test_lines_keep_their_numbers_and_the_setting_is_kept(self):
+        settings = self.files / "settings"
+        window = self.open_wrapped(settings=settings)
+        text = window.settle()["widgets"]["source/text"]
+        window.key("ctrl+g")
+        window.wait(lambda s: "source/line" in s["widgets"])
+        window.key("ctrl+a")
+        window.type("2+3")
+        window.key("Return")
+        state = window.wait(lambda s: s["source"]["line"] == 5)
+        self.assertEqual(state["source"]["column"], 1)
+        window.key("ctrl+Home", "Down", "Down", "Down", "shift+End", "ctrl+f")
+        window.wait(lambda s: "find" in s)
+        window.key("ctrl+a")
+        window.type("vec3(1., 2., 3.)")
+        window.wait(lambda s: s.get("find", {}).get("count") == 1)
+        window.key("Escape")
+        state = window.wait(lambda s: s["source"]["active"] and s["source"]["line"] == 4 and s["source"]["column"] > 60)
+        self.assertLess(state["source"]["cursor"][0], text[0] + text[2], "nothing is scrolled sideways")
+        window.key("ctrl+q")
+        self.assertEqual(window.process.wait(), 0)
+        again = self.open(self.files / "one.glib", settings=settings)
+        again.wait(lambda s: s["source"]["wraps"])
+
+
 class Errors(WritingTest):
     def test_the_banner_counts_and_the_list_goes_to_the_place(self):
         (self.files / "one.frag").write_text(BROKEN)

@@ -1,22 +1,25 @@
 #include "view/window/panels/code_drawing.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/text.h"
+#include "view/edit/wrapped_text.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
 
-std::string_view lineText(std::string_view text, const LineStarts& starts, int line) {
+std::string_view lineText(const CodeText& code, int line) {
     const auto index = static_cast<std::size_t>(line - 1);
-    const std::size_t begin = starts[index];
-    const std::size_t end = index + 1 < starts.size() ? starts[index + 1] - 1 : text.size();
-    return text.substr(begin, end - begin);
+    const std::size_t begin = code.lines[index];
+    const std::size_t end = index + 1 < code.lines.size() ? code.lines[index + 1] - 1 : code.text.size();
+    return code.text.substr(begin, end - begin);
 }
 
 /// Fills a rectangle with a tint. Over the picture the panel lets a part of it be seen; below a tint it does
@@ -27,16 +30,30 @@ void drawTint(const ImVec2& low, const ImVec2& high, CodeTint tint, float roundi
     draw.AddRectFilled(low, high, tintColor(tint), rounding);
 }
 
-/// The panel below the lines with selected text, which the widget tints.
-void drawBelowSelection(const CodeLayout& layout, const LineStarts& starts, const TextRange& selection) {
+/// The panel below the rows with selected text, which the widget tints.
+void drawBelowSelection(const CodeLayout& layout, const CodeText& code, const TextRange& selection) {
     if (selection.begin == selection.end) return;
-    const int first = std::max(layout.firstLine, lineOf(starts, static_cast<int>(selection.begin)));
-    const int last = std::min(layout.lastLine, lineOf(starts, static_cast<int>(selection.end)));
+    const int first = std::max(layout.firstRow, lineOf(code.rows, selection.begin));
+    const int last = std::min(layout.lastRow, lineOf(code.rows, selection.end));
     if (first > last) return;
     ImGui::GetWindowDrawList()->AddRectFilled(
         {layout.origin.x, layout.top(first)},
         {ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), layout.top(last) + layout.lineHeight},
         packed(palette().panel));
+}
+
+/// Calls `draw(left, right, top)` for the part of the range in each visible row.
+template <class Draw>
+void inRows(const CodeLayout& layout, const CodeText& code, const TextRange& range, Draw&& draw) {
+    const int first = lineOf(code.rows, range.begin);
+    const int last = std::max(first, lineOf(code.rows, range.end == 0 ? 0 : range.end - 1));
+    for (int row = std::max(first, layout.firstRow); row <= std::min(last, layout.lastRow); ++row) {
+        const std::size_t start = code.rows[static_cast<std::size_t>(row - 1)];
+        const std::size_t begin = std::max(start, range.begin);
+        const std::size_t end = std::max(begin, std::min(code.endOfRow(row), range.end));
+        const float left = layout.origin.x + widthOf(code.text.substr(start, begin - start));
+        draw(left, left + widthOf(code.text.substr(begin, end - begin)), layout.top(row));
+    }
 }
 
 /// The word at the place that a message names, or one character.
@@ -48,13 +65,9 @@ TextRange markedPart(std::string_view line, int column) {
     return {first, std::max(end, first + 1)};
 }
 
-/// A wave below the part of a line.
-void underline(const CodeLayout& layout, std::string_view line, const TextRange& part, float top,
-               ImU32 color) {
-    const float digit = widthOf("0");
-    const float left = layout.origin.x + widthOf(line.substr(0, part.begin));
-    const std::string_view marked = line.substr(part.begin, part.end - part.begin);
-    const float right = left + std::max(digit, widthOf(marked));
+/// A wave below a part of a row.
+void underline(const CodeLayout& layout, float left, float right, float top, ImU32 color) {
+    right = std::max(right, left + widthOf("0"));
     const float height = std::max(2.F, layout.lineHeight / 7);
     const float bottom = top + layout.lineHeight - 1;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -66,71 +79,84 @@ void underline(const CodeLayout& layout, std::string_view line, const TextRange&
     }
 }
 
+/// The rows of a line, the first and the last; nothing if the text has no such line.
+std::optional<std::pair<int, int>> rowsOf(const CodeText& code, int line) {
+    if (line < 1 || line > static_cast<int>(code.lines.size())) return std::nullopt;
+    const auto index = static_cast<std::size_t>(line - 1);
+    const std::size_t next = index + 1 < code.lines.size() ? code.lines[index + 1] - 1 : code.text.size();
+    return std::pair{lineOf(code.rows, code.lines[index]), lineOf(code.rows, next)};
+}
+
 /// Tints the lines with messages, and marks them at the left edge. The messages themselves are in the list
 /// below the text.
-void drawMarkedLines(const CodeLayout& layout, std::span<const CodeMark> marks) {
+void drawMarkedLines(const CodeLayout& layout, const CodeText& code, std::span<const CodeMark> marks) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 window = ImGui::GetWindowPos();
     int lineBefore = 0;
     for (const CodeMark& each : marks) {
-        if (each.line < layout.firstLine || each.line > layout.lastLine) continue;
+        const auto rows = rowsOf(code, each.line);
+        if (!rows || rows->second < layout.firstRow || rows->first > layout.lastRow) continue;
         // The marks of a line follow each other, the worst one first.
         if (std::exchange(lineBefore, each.line) == each.line) continue;
         const bool isError = each.severity == Severity::error;
-        const float top = layout.top(each.line);
-        drawTint({window.x, top}, {window.x + ImGui::GetWindowWidth(), top + layout.lineHeight},
+        const float top = layout.top(rows->first), bottom = layout.top(rows->second + 1);
+        drawTint({window.x, top}, {window.x + ImGui::GetWindowWidth(), bottom},
                  isError ? CodeTint::errorLine : CodeTint::warningLine);
-        draw.AddRectFilled({window.x, top}, {window.x + layout.lineHeight / 3, top + layout.lineHeight},
+        draw.AddRectFilled({window.x, top}, {window.x + layout.lineHeight / 3, bottom},
                            packed(severityColor(each.severity)));
     }
 }
 
-void drawUnderlines(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
-                    std::span<const CodeMark> marks) {
+void drawUnderlines(const CodeLayout& layout, const CodeText& code, std::span<const CodeMark> marks) {
     for (const CodeMark& each : marks) {
-        if (each.line < layout.firstLine || each.line > layout.lastLine) continue;
-        const std::string_view line = lineText(text, starts, each.line);
-        underline(layout, line, markedPart(line, each.column), layout.top(each.line),
-                  packed(severityColor(each.severity)));
+        const auto rows = rowsOf(code, each.line);
+        if (!rows || rows->second < layout.firstRow || rows->first > layout.lastRow) continue;
+        const TextRange part = markedPart(lineText(code, each.line), each.column);
+        const std::size_t start = code.lines[static_cast<std::size_t>(each.line - 1)];
+        inRows(layout, code, {start + part.begin, start + part.end}, [&](float left, float right, float top) {
+            underline(layout, left, right, top, packed(severityColor(each.severity)));
+        });
     }
 }
 
-/// The matches of a search; a match over several lines is marked in its first line.
-void drawFound(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
-               const CodeMarks& marks) {
+/// The matches of a search.
+void drawFound(const CodeLayout& layout, const CodeText& code, const CodeMarks& marks) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (std::size_t i = 0; i < marks.found.size(); ++i) {
         const TextRange& each = marks.found[i];
-        if (each.end > text.size()) break;
-        const int line = lineOf(starts, static_cast<int>(each.begin));
-        if (line < layout.firstLine || line > layout.lastLine) continue;
-        const std::size_t start = starts[static_cast<std::size_t>(line - 1)];
-        const float left = layout.origin.x + widthOf(text.substr(start, each.begin - start));
-        const float width = widthOf(text.substr(each.begin, each.end - each.begin));
-        drawTint({left, layout.top(line)}, {left + width, layout.top(line) + layout.lineHeight},
-                 i == marks.shown ? CodeTint::foundShown : CodeTint::found, 2);
-        if (i == marks.shown)
-            draw.AddRect({left - 1, layout.top(line)},
-                         {left + width + 1, layout.top(line) + layout.lineHeight}, packed(palette().warning),
-                         2);
+        if (each.end > code.text.size()) break;
+        inRows(layout, code, each, [&](float left, float right, float top) {
+            drawTint({left, top}, {right, top + layout.lineHeight},
+                     i == marks.shown ? CodeTint::foundShown : CodeTint::found, 2);
+            if (i == marks.shown)
+                draw.AddRect({left - 1, top}, {right + 1, top + layout.lineHeight}, packed(palette().warning),
+                             2);
+        });
     }
 }
 
-void drawText(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
-              CodeLanguage language) {
+void drawText(const CodeLayout& layout, const CodeText& code, CodeLanguage language) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     SyntaxReader syntax(language);
-    for (int line = 1; line <= layout.lastLine; ++line) {
-        const std::string_view words = lineText(text, starts, line);
+    const int first = lineOf(code.lines, code.rows[static_cast<std::size_t>(layout.firstRow - 1)]);
+    const int last = lineOf(code.lines, code.rows[static_cast<std::size_t>(layout.lastRow - 1)]);
+    for (int line = 1; line <= last; ++line) {
+        const std::string_view words = lineText(code, line);
         const std::vector<SyntaxPiece> pieces = syntax.next(words);
-        if (line < layout.firstLine) continue;
-        ImVec2 at(layout.origin.x, layout.top(line));
+        if (line < first) continue;
+        const std::size_t start = code.lines[static_cast<std::size_t>(line - 1)];
         std::size_t drawn = 0;
+        int row = lineOf(code.rows, start);
+        ImVec2 at(layout.origin.x, layout.top(row));
         const auto piece = [&](std::size_t end, SyntaxKind kind) {
-            const std::string_view part = words.substr(drawn, end - drawn);
-            draw.AddText(at, syntaxColor(kind), part.data(), part.data() + part.size());
-            at.x += widthOf(part);
-            drawn = end;
+            while (drawn < end) {
+                if (start + drawn >= code.endOfRow(row)) at = {layout.origin.x, layout.top(++row)};
+                const std::string_view part =
+                    words.substr(drawn, std::min(end, code.endOfRow(row) - start) - drawn);
+                draw.AddText(at, syntaxColor(kind), part.data(), part.data() + part.size());
+                at.x += widthOf(part);
+                drawn += part.size();
+            }
         };
         for (const SyntaxPiece& each : pieces) {
             if (each.begin > drawn) piece(each.begin, SyntaxKind::plain);
@@ -140,32 +166,51 @@ void drawText(const CodeLayout& layout, std::string_view text, const LineStarts&
     }
 }
 
-void drawGutter(const CodeLayout& layout, const CodeView& view, std::span<const CodeMark> marks) {
+/// The numbers of the lines, beside their first rows.
+void drawGutter(const CodeLayout& layout, const CodeText& code, const CodeView& view,
+                std::span<const CodeMark> marks) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 window = ImGui::GetWindowPos();
-    for (int line = layout.firstLine; line <= layout.lastLine; ++line) {
+    for (int row = layout.firstRow; row <= layout.lastRow; ++row) {
+        const std::size_t start = code.rows[static_cast<std::size_t>(row - 1)];
+        const int line = lineOf(code.lines, start);
+        if (code.lines[static_cast<std::size_t>(line - 1)] != start) continue;
         const std::string number = std::to_string(line);
         const auto mark =
             std::ranges::find_if(marks, [&](const CodeMark& each) { return each.line == line; });
         const ImU32 color = mark != marks.end() ? packed(severityColor(mark->severity))
                             : line == view.line ? syntaxColor(SyntaxKind::plain)
                                                 : packed(palette().dim);
-        draw.AddText({window.x + layout.gutter - widthOf(number) - layout.lineHeight / 2, layout.top(line)},
+        draw.AddText({window.x + layout.gutter - widthOf(number) - layout.lineHeight / 2, layout.top(row)},
                      color, number.c_str());
     }
 }
 
-void drawCursor(const CodeLayout& layout, std::string_view text, const LineStarts& starts,
-                const CodeView& view) {
-    const auto start = starts[static_cast<std::size_t>(view.line - 1)];
-    const auto cursor = std::min(static_cast<std::size_t>(view.cursor), text.size());
-    const float x = layout.origin.x + widthOf(text.substr(start, cursor - start));
-    const float top = layout.top(view.line);
+void drawCursor(const CodeLayout& layout, const CodeText& code, const CodeView& view) {
+    const int row = code.rowOfCursor(view);
+    const auto start = code.rows[static_cast<std::size_t>(row - 1)];
+    const auto cursor = std::min(static_cast<std::size_t>(view.cursor), code.text.size());
+    const float x = layout.origin.x + widthOf(code.text.substr(start, cursor - start));
+    const float top = layout.top(row);
     ImGui::GetWindowDrawList()->AddLine({x, top}, {x, top + layout.lineHeight},
                                         syntaxColor(SyntaxKind::plain), 1.5F);
 }
 
 }  // namespace
+
+std::size_t CodeText::endOfRow(int row) const {
+    const auto next = static_cast<std::size_t>(row);
+    if (next >= rows.size()) return text.size();
+    return rows[next] - (text[rows[next] - 1] == '\n' ? 1 : 0);
+}
+
+int CodeText::rowOfCursor(const CodeView& view) const {
+    const auto cursor = std::min(static_cast<std::size_t>(view.cursor), text.size());
+    const int row = lineOf(rows, cursor);
+    const bool isContinued =
+        row > 1 && rows[static_cast<std::size_t>(row - 1)] == cursor && text[cursor - 1] != '\n';
+    return isContinued && view.isAtEndOfRow ? row - 1 : row;
+}
 
 LineStarts lineStarts(std::string_view text) {
     LineStarts starts{0};
@@ -174,13 +219,12 @@ LineStarts lineStarts(std::string_view text) {
     return starts;
 }
 
-int lineOf(const LineStarts& starts, int byte) {
-    const auto next = std::ranges::upper_bound(starts, static_cast<std::size_t>(byte));
-    return static_cast<int>(next - starts.begin());
+int lineOf(const LineStarts& starts, std::size_t byte) {
+    return static_cast<int>(std::ranges::upper_bound(starts, byte) - starts.begin());
 }
 
 std::string_view lineBefore(std::string_view text, const LineStarts& starts, std::size_t byte) {
-    const std::size_t start = starts[static_cast<std::size_t>(lineOf(starts, static_cast<int>(byte)) - 1)];
+    const std::size_t start = starts[static_cast<std::size_t>(lineOf(starts, byte) - 1)];
     return text.substr(start, byte - start);
 }
 
@@ -192,42 +236,61 @@ float widthOf(std::string_view text) {
         .x;
 }
 
-CodeLayout layoutOf(std::string_view text, const LineStarts& starts) {
+float gutterOf(const LineStarts& lines) {
     constexpr std::size_t kLeastDigits = 3;
-    const auto lines = static_cast<int>(starts.size());
-    const float digit = ImGui::CalcTextSize("0").x;
+    return ImGui::CalcTextSize("0").x *
+               static_cast<float>(std::max(kLeastDigits, std::to_string(lines.size()).size())) +
+           ImGui::GetFontSize();
+}
+
+std::vector<std::size_t> breaksIn(std::string_view text, float width) {
+    // Also where there is no scroll bar, so that one that appears breaks nothing else.
+    const float room = width - ImGui::GetStyle().ScrollbarSize - gutterOf(lineStarts(text));
+    const float digit = widthOf("0");
+    return breaksOf(text, std::max(room, 8 * digit), digit, widthOf);
+}
+
+CodeText codeOf(std::string_view text, const std::vector<std::size_t>& breaks) {
+    CodeText code{text, lineStarts(text), {}};
+    std::ranges::merge(code.lines, breaks, std::back_inserter(code.rows));
+    return code;
+}
+
+CodeLayout layoutOf(const CodeText& code, bool isWrapped) {
+    const auto rows = static_cast<int>(code.rows.size());
     float longest = 0;
-    for (int line = 1; line <= lines; ++line)
-        longest = std::max(longest, static_cast<float>(lineText(text, starts, line).size()));
+    for (int row = 1; row <= rows; ++row)
+        longest = std::max(
+            longest, static_cast<float>(code.endOfRow(row) - code.rows[static_cast<std::size_t>(row - 1)]));
     const ImVec2 visible = ImGui::GetContentRegionAvail();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     CodeLayout layout;
     layout.lineHeight = ImGui::GetFontSize();
-    layout.gutter =
-        digit * static_cast<float>(std::max(kLeastDigits, std::to_string(lines).size())) + layout.lineHeight;
+    layout.gutter = gutterOf(code.lines);
     layout.origin = {corner.x + layout.gutter, corner.y};
-    layout.size = {std::max(visible.x - layout.gutter, (longest + 4) * digit),
-                   std::max(visible.y, static_cast<float>(lines + 1) * layout.lineHeight)};
+    layout.size = {visible.x - layout.gutter,
+                   std::max(visible.y, static_cast<float>(rows + 1) * layout.lineHeight)};
+    if (!isWrapped) layout.size.x = std::max(layout.size.x, (longest + 4) * ImGui::CalcTextSize("0").x);
     layout.visibleHeight = visible.y;
-    layout.rows = static_cast<int>(visible.y / layout.lineHeight);
-    layout.firstLine = std::clamp(static_cast<int>(ImGui::GetScrollY() / layout.lineHeight) + 1, 1, lines);
-    layout.lastLine = std::min(layout.firstLine + layout.rows + 1, lines);
+    layout.fitting = static_cast<int>(visible.y / layout.lineHeight);
+    layout.firstRow = std::clamp(static_cast<int>(ImGui::GetScrollY() / layout.lineHeight) + 1, 1, rows);
+    layout.lastRow = std::min(layout.firstRow + layout.fitting + 1, rows);
     return layout;
 }
 
-void drawCode(const CodeLayout& layout, std::string_view text, const LineStarts& starts, const CodeView& view,
-              const CodeMarks& marks, CodeLanguage language) {
-    if (view.isActive) drawBelowSelection(layout, starts, view.selection);
-    drawMarkedLines(layout, marks.lines);
-    drawGutter(layout, view, marks.lines);
+void drawCode(const CodeLayout& layout, const CodeText& code, const CodeView& view, const CodeMarks& marks,
+              CodeLanguage language) {
+    if (view.isActive) drawBelowSelection(layout, code, view.selection);
+    drawMarkedLines(layout, code, marks.lines);
+    drawGutter(layout, code, view, marks.lines);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 window = ImGui::GetWindowPos();
     draw.PushClipRect({window.x + layout.gutter - 2, window.y},
                       {window.x + ImGui::GetWindowWidth(), window.y + ImGui::GetWindowHeight()}, true);
-    drawFound(layout, text, starts, marks);
-    drawText(layout, text, starts, language);
-    drawUnderlines(layout, text, starts, marks.lines);
-    if (view.isActive) drawCursor(layout, text, starts, view);
+    drawFound(layout, code, marks);
+    drawText(layout, code, language);
+    drawUnderlines(layout, code, marks.lines);
+    if (view.isActive) drawCursor(layout, code, view);
     draw.PopClipRect();
 }
 

@@ -28,7 +28,10 @@ constexpr int kFramesOfFocus = 3;
 struct Editing {
     std::string& text;
     CodeView& view;
-    int pageLines = 1;
+    bool isReadOnly = false;
+    int pageRows = 1;
+    float width = 0;  ///< of the window, pixels
+    [[nodiscard]] std::string& buffer() const { return view.isWrapped ? view.buffer : text; }
 };
 
 /// After Enter, indents the new line like the one before, and by four more after an opening brace.
@@ -77,63 +80,134 @@ void unindent(ImGuiInputTextCallbackData& data, const CodeView& view) {
     if (isBlank && line.size() >= 4) data.DeleteChars(data.CursorPos - 5, 4);
 }
 
-/// Moves by the visible lines on Page Up and Page Down. ImGui would take the whole text as visible.
+/// Moves by the visible rows on Page Up and Page Down. ImGui would take the whole text as visible.
 void turnPage(ImGuiInputTextCallbackData& data, const Editing& editing) {
     const bool up = isKeyPressed(GLFW_KEY_PAGE_UP);
     const bool down = isKeyPressed(GLFW_KEY_PAGE_DOWN);
     if (up == down) return;
-    const std::string_view text(data.Buf, static_cast<std::size_t>(data.BufTextLen));
-    const LineStarts starts = lineStarts(text);
-    const int before = lineOf(starts, std::min(editing.view.cursor, data.BufTextLen));
-    const int line = std::clamp(before + (up ? -editing.pageLines : editing.pageLines), 1,
+    const LineStarts starts = lineStarts({data.Buf, static_cast<std::size_t>(data.BufTextLen)});
+    const auto cursor = static_cast<std::size_t>(std::min(editing.view.cursorInRows, data.BufTextLen));
+    const int line = std::clamp(lineOf(starts, cursor) + (up ? -editing.pageRows : editing.pageRows), 1,
                                 static_cast<int>(starts.size()));
     data.CursorPos = static_cast<int>(starts[static_cast<std::size_t>(line - 1)]);
     data.SelectionStart = data.SelectionEnd = data.CursorPos;
 }
 
+/// What was asked for, and what belongs to a key, in the text without the breaks of rows.
+void onText(ImGuiInputTextCallbackData& data, const Editing& editing) {
+    CodeView& view = editing.view;
+    if (view.isActive && !view.newText && !view.select) deleteWord(data, editing.text, view);
+    if (const auto text = std::exchange(view.newText, std::nullopt)) {
+        data.DeleteChars(0, data.BufTextLen);
+        data.InsertChars(0, text->data(), text->data() + text->size());
+    }
+    if (const auto range = std::exchange(view.select, std::nullopt)) {
+        const auto inside = [&](std::size_t at) { return std::min(static_cast<int>(at), data.BufTextLen); };
+        data.SelectionStart = inside(range->begin);
+        data.CursorPos = data.SelectionEnd = inside(range->end);
+    } else if (view.goTo) {
+        const LineStarts starts = lineStarts({data.Buf, static_cast<std::size_t>(data.BufTextLen)});
+        const int line = std::clamp(*view.goTo, 1, static_cast<int>(starts.size()));
+        data.CursorPos = static_cast<int>(starts[static_cast<std::size_t>(line - 1)]);
+        data.SelectionStart = data.SelectionEnd = data.CursorPos;
+        view.goTo.reset();
+    } else if (view.isActive) {
+        indent(data, view);
+        unindent(data, view);
+    }
+    view.cursor = data.CursorPos;
+    view.previousSize = data.BufTextLen;
+    const auto [first, last] = std::minmax(data.SelectionStart, data.SelectionEnd);
+    view.selection = {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
+    if (first == last) view.selection.begin = view.selection.end = static_cast<std::size_t>(view.cursor);
+}
+
+/// Left and Right, if they have moved the cursor over the break of a row alone, move it once more.
+void passBreak(ImGuiInputTextCallbackData& data, const CodeView& view) {
+    const int step = data.CursorPos - view.cursorInRows;
+    const auto inText = [&](int at) { return view.wrapped.placeInText(static_cast<std::size_t>(at)); };
+    const bool isAlone = (step == 1 || step == -1) && inText(data.CursorPos) == inText(view.cursorInRows);
+    const int next = data.CursorPos + step;
+    if (!isAlone || next < 0 || next > data.BufTextLen) return;
+    if (!isKeyPressed(step < 0 ? GLFW_KEY_LEFT : GLFW_KEY_RIGHT)) return;
+    if (data.SelectionEnd == data.CursorPos) data.SelectionEnd = next;
+    if (data.SelectionStart == data.CursorPos) data.SelectionStart = next;
+    data.CursorPos = next;
+}
+
+/// The widget has edited rows: makes the text of them, and other rows if their breaks are others now.
+void onRows(ImGuiInputTextCallbackData& data, const Editing& editing) {
+    CodeView& view = editing.view;
+    // Of a text that is only read, ImGui 1.86 gives the length alone.
+    const std::string_view now = editing.isReadOnly
+                                     ? std::string_view(view.wrapped.rows)
+                                     : std::string_view(data.Buf, static_cast<std::size_t>(data.BufTextLen));
+    if (now == view.wrapped.rows) passBreak(data, view);
+    const EditedRows edited(view.wrapped, now, static_cast<std::size_t>(view.cursorInRows),
+                            static_cast<std::size_t>(data.CursorPos),
+                            view.selection.begin != view.selection.end);
+    const auto inText = [&](int at) {
+        return static_cast<int>(edited.placeInText(std::min(static_cast<std::size_t>(at), now.size())));
+    };
+    constexpr std::size_t kRoom = 1024;  // for what onText() inserts besides
+    std::string text = edited.text();
+    ImGuiInputTextCallbackData plain;
+    plain.BufTextLen = static_cast<int>(text.size());
+    text.resize(2 * text.size() + (view.newText ? view.newText->size() : 0) + kRoom);
+    plain.Buf = text.data();
+    plain.BufSize = static_cast<int>(text.size());
+    plain.CursorPos = inText(data.CursorPos);
+    plain.SelectionStart = inText(data.SelectionStart);
+    plain.SelectionEnd = inText(data.SelectionEnd);
+    const std::array before{plain.CursorPos, plain.SelectionStart, plain.SelectionEnd};
+    onText(plain, editing);
+    text.resize(static_cast<std::size_t>(plain.BufTextLen));
+    WrappedText wrapped(text, breaksIn(text, editing.width));
+    const bool isOther = now != wrapped.rows;
+    if (isOther && !editing.isReadOnly) {
+        data.DeleteChars(0, data.BufTextLen);
+        data.InsertChars(0, wrapped.rows.data(), wrapped.rows.data() + wrapped.rows.size());
+    }
+    const std::array after{plain.CursorPos, plain.SelectionStart, plain.SelectionEnd};
+    view.wrapped = std::move(wrapped);
+    if (isOther || after != before) {
+        const auto inRows = [&](int at) {
+            return static_cast<int>(view.wrapped.placeInRows(static_cast<std::size_t>(at)));
+        };
+        data.CursorPos = inRows(plain.CursorPos);
+        data.SelectionStart = inRows(plain.SelectionStart);
+        data.SelectionEnd = inRows(plain.SelectionEnd);
+    }
+    const auto cursor = static_cast<std::size_t>(view.cursor);
+    view.isAtEndOfRow = static_cast<std::size_t>(data.CursorPos) != view.wrapped.placeInRows(cursor);
+    if (!editing.isReadOnly) editing.text = view.wrapped.text;
+}
+
 int onEdit(ImGuiInputTextCallbackData* data) {
-    Editing& editing = *static_cast<Editing*>(data->UserData);
+    const Editing& editing = *static_cast<Editing*>(data->UserData);
     if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
-        editing.text.resize(static_cast<std::size_t>(data->BufTextLen));
-        data->Buf = editing.text.data();
+        editing.buffer().resize(static_cast<std::size_t>(data->BufTextLen));
+        data->Buf = editing.buffer().data();
         return 0;
     }
     CodeView& view = editing.view;
-    if (view.isActive && !view.newText && !view.select) deleteWord(*data, editing.text, view);
-    if (const auto text = std::exchange(view.newText, std::nullopt)) {
-        data->DeleteChars(0, data->BufTextLen);
-        data->InsertChars(0, text->data(), text->data() + text->size());
-    }
-    if (const auto range = std::exchange(view.select, std::nullopt)) {
-        const auto inside = [&](std::size_t at) { return std::min(static_cast<int>(at), data->BufTextLen); };
-        data->SelectionStart = inside(range->begin);
-        data->CursorPos = data->SelectionEnd = inside(range->end);
-    } else if (view.goTo) {
-        const LineStarts starts = lineStarts({data->Buf, static_cast<std::size_t>(data->BufTextLen)});
-        const int line = std::clamp(*view.goTo, 1, static_cast<int>(starts.size()));
-        data->CursorPos = static_cast<int>(starts[static_cast<std::size_t>(line - 1)]);
-        data->SelectionStart = data->SelectionEnd = data->CursorPos;
-        view.goTo.reset();
-    } else if (view.isActive) {
-        indent(*data, view);
-        unindent(*data, view);
-        turnPage(*data, editing);
-    }
-    view.cursor = data->CursorPos;
-    view.previousSize = data->BufTextLen;
-    const auto [first, last] = std::minmax(data->SelectionStart, data->SelectionEnd);
-    view.selection = {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
-    if (first == last) view.selection.begin = view.selection.end = static_cast<std::size_t>(view.cursor);
+    const bool turns = view.isActive && !view.newText && !view.select && !view.goTo;
+    if (turns) turnPage(*data, editing);
+    if (view.isWrapped)
+        onRows(*data, editing);
+    else
+        onText(*data, editing);
+    view.cursorInRows = data->CursorPos;
     return 0;
 }
 
 using Scroll = CodeView::Scroll;
 
-/// The scroll position at which the line is visible, and some characters from `x` on.
-Scroll revealed(Scroll scroll, const CodeLayout& layout, int line, float x, bool inMiddle) {
+/// The scroll position at which the row is visible, and some characters from `x` on.
+Scroll revealed(Scroll scroll, const CodeLayout& layout, int row, float x, bool inMiddle) {
     const float height = ImGui::GetWindowHeight() - ImGui::GetStyle().ScrollbarSize;
     const float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
-    const float top = static_cast<float>(line - 1) * layout.lineHeight;
+    const float top = static_cast<float>(row - 1) * layout.lineHeight;
     const bool isAbove = top < scroll.y;
     if (isAbove || top + 2 * layout.lineHeight > scroll.y + height) {
         const bool isFar = top < scroll.y - height || top > scroll.y + 2 * height;
@@ -157,7 +231,7 @@ int charactersIn(std::string_view text) {
 }
 
 /// The ImGui widget that edits. Its text is transparent, since it has only one colour; drawCode() draws it.
-bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly) {
+bool edit(const char* name, Editing editing, const ImVec2& size) {
     const std::string label = fmt::format("##{}/{}", name, editing.view.generation);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32_BLACK_TRANS);
@@ -169,10 +243,11 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
                                    GLFW_KEY_KP_ENTER, GLFW_KEY_UP,  GLFW_KEY_DOWN};
     const std::span<const int> listKeys = kListKeys;
     const HiddenKeys hidden(editing.view.leavesListKeys ? listKeys : listKeys.first(1));
+    std::string& buffer = editing.buffer();
     const bool isChanged = ImGui::InputTextMultiline(
-        label.c_str(), editing.text.data(), editing.text.capacity() + 1, size,
+        label.c_str(), buffer.data(), buffer.capacity() + 1, size,
         ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackAlways |
-            ImGuiInputTextFlags_NoUndoRedo | (isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
+            ImGuiInputTextFlags_NoUndoRedo | (editing.isReadOnly ? ImGuiInputTextFlags_ReadOnly : 0),
         onEdit, &editing);
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(3);
@@ -180,22 +255,25 @@ bool edit(const char* name, Editing editing, const ImVec2& size, bool isReadOnly
 }
 
 /// Finds the byte and line under the mouse, and where the cursor is on the screen.
-void findPointer(CodeView& view, const CodeLayout& layout, std::string_view text, const LineStarts& starts) {
+void findPointer(CodeView& view, const CodeLayout& layout, const CodeText& code) {
     view.hovered.reset();
     view.hoveredLine.reset();
-    const float top = layout.top(view.line);
+    const std::string_view text = code.text;
+    const int rowOfCursor = code.rowOfCursor(view);
+    const std::size_t start = code.rows[static_cast<std::size_t>(rowOfCursor - 1)];
+    const float top = layout.top(rowOfCursor);
     const float x =
-        layout.origin.x + widthOf(lineBefore(text, starts, static_cast<std::size_t>(view.cursor)));
+        layout.origin.x + widthOf(text.substr(start, static_cast<std::size_t>(view.cursor) - start));
     view.cursorOnScreen = {x, top, top + layout.lineHeight};
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
                                 ImGuiHoveredFlags_ChildWindows))
         return;
-    const int line = static_cast<int>(std::floor((mouse.y - layout.origin.y) / layout.lineHeight)) + 1;
-    if (line < 1 || line > static_cast<int>(starts.size())) return;
-    view.hoveredLine = line;
-    const std::size_t begin = starts[static_cast<std::size_t>(line - 1)];
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const int row = static_cast<int>(std::floor((mouse.y - layout.origin.y) / layout.lineHeight)) + 1;
+    if (row < 1 || row > static_cast<int>(code.rows.size())) return;
+    const std::size_t begin = code.rows[static_cast<std::size_t>(row - 1)];
+    view.hoveredLine = lineOf(code.lines, begin);
+    const std::size_t end = code.endOfRow(row);
     if (mouse.x < layout.origin.x || mouse.x < ImGui::GetWindowPos().x + layout.gutter) return;
     for (std::size_t at = begin; at < end; ++at) {
         const bool isWhole = at + 1 == end || (static_cast<unsigned char>(text[at + 1]) & 0xC0U) != 0x80U;
@@ -206,28 +284,47 @@ void findPointer(CodeView& view, const CodeLayout& layout, std::string_view text
 }
 
 /// Clamps the cursor to the text, which other code may have made shorter, and finds its line and column.
-void updateCursor(CodeView& view, std::string_view text, const LineStarts& starts) {
-    view.cursor = std::clamp(view.cursor, 0, static_cast<int>(text.size()));
-    view.line = lineOf(starts, view.cursor);
-    view.column = charactersIn(lineBefore(text, starts, static_cast<std::size_t>(view.cursor))) + 1;
+void updateCursor(CodeView& view, const CodeText& code) {
+    view.cursor = std::clamp(view.cursor, 0, static_cast<int>(code.text.size()));
+    const auto cursor = static_cast<std::size_t>(view.cursor);
+    view.line = lineOf(code.lines, cursor);
+    view.column = charactersIn(lineBefore(code.text, code.lines, cursor)) + 1;
 }
 
 /// Scrolls to the cursor if `followsCursor`, and to the byte that somebody has asked for.
-void scroll(CodeView& view, const CodeLayout& layout, std::string_view text, const LineStarts& starts,
-            bool followsCursor, bool inMiddle) {
+void scroll(CodeView& view, const CodeLayout& layout, const CodeText& code, bool followsCursor,
+            bool inMiddle) {
     const bool holds = view.framesToHold > 0 && view.framesToHold-- > 0;
     const Scroll before{ImGui::GetScrollX(), ImGui::GetScrollY()};
     Scroll now = holds ? view.scroll : before;
-    const auto reveal = [&](std::size_t byte, bool isCentred) {
-        const int line = lineOf(starts, static_cast<int>(byte));
-        now = revealed(now, layout, line, widthOf(lineBefore(text, starts, byte)), isCentred);
+    const auto reveal = [&](std::size_t byte, int row, bool isCentred) {
+        const std::size_t start = code.rows[static_cast<std::size_t>(row - 1)];
+        now = revealed(now, layout, row, widthOf(code.text.substr(start, byte - start)), isCentred);
     };
-    if (followsCursor) reveal(static_cast<std::size_t>(view.cursor), inMiddle);
-    if (const auto byte = std::exchange(view.reveal, std::nullopt))
-        reveal(std::min(*byte, text.size()), true);
+    if (followsCursor) reveal(static_cast<std::size_t>(view.cursor), code.rowOfCursor(view), inMiddle);
+    if (auto byte = std::exchange(view.reveal, std::nullopt)) {
+        byte = std::min(*byte, code.text.size());
+        reveal(*byte, lineOf(code.rows, *byte), true);
+    }
+    if (view.isWrapped) now.x = 0;
     if (now.x != before.x) ImGui::SetScrollX(now.x);
     if (now.y != before.y) ImGui::SetScrollY(now.y);
     view.scroll = now;
+}
+
+CodeText codeIn(const CodeView& view, std::string_view text) {
+    return codeOf(text,
+                  view.isWrapped ? breaksIn(text, ImGui::GetWindowWidth()) : std::vector<std::size_t>());
+}
+
+/// What ImGui copies has the line feeds of the breaks in it.
+void copyWithoutBreaks(const CodeView& view, std::string_view text, const TextRange& selection) {
+    const bool copies = ImGui::GetIO().KeyCtrl && (isKeyPressed(GLFW_KEY_C) || isKeyPressed(GLFW_KEY_X) ||
+                                                   isKeyPressed(GLFW_KEY_INSERT));
+    const bool cuts = ImGui::GetIO().KeyShift && isKeyPressed(GLFW_KEY_DELETE);
+    if (!view.isWrapped || !view.isActive || selection.begin == selection.end || (!copies && !cuts)) return;
+    ImGui::SetClipboardText(
+        std::string(text.substr(selection.begin, selection.end - selection.begin)).c_str());
 }
 
 /// The widget in its child window. Returns true if the text has changed.
@@ -236,37 +333,58 @@ bool editInChild(const char* name, std::string& text, CodeView& view, const Code
     // While the widget has the keyboard focus it holds a copy of the text, which onEdit() changes.
     const bool isReplaced = view.newText && !view.isActive;
     if (isReplaced) text = *std::exchange(view.newText, std::nullopt);
-    LineStarts starts = lineStarts(text);
-    updateCursor(view, text, starts);
-    const CodeLayout layout = layoutOf(text, starts);
+    CodeText code = codeIn(view, text);
+    updateCursor(view, code);
+    const CodeLayout layout = layoutOf(code, view.isWrapped);
     const bool goes = view.goTo || view.select;
     if (goes && !view.isActive) {
         giveKeyboardToNext();
         view.framesToHold = kFramesOfFocus;
     }
     const int cursorBefore = view.cursor;
+    const TextRange selectionBefore = view.selection;
+    const std::string before = view.isWrapped ? text : std::string();
+    if (view.isWrapped && (!view.isActive || isReadOnly)) {
+        view.wrapped = WrappedText(text, breaksIn(text, ImGui::GetWindowWidth()));
+        view.buffer = view.wrapped.rows;
+    }
     // The text is drawn before the widget, below its selection.
-    drawCode(layout, text, starts, view, marks, language);
+    drawCode(layout, code, view, marks, language);
     ImGui::SetCursorScreenPos(layout.origin);
-    const bool isChanged = edit(name, {text, view, std::max(1, layout.rows - 1)}, layout.size, isReadOnly);
+    const Editing editing{text, view, isReadOnly, std::max(1, layout.fitting - 1), ImGui::GetWindowWidth()};
+    bool isChanged = edit(name, editing, layout.size);
+    copyWithoutBreaks(view, before, selectionBefore);
     view.isActive = ImGui::IsItemActive();
+    if (view.isWrapped) {
+        // What it took in the frame in which it lost the keyboard.
+        if (!isReadOnly && view.buffer != view.wrapped.rows)
+            text = EditedRows(view.wrapped, view.buffer, static_cast<std::size_t>(view.cursorInRows),
+                              view.buffer.size(), selectionBefore.begin != selectionBefore.end)
+                       .text();
+        isChanged = text != before;
+    }
 
-    if (isChanged) starts = lineStarts(text);
-    updateCursor(view, text, starts);
+    if (isChanged) code = codeIn(view, text);
+    updateCursor(view, code);
     const bool isLower = std::exchange(view.height, layout.visibleHeight) > layout.visibleHeight;
     // A longer line can be scrolled to its end only when the frames after it have made room.
     if (isChanged) view.framesToFollow = kFramesOfFocus;
     const bool isMade = view.framesToFollow > 0 && view.framesToFollow-- > 0;
     const bool followsCursor = view.isActive && (view.cursor != cursorBefore || isMade || goes || isLower);
-    scroll(view, layout, text, starts, followsCursor, goes);
-    findPointer(view, layout, text, starts);
+    scroll(view, layout, code, followsCursor, goes);
+    findPointer(view, layout, code);
     return isChanged || isReplaced;
 }
 
 }  // namespace
 
 bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks,
-                CodeLanguage language, bool isReadOnly, float below) {
+                CodeLanguage language, bool isReadOnly, float below, bool wraps) {
+    if (std::exchange(view.isWrapped, wraps) != wraps) {
+        // Another widget, since what it holds is another text; it takes the keyboard over.
+        ++view.generation;
+        if (std::exchange(view.isActive, false) && !view.select) view.select = view.selection;
+    }
     ImGui::PushFont(codeFont());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     // The window has the colour of the panel, or lets the picture be seen.

@@ -9,8 +9,9 @@
 namespace glibra::view {
 
 /// Draws the widget in the rest of the current window, except for `below` pixels at its lower edge. `name`
-/// must be unique in the window. Returns true if the text has changed.
+/// must be unique in the window. `wraps`: lines that are too long continue in further rows. Returns true if
+/// the text has changed.
 bool codeEditor(const char* name, std::string& text, CodeView& view, const CodeMarks& marks,
-                CodeLanguage language, bool isReadOnly, float below);
+                CodeLanguage language, bool isReadOnly, float below, bool wraps);
 
 }  // namespace glibra::view

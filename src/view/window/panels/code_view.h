@@ -8,6 +8,7 @@
 #include <string>
 
 #include "view/edit/text_search.h"
+#include "view/edit/wrapped_text.h"
 
 namespace glibra::view {
 
@@ -37,11 +38,17 @@ struct CodeView {
         float x = 0, top = 0, bottom = 0;
     };
     Corner cursorOnScreen;  ///< screen coordinates
-    TextRange selection;    ///< empty, at the cursor, if nothing is selected
-    int generation = 0;     ///< increase it whenever other code changes the text
-    int cursor = 0;         ///< byte offset
-    int previousSize = 0;   ///< bytes of the text in the frame before
-    float height = 0;       ///< of the visible part, pixels
+    /// Lines that are too long continue in further rows. Change it by Settings::wrapsLines.
+    bool isWrapped = false;
+    bool isAtEndOfRow = false;  ///< the cursor, where it could be at the beginning of the next one as well
+    WrappedText wrapped;        ///< what the widget edits then
+    std::string buffer;         ///< its rows, as the widget has changed them
+    TextRange selection;        ///< empty, at the cursor, if nothing is selected
+    int generation = 0;         ///< increase it whenever other code changes the text
+    int cursor = 0;             ///< byte offset
+    int cursorInRows = 0;       ///< the same in what the widget edits: `buffer` or the text
+    int previousSize = 0;       ///< bytes of the text in the frame before
+    float height = 0;           ///< of the visible part, pixels
     struct Scroll {
         float x = 0, y = 0;
     };

@@ -16,6 +16,7 @@
 
 #include "view/scene/pick.h"
 #include "view/window/panels/ui.h"
+#include "view/window/panels/value_slider.h"
 
 namespace glibra::view {
 namespace {
@@ -181,11 +182,10 @@ void debugViewControls(Ui& ui) {
         wrappedTooltip(helpOf(now), ImGui::GetFontSize() * 24);
     }
     if (now == DebugView::normals) {
-        auto length = static_cast<float>(ui.session.normalLength());
+        double length = ui.session.normalLength();
         fieldLabel("Length");
-        if (ImGui::SliderFloat("##length", &length, .005F, 1, "%.3f", ImGuiSliderFlags_Logarithmic))
+        if (labelledSlider(ui, "##length", "view/normalLength", {.005, 1, false, true}, length))
             ui.session.setNormalLength(length);
-        mark(ui, "view/normalLength");
     }
     if (now != DebugView::picture && isFillAlone(ui.session.live().scene())) {
         ImGui::TextWrapped("Only a Fill draws into the window. Frame shows this for every pass.");

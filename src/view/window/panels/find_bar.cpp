@@ -4,9 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/text.h"
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -131,11 +133,11 @@ void replaceRow(Ui& ui, FindBar& bar, EditedFile& file, CodeView& view) {
 void lineRow(Ui& ui, FindBar& bar, CodeView& view) {
     if (std::exchange(bar.focus, false)) giveKeyboardToNext();
     ImGui::SetNextItemWidth(90 * ui.shared.scale);
-    ImGui::InputInt("go to line", &bar.line, 0, 0, ImGuiInputTextFlags_AutoSelectAll);
+    wholeEntry("go to line", bar.line, 1, std::numeric_limits<int>::max(), ImGuiInputTextFlags_AutoSelectAll);
     const bool isEntered = ImGui::IsItemDeactivated() && isEnterPressed();
     markField(ui, "source/line", "go to line");
     if (!isEntered) return;
-    view.goTo = std::max(1, bar.line);
+    view.goTo = bar.line;
     bar.asksLine = false;
 }
 

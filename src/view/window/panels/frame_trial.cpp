@@ -8,6 +8,7 @@
 
 #include "view/debug_view/state_choices.h"
 #include "view/window/panels/frame_window.h"
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
 
@@ -48,8 +49,8 @@ bool chooseWord(Ui& ui, const StateChoice& choice, base::RasterState& state) {
 bool chooseOffset(Ui& ui, base::RasterState& state) {
     std::array<double, 2> values{state.offsetFactor, state.offsetUnits};
     ImGui::SetNextItemWidth(105 * ui.shared.scale);
-    ImGui::InputScalarN("##offset", ImGuiDataType_Double, values.data(), 2, nullptr, nullptr, "%g");
-    mark(ui, "frame/try/offset");
+    pairEntry(ui, "##offset", values, "%g");
+    markPlace(ui, "frame/try/offset");
     // When the user has finished typing.
     if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
     state.offsetFactor = values[0];

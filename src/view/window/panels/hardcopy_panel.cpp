@@ -24,6 +24,7 @@
 #include "view/export/hardcopy_job.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/label_overlay.h"
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -255,13 +256,9 @@ void sizeEntry(Ui& ui, HardcopyEntries& entries) {
     }
     mark(ui, "hardcopy/size");
     if (kPresets.at(static_cast<std::size_t>(entries.preset)).times >= 0) return;
-    std::array<int, 2> size{entries.width, entries.height};
     fieldLabel("");
-    if (ImGui::InputInt2("##pixels", size.data())) {
-        entries.width = std::clamp(size[0], 1, kLargestPictureSide);
-        entries.height = std::clamp(size[1], 1, kLargestPictureSide);
-    }
-    mark(ui, "hardcopy/pixels");
+    sidesEntry(ui, "##pixels", entries.width, entries.height, kLargestPictureSide);
+    markPlace(ui, "hardcopy/pixels");
 }
 
 void samplesEntry(Ui& ui, HardcopyEntries& entries) {
@@ -285,14 +282,14 @@ void samplesEntry(Ui& ui, HardcopyEntries& entries) {
 
 void framesEntry(Ui& ui, HardcopyEntries& entries) {
     fieldLabel("Frames");
-    ImGui::InputInt("##frames", &entries.frames, 0);
-    entries.frames = std::clamp(entries.frames, 1, 1'000'000);
+    wholeEntry("##frames", entries.frames, 1, 1'000'000);
     mark(ui, "hardcopy/frames");
     if (entries.frames == 1 && !image::holdsAnimation(entries.file.data())) return;
     fieldLabel("Per second");
-    ImGui::InputFloat("##rate", &entries.framesPerSecond, 0, 0, "%.3g");
+    double rate = entries.framesPerSecond;
+    if (numberEntry("##rate", rate, "%.5g"))
+        entries.framesPerSecond = std::clamp(static_cast<float>(rate), .001F, 1000.F);
     mark(ui, "hardcopy/rate");
-    entries.framesPerSecond = std::clamp(entries.framesPerSecond, .001F, 1000.F);
     ImGui::TextDisabled("%.3g seconds, from %.3g s on",
                         entries.frames / static_cast<double>(entries.framesPerSecond),
                         ui.session.clock().time());

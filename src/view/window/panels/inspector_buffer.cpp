@@ -7,6 +7,7 @@
 
 #include "render/file/buffer_file.h"
 #include "view/window/panels/inspector.h"
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -55,7 +56,9 @@ void pages(Ui& ui, Inspector& inspector) {
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(110 * ui.shared.scale);
-    ImGui::InputScalar("first", ImGuiDataType_U64, &inspector.firstRow);
+    auto first = static_cast<double>(inspector.firstRow);
+    if (numberEntry("first", first, "%.0f"))
+        inspector.firstRow = static_cast<std::uint64_t>(std::clamp(first, 0., static_cast<double>(elements)));
     markField(ui, "inspector/first", "first");
     ImGui::SameLine();
     ImGui::Text("of %llu elements", static_cast<unsigned long long>(elements));

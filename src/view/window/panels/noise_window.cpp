@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "view/window/panels/number_field.h"
 #include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"
@@ -91,8 +92,6 @@ void pointControls(Ui& ui, NoiseState& window) {
 
 void writeNoiseFile(NoiseState& window, int dimensions) {
     window.noise.options.dimensions = dimensions;
-    window.noise.width = std::clamp(window.noise.width, 1, 16384);
-    window.noise.height = std::clamp(window.noise.height, 1, 16384);
     const std::string file = window.file.data();
     if (dimensions == 2 && noise::endingOf(file) == ".svg") {
         window.message = "an SVG file can only hold a graph; choose .png or .tex";
@@ -107,12 +106,8 @@ void writeNoiseFile(NoiseState& window, int dimensions) {
 void fileControls(Ui& ui, NoiseState& window) {
     ImGui::InputText("File", window.file.data(), window.file.size());
     markField(ui, "noise/File", "File");
-    std::array<int, 2> size{window.noise.width, window.noise.height};
-    if (ImGui::InputInt2("Size", size.data())) {
-        window.noise.width = std::clamp(size[0], 1, 16384);
-        window.noise.height = std::clamp(size[1], 1, 16384);
-    }
-    markField(ui, "noise/Size", "Size");
+    sidesEntry(ui, "Size", window.noise.width, window.noise.height, 16384);
+    markPlace(ui, "noise/Size");
     if (button(ui, "Write graph", "noise/WriteGraph",
                "The file name ends in .png, .svg, or .tex for a raw one-dimensional texture"))
         writeNoiseFile(window, 1);

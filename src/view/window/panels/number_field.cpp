@@ -3,8 +3,11 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "view/scene/typed_number.h"
 
@@ -38,13 +41,55 @@ std::optional<bool> typedInto(Ui& ui, const char* label, double& value) {
     return value != before;
 }
 
-bool numberEntry(const char* label, double& value, const char* format) {
+bool numberEntry(const char* label, double& value, const char* format, int flags) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), format, value);
-    if (!ImGui::InputText(label, text.data(), text.size())) return false;
+    if (!ImGui::InputText(label, text.data(), text.size(), flags)) return false;
     const std::optional<double> number = typedNumber(text.data());
     if (!number || *number == value) return false;
     value = *number;
+    return true;
+}
+
+bool wholeEntry(const char* label, int& value, int least, int most, int flags) {
+    double number = value;
+    if (!numberEntry(label, number, "%.0f", flags)) return false;
+    const auto whole = static_cast<int>(
+        std::clamp(std::round(number), static_cast<double>(least), static_cast<double>(most)));
+    return std::exchange(value, whole) != whole;
+}
+
+bool pairEntry(Ui& ui, const char* label, std::array<double, 2>& values, const char* format) {
+    const float space = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = std::floor((ImGui::CalcItemWidth() - space) / 2);
+    bool isChanged = false;
+    ImGui::BeginGroup();
+    ImGui::PushID(label);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0) ImGui::SameLine(0, space);
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::SetNextItemWidth(width);
+        isChanged = numberEntry("##number", values.at(i), format) || isChanged;
+        tabStop(ui);
+        ImGui::PopID();
+    }
+    ImGui::PopID();
+    if (const char* end = ImGui::FindRenderedTextEnd(label); end != label) {
+        ImGui::SameLine(0, space);
+        ImGui::TextUnformatted(label, end);
+    }
+    ImGui::EndGroup();
+    return isChanged;
+}
+
+bool sidesEntry(Ui& ui, const char* label, int& width, int& height, int most) {
+    std::array<double, 2> sides{static_cast<double>(width), static_cast<double>(height)};
+    if (!pairEntry(ui, label, sides, "%.0f")) return false;
+    const auto whole = [most](double side) {
+        return static_cast<int>(std::clamp(std::round(side), 1., static_cast<double>(most)));
+    };
+    width = whole(sides[0]);
+    height = whole(sides[1]);
     return true;
 }
 

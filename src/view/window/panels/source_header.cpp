@@ -164,6 +164,10 @@ void placeMenu(Ui& ui) {
             ui.settings.sourcePlace = each;
         mark(ui, "source/place/{}", nameOfPlace(each));
     }
+    ImGui::Separator();
+    if (ImGui::MenuItem("wrap long lines", nullptr, ui.settings.wrapsLines))
+        ui.settings.wrapsLines = !ui.settings.wrapsLines;
+    mark(ui, "source/wrap");
     ImGui::EndPopup();
 }
 

@@ -111,7 +111,7 @@ void sourceContent(Ui& ui, SourceState& panel) {
     assistKeys(panel.assist, file, view);
     const bool isChanged =
         codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
-                   language, !file.whyReadOnly().empty(), below);
+                   language, !file.whyReadOnly().empty(), below, ui.settings.wrapsLines);
     markPlace(ui, "source/text");
     const unsigned stop = ImGui::GetID("text stop");  // the widget's own number is 0 at times
     if (tabStop(ui, stop)) view.select = view.selection;
@@ -319,6 +319,7 @@ void SourcePanel::addTo(nlohmann::ordered_json& state, const Ui& ui) const {
                        {"translation", ui.frame.translation},
                        {"cursor", Json::array({cursor.x, cursor.top, cursor.bottom})},
                        {"live", ui.settings.compilesWhileTyping},
+                       {"wraps", ui.settings.wrapsLines},
                        {"compiled", ui.session.texts().size()},
                        {"hover", ui.frame.hoverText}};
     state["sourcePlace"] = nameOfPlace(ui.settings.sourcePlace);
@@ -387,6 +388,8 @@ constexpr auto kSourceKeys = std::to_array<Shortcut>({
      call<&SourcePanel::openOutside>},
     {KeyGroup::source, kNoKey, false, "", "live: update the picture while you type",
      [](Ui& ui, Panel&) { ui.settings.compilesWhileTyping = !ui.settings.compilesWhileTyping; }},
+    {KeyGroup::source, kNoKey, false, "", "wrap long lines of the source, or scroll to their ends",
+     [](Ui& ui, Panel&) { ui.settings.wrapsLines = !ui.settings.wrapsLines; }},
     // While the text has the keyboard; otherwise window_keys.cpp undoes changes of values.
     {KeyGroup::source, GLFW_KEY_Z, true, "", "", call<&SourcePanel::undo>, true},
     {KeyGroup::source, GLFW_KEY_Y, true, "", "", call<&SourcePanel::redo>, true},

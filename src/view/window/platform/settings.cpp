@@ -96,6 +96,7 @@ Settings readSettings(const fs::path& file) {
     settings.lightTheme = truth("lightTheme");
     settings.showSource = truth("showSource");
     settings.compilesWhileTyping = truth("compilesWhileTyping");
+    settings.wrapsLines = truth("wrapsLines");
     const auto texts = [](const nlohmann::json& in, const char* key, std::size_t most) {
         std::vector<std::string> read;
         if (const auto found = in.find(key); found != in.end() && found->is_array())
@@ -127,6 +128,7 @@ void writeSettings(const Settings& settings, const fs::path& file) {
                                       {"sourceOver", settings.sourceOver},
                                       {"showSource", settings.showSource},
                                       {"compilesWhileTyping", settings.compilesWhileTyping},
+                                      {"wrapsLines", settings.wrapsLines},
                                       {"lightTheme", settings.lightTheme},
                                       {"labelCorner", static_cast<int>(settings.labelCorner)},
                                       {"labelChoice", static_cast<int>(settings.labelChoice)},

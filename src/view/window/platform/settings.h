@@ -38,8 +38,9 @@ struct Settings {
     float sourceBeside = .5F, sourceBelow = .45F, sourceOver = .5F;
     bool showSource = false;
     bool compilesWhileTyping = false;
-    std::string layout;     ///< positions of the floating windows, in ImGui's format
-    float layoutScale = 1;  ///< the scale of `layout`
+    bool wrapsLines = false;  ///< of the source
+    std::string layout;       ///< positions of the floating windows, in ImGui's format
+    float layoutScale = 1;    ///< the scale of `layout`
     bool lightTheme = false;
     LabelCorner labelCorner = LabelCorner::bottomLeft;
     LabelChoice labelChoice = LabelChoice::all;
