@@ -19,7 +19,7 @@ constexpr std::string_view kPng = "data:image/png;base64,", kGif = "data:image/g
 }  // namespace
 
 std::string smallPicture(const image::Image& picture) {
-    constexpr int kLongest = 320;  // pixels
+    constexpr int kLongest = 256;  // pixels
     constexpr int kSmallest = 12;  // of libdeflate's levels
     constexpr std::size_t kLarge = 24U << 10U;
     const Colors colors = reduced(picture, kLongest);

@@ -8,7 +8,7 @@
 
 namespace glibra::classroom {
 
-/// A picture as the address of an <img>, which has its content: with at most 320 pixels on the longer side,
+/// A picture as the address of an <img>, which has its content: with at most 256 pixels on the longer side,
 /// and 256 colours if it would be more than 24 KiB otherwise.
 std::string smallPicture(const image::Image& picture);
 

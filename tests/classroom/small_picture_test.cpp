@@ -42,7 +42,7 @@ image::Image cut(const image::Image& from, int left, int top, int width, int hei
 
 TEST(SmallPictures, AreSmall) {
     const std::string photograph = smallPicture(detailed(640, 480, 60));
-    EXPECT_LT(photograph.size(), 120'000U) << "a PNG file of it has 900,000 bytes";
+    EXPECT_LT(photograph.size(), 90'000U) << "a PNG file of it has 900,000 bytes";
     EXPECT_TRUE(photograph.starts_with("data:image/gif;base64,R0lG"));
     const std::string flat =
         smallPicture({640, 480, 3, image::Component::u8, std::vector<std::byte>(921'600)});

@@ -161,7 +161,7 @@ fs::path Orphans::find(const image::Image& picture) const {
 }
 
 fs::path Orphans::findNear(const image::Image& picture, std::string_view shot) const {
-    constexpr double kAlike = .9;              // correlation
+    constexpr double kAlike = .75;             // correlation; of 200 pairs of unrelated pictures one has it
     constexpr double kSimilar = 2. / 3;        // part of a name that stays
     constexpr std::size_t kLongestName = 200;  // of those that are compared
     if (isEmpty()) return {};
