@@ -49,6 +49,7 @@ struct DrawOptions {
     int samples = 0;            ///< per pixel, 1 to 64, limited to the driver's maximum; 0: one
     bool alpha = false;         ///< keeps the window's alpha; otherwise pictures are opaque
     bool floatPixels = false;   ///< 32-bit float pixels, not limited to 0..1
+    bool axes = false;          ///< draws axes 1.5 units long at the origin of world space
     ViewState view{};           ///< transforms in addition to the scene's
 };
 

@@ -18,11 +18,14 @@
 #include <cstdio>
 #include <cstring>
 #include <deque>
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -114,12 +117,50 @@ std::uint64_t writtenBy(pid_t process) {
     return written;
 }
 
+/// Ticks that the system has worked for a process, as for each file that it makes; 0 if it does not tell.
+std::uint64_t systemTimeOf(pid_t process) {
+    constexpr int kBefore = 12;  // fields between the name and this one (proc(5))
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string field;
+    std::getline(file, field, ')');
+    for (int i = 0; i < kBefore; ++i) file >> field;
+    std::uint64_t ticks = 0;
+    file >> ticks;
+    return ticks;
+}
+
+/// Files and folders that confined processes may make in all, for each piece, and more after one was ended
+/// for that.
+constexpr std::uint64_t kMostMade = 250'000, kMostMadeForPiece = 256, kMostMadeAgain = 20'000;
+
+/// The number of files and folders below those that confined processes may write to, as far as `most`. A
+/// folder that cannot be listed may hold any number.
+std::uint64_t filesBelow(const Sandbox& sandbox, std::uint64_t most) {
+    namespace fs = std::filesystem;
+    std::uint64_t count = 0;
+    std::vector<fs::path> open;
+    for (const Reach& each : sandbox.writable) open.push_back(each.whole());
+    while (!open.empty() && count <= most) {
+        std::error_code failure;
+        fs::directory_iterator each(open.back(), failure);
+        open.pop_back();
+        for (; !failure && each != fs::directory_iterator() && count <= most; each.increment(failure)) {
+            ++count;
+            std::error_code gone;
+            if (each->symlink_status(gone).type() == fs::file_type::directory) open.push_back(each->path());
+        }
+        if (failure && failure != std::errc::no_such_file_or_directory) count += kMostMade;
+    }
+    return count;
+}
+
 struct Worker {
     pid_t process = -1;
     int requests = -1;          ///< we write
     int answers = -1;           ///< we read
     std::uint64_t memory = 0;   ///< that it may take
     std::uint64_t written = 0;  ///< bytes, before its piece; of a confined one
+    std::uint64_t worked = 0;   ///< systemTimeOf() before its piece; likewise
     std::string received;       ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece;
     bool isAlone = false;  ///< no other worker has had a piece since this one began its own
@@ -187,7 +228,10 @@ class Pool {
     Pool(std::size_t count, const WorkerOptions& options, const Work& work,
          const std::function<void(std::size_t, const Outcome&)>& done,
          const std::function<void(std::size_t, const std::string&)>& progress)
-        : count_(count), options_(options), work_(work), done_(done), progress_(progress) {}
+        : count_(count), options_(options), work_(work), done_(done), progress_(progress) {
+        if (options.sandbox)
+            mostFiles_ = filesBelow(*options.sandbox, kUnlimited) + kMostMade + kMostMadeForPiece * count;
+    }
 
     void run() {
         const auto wanted = static_cast<std::size_t>(std::max(1, options_.workers));
@@ -260,7 +304,10 @@ class Pool {
         for (Worker& other : workers_)
             if (other.piece) other.isAlone = false;
         worker.piece = piece;
-        if (options_.sandbox) worker.written = writtenBy(worker.process);
+        if (options_.sandbox) {
+            worker.written = writtenBy(worker.process);
+            worker.worked = systemTimeOf(worker.process);
+        }
         const std::uint64_t index = piece;
         writeAll(worker.requests, std::as_bytes(std::span(&index, 1)));
         beginStep(worker);
@@ -369,7 +416,32 @@ class Pool {
             else if (options_.sandbox && writtenBy(worker.process) > worker.written + kMostWritten)
                 endAsCrashed(worker);
         }
+        if (options_.sandbox && Clock::now() >= nextCount_) endMaker();
     }
+
+    /// Ends the worker for which the system has worked most in its piece if there are too many files: it is
+    /// the one that has made them.
+    void endMaker() {
+        constexpr int kPause = 20;  // times as long as counting takes
+        const Clock::time_point begin = Clock::now();
+        const std::uint64_t count = filesBelow(*options_.sandbox, mostFiles_);
+        nextCount_ = Clock::now() + kPause * (Clock::now() - begin);
+        if (count <= mostFiles_) return;
+        Worker* most = nullptr;
+        std::uint64_t ticks = 0;
+        for (Worker& each : workers_) {
+            if (!each.piece) continue;
+            const std::uint64_t own = systemTimeOf(each.process) - each.worked;
+            if (most != nullptr && own <= ticks) continue;
+            most = &each;
+            ticks = own;
+        }
+        if (most == nullptr) return;
+        endAsCrashed(*most);
+        mostFiles_ = filesBelow(*options_.sandbox, kUnlimited) + kMostMadeAgain;
+    }
+
+    static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
     std::size_t count_;
     const WorkerOptions& options_;
@@ -380,6 +452,8 @@ class Pool {
     std::size_t next_ = 0;
     std::deque<std::size_t> again_;     ///< pieces to be done again, each alone
     std::map<std::size_t, int> times_;  ///< how often that was so
+    std::uint64_t mostFiles_ = 0;       ///< below the folders that confined workers may write to
+    Clock::time_point nextCount_{};     ///< of these files
 };
 
 }  // namespace

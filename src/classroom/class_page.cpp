@@ -340,9 +340,10 @@ Diagnostics writeSite(const Classroom& room, const fs::path& site, const SiteFil
     write("grades.csv", gradesCsv(room));
     if (files.import.book != GradeBook::none)
         write(importFile(files.import.book), importTable(room, files.import));
-    if (files.studentPages)
-        for (std::size_t i = 0; i < room.entries.size(); ++i)
-            write(fmt::format("{}/{}", kStudentPages, studentFile(room, i)), studentPage(room, i, site));
+    const std::vector<std::string> pages =
+        files.studentPages ? studentFiles(room) : std::vector<std::string>();
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        write(fmt::format("{}/{}", kStudentPages, pages[i]), studentPage(room, i, site));
     write("class.js", class_page::class_js());
     if (!files.isAnonymous) {
         write("index.html", classPage(room));

@@ -13,6 +13,7 @@
 #include "classroom/compare_sources.h"
 #include "classroom/moments.h"
 #include "classroom/review.h"
+#include "classroom/student_page.h"
 #include "suite/run/run.h"
 
 namespace glibra::classroom {
@@ -322,6 +323,10 @@ class ClassRun {
                 index > 0 && hasReference(end_.classroom) ? entryOf(0).pictures[moment].file : std::string(),
                 entry.pictures[moment].isIncomplete ? std::string() : entry.pictures[moment].file);
         if (!entry.pictures.empty()) task.sliders = end_.classroom.sliders;
+        if (plan_.studentPages)
+            for (std::size_t moment = 0; moment < std::min(entry.pictures.size(), kMostStudentPictures);
+                 ++moment)
+                task.shown.push_back(entry.pictures[moment].file);
         return task;
     }
 
@@ -379,6 +384,8 @@ class ClassRun {
             entry.pictures[i].score = found->scores[i];
         for (std::size_t i = 0; i < std::min(found->showNothing.size(), entry.pictures.size()); ++i)
             entry.pictures[i].showsNothing = found->showNothing[i];
+        for (std::size_t i = 0; i < std::min(found->small.size(), entry.pictures.size()); ++i)
+            entry.pictures[i].small = std::move(found->small[i]);
         if (found->reactions.size() <= end_.classroom.sliders.size()) entry.reactions = found->reactions;
     }
 

@@ -22,6 +22,7 @@ struct ClassPlan {
     std::vector<std::filesystem::path> given;  ///< files and folders of code that all submissions start from
     std::size_t common = 0;                    ///< compareSources()
     std::filesystem::path site;                ///< pictures are written to SITE/pictures
+    bool studentPages = false;                 ///< small pictures are made for them
 };
 
 struct ClassEvents {

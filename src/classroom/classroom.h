@@ -53,6 +53,7 @@ struct Picture {
     std::optional<Score> score;  ///< of the reference: nothing
     bool showsNothing = false;   ///< it has one colour
     bool isIncomplete = false;   ///< there is a picture, of a scene with errors (RenderOptions::incomplete)
+    std::string small{};         ///< smallPicture() of it, for the page of a student; may be empty
 };
 
 /// What one check of the rubric, or the teacher, gave to a submission.

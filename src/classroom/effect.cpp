@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace glibra::classroom {
 namespace {
 
-constexpr int kEffectSide = 32;
 constexpr float kVisible = 8.0F / 255;           // of a component of a reduced pixel
 constexpr double kNoEffect = .15, kEffect = .6;  // unrelated changes have up to 0.15
 constexpr double kLocal = .4, kEverywhere = .6;  // of the objects
@@ -65,13 +65,19 @@ Colors cells(const Colors& whole, int width, int height) {
     return made;
 }
 
+Colors upsideDown(Colors colors) {
+    for (int y = 0; y < colors.height / 2; ++y)
+        for (int x = 0; x < colors.width; ++x)
+            std::swap(colors.at[colors.index(x, y)], colors.at[colors.index(x, colors.height - 1 - y)]);
+    return colors;
+}
+
 }  // namespace
 
-Colors reduced(const image::Image& picture) {
+Colors reduced(const image::Image& picture, int most) {
     const Colors whole = colorsOf(picture);
-    const int longer = std::max({whole.width, whole.height, 1});
-    return cells(whole, std::max(1, whole.width * kEffectSide / std::max(longer, kEffectSide)),
-                 std::max(1, whole.height * kEffectSide / std::max(longer, kEffectSide)));
+    const int longer = std::max({whole.width, whole.height, most});
+    return cells(whole, std::max(1, whole.width * most / longer), std::max(1, whole.height * most / longer));
 }
 
 bool looksLike(const Colors& reference, const image::Image& picture) {
@@ -87,13 +93,51 @@ bool looksLike(const Colors& reference, const image::Image& picture) {
         return colors;
     };
     const Colors a = centred(reference);
-    Colors b = centred(other);
+    const Colors b = centred(other);
     const double norm = std::sqrt(square(a) * square(b));
     if (norm < 1e-3 * static_cast<double>(a.at.size())) return false;
-    if (cosine(a, b, 0, 0, norm) >= kAlike) return true;
-    for (int y = 0; y < b.height / 2; ++y)
-        for (int x = 0; x < b.width; ++x) std::swap(b.at[b.index(x, y)], b.at[b.index(x, b.height - 1 - y)]);
-    return cosine(a, b, 0, 0, norm) >= kAlike;
+    return cosine(a, b, 0, 0, norm) >= kAlike || cosine(a, upsideDown(b), 0, 0, norm) >= kAlike;
+}
+
+bool isCutFrom(const image::Image& reference, const image::Image& picture) {
+    constexpr int kLeastSide = 32, kLeastShare = 25;
+    constexpr int kPlaces = 8, kMostTried = 2'000;
+    constexpr double kLeastDetail = 4. / 255, kNoise = .15;  // mean difference from the mean, and of that
+    if (picture.width > reference.width || picture.height > reference.height ||
+        std::min(picture.width, picture.height) < kLeastSide ||
+        std::int64_t{picture.width} * picture.height * kLeastShare <
+            std::int64_t{reference.width} * reference.height)
+        return false;
+    const Colors whole = colorsOf(reference), plain = colorsOf(picture), turned = upsideDown(plain);
+    const Color mean = cells(plain, 1, 1).at.front();
+    const auto distance = [](const Color& a, const Color& b) {
+        return static_cast<double>(std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2])) / 3;
+    };
+    double detail = 0;
+    for (const Color& each : plain.at) detail += distance(each, mean);
+    detail /= static_cast<double>(plain.at.size());
+    if (detail < kLeastDetail) return false;
+    // Nearly all offsets fail at a few places already.
+    const auto differs = [&](const Colors& part, int left, int top, int columns, int rows, double most) {
+        const int across = part.width / columns, down = part.height / rows;
+        const double limit = most * detail * columns * rows;
+        double sum = 0;
+        for (int y = down / 2; y < rows * down; y += down)
+            for (int x = across / 2; x < columns * across; x += across) {
+                sum += distance(part.pixel(x, y), whole.pixel(left + x, top + y));
+                if (sum > limit) return true;
+            }
+        return false;
+    };
+    int tried = 0;
+    for (const Colors* part : {&plain, &turned})
+        for (int top = 0; top <= whole.height - part->height; ++top)
+            for (int left = 0; left <= whole.width - part->width && tried < kMostTried; ++left) {
+                if (differs(*part, left, top, kPlaces, kPlaces, 3 * kNoise)) continue;
+                ++tried;
+                if (!differs(*part, left, top, part->width, part->height, kNoise)) return true;
+            }
+    return false;
 }
 
 double differenceOf(const Colors& one, const Colors& other) {

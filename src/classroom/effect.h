@@ -18,11 +18,15 @@ struct Effect {
     double share = 0;     ///< the part of the reference's objects that changes
 };
 
-/// A picture, reduced.
-Colors reduced(const image::Image& picture);
+/// The means of the cells of a picture, of which its longer side has at most so many.
+Colors reduced(const image::Image& picture, int most = 32);
 
 /// True if a picture shows what a reduced one shows, perhaps upside down.
 bool looksLike(const Colors& reference, const image::Image& picture);
+
+/// True if a picture is a part of another one, pixel by pixel but for noise, perhaps upside down: at least a
+/// 25th of it, 32 pixels wide and high, and with something to see.
+bool isCutFrom(const image::Image& reference, const image::Image& picture);
 
 /// The effect between two moments. Nothing: the reference does not change, or sizes differ.
 std::optional<Effect> effectOf(const Colors& referenceBefore, const Colors& referenceAfter,

@@ -25,9 +25,10 @@ constexpr std::size_t kLongestLine = 400;  // bytes of a source line
 constexpr int kContext = 2;                // lines around that of a message
 constexpr std::uint64_t kLargestEmbedded = std::uint64_t{64} << 20U;
 
-std::string addressOf(const PictureSource& source, const std::string& file) {
-    if (!source.embeddedFrom) return file;
-    const auto bytes = base::bytesIn(base::openBeneath(*source.embeddedFrom, file), kLargestEmbedded);
+std::string addressOf(const PictureSource& source, const Picture& picture) {
+    if (!source.embeddedFrom) return picture.file;
+    if (!picture.small.empty()) return picture.small;
+    const auto bytes = base::bytesIn(base::openBeneath(*source.embeddedFrom, picture.file), kLargestEmbedded);
     return bytes ? "data:image/png;base64," + suite::base64(*bytes) : std::string();
 }
 
@@ -103,7 +104,7 @@ std::optional<std::vector<std::string>> SourceLines::lines(const Submission& sub
 
 std::string pictureHtml(const PictureSource& source, const Picture& picture, const Picture& shape,
                         const std::string& alternative, const std::string& caption) {
-    const std::string address = picture.file.empty() ? std::string() : addressOf(source, picture.file);
+    const std::string address = picture.file.empty() ? std::string() : addressOf(source, picture);
     if (address.empty())
         return fmt::format(
             "<figure><div class=\"none\" style=\"aspect-ratio: {} / {}\">no picture</div>"

@@ -11,8 +11,10 @@
 #include "base/contained.h"
 #include "base/files.h"
 #include "classroom/effect.h"
+#include "classroom/hand_in_digest.h"
 #include "classroom/likeness.h"
 #include "classroom/reached_code.h"
+#include "classroom/small_picture.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/format.h"
@@ -36,8 +38,6 @@ constexpr std::size_t kMostGivenTokens = 1'000'000;
 constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 30;
 constexpr std::size_t kMostReadPictures = 50;  // of a submission
 constexpr std::uint64_t kLargestReadPicture = std::uint64_t{32} << 20U;
-constexpr std::size_t kMostHandedIn = 20'000;  // files of a submission
-constexpr std::uint64_t kMostDigested = std::uint64_t{128} << 20U;
 
 std::optional<std::string> textOf(const base::Descriptor& file) {
     std::optional<std::string> text = base::textIn(file, kLargestSource);
@@ -284,6 +284,16 @@ std::optional<Change> changeWith(const ReviewTask& task, const Slider& slider,
     return change;
 }
 
+/// True for a part of one of the first pictures that the reference draws.
+bool isPartOfReference(const ReviewTask& task, const image::Image& picture) {
+    constexpr std::size_t kMostSearched = 12;
+    for (std::size_t i = 0; i < std::min(task.pictures.size(), kMostSearched); ++i)
+        if (const auto reference = pictureOf(task.site, task.pictures[i].first);
+            reference && isCutFrom(*reference, picture))
+            return true;
+    return false;
+}
+
 /// Adds the pictures that a scene reads of its own folder.
 void addReadPictures(const scene::Scene& scene, const ReviewTask& task,
                      const std::vector<SmallPictures>& small, Review& result) {
@@ -302,42 +312,15 @@ void addReadPictures(const scene::Scene& scene, const ReviewTask& task,
             read.digest = suite::toText(suite::hashOf(*bytes));
             if (task.options.within.empty()) continue;  // the reference may look like itself
             const std::optional<image::Image> picture = image::decodeImage(*bytes, path).value;
-            read.isLikeReference = picture && std::ranges::any_of(small, [&](const SmallPictures& each) {
-                                       return each.reference && looksLike(*each.reference, *picture);
-                                   });
+            read.isLikeReference =
+                picture && (std::ranges::any_of(small,
+                                                [&](const SmallPictures& each) {
+                                                    return each.reference &&
+                                                           looksLike(*each.reference, *picture);
+                                                }) ||
+                            isPartOfReference(task, *picture));
         }
     }
-}
-
-/// A digest of the files that were handed in, by their names and contents; of files beyond the limit by their
-/// sizes alone.
-std::string digestOf(const ReviewTask& task) {
-    std::vector<fs::path> files;
-    std::error_code failure;
-    const bool isFolder = fs::is_directory(task.handedIn, failure);
-    if (isFolder) {
-        fs::recursive_directory_iterator each(task.handedIn, fs::directory_options::skip_permission_denied,
-                                              failure);
-        for (; !failure && each != fs::recursive_directory_iterator() && files.size() < kMostHandedIn;
-             each.increment(failure))
-            if (each->symlink_status(failure).type() == fs::file_type::regular)
-                files.push_back(each->path().lexically_relative(task.handedIn));
-        std::ranges::sort(files);
-    } else {
-        files.push_back(task.handedIn.filename());
-    }
-    const fs::path folder = isFolder ? task.handedIn : task.handedIn.parent_path();
-    std::string whole;
-    std::uint64_t left = kMostDigested;
-    for (const fs::path& each : files) {
-        const auto bytes = base::bytesIn(base::openBeneath(folder.empty() ? "." : folder, each), left);
-        if (bytes) left -= bytes->size();
-        whole += each.string() + '\0' +
-                 (bytes ? suite::toText(suite::hashOf(*bytes))
-                        : std::to_string(fs::file_size(folder / each, failure))) +
-                 '\n';
-    }
-    return suite::toText(suite::hashOf(std::as_bytes(std::span(whole))));
 }
 
 /// The stages of programs that something is drawn or computed with, by the names of the programs.
@@ -416,7 +399,15 @@ Review review(const ReviewTask& task, const std::function<void()>& scored) {
     for (const Slider& each : task.sliders) result.reactions.push_back(changeWith(task, each, small, scored));
     if (!task.scene.empty()) reviewScene(task, small, result);
     readGivenCode(task, result);
-    if (!task.handedIn.empty()) result.digest = digestOf(task);
+    for (const std::string& each : task.shown) {
+        const std::optional<image::Image> picture = pictureOf(task.site, each);
+        result.small.push_back(picture ? smallPicture(*picture) : std::string());
+        if (scored) scored();
+    }
+    if (task.handedIn.empty()) return result;
+    std::vector<RenderOptions> pictures = task.others;
+    pictures.push_back(task.options);
+    result.digest = digestOfHandIn(task.handedIn, pictures);
     return result;
 }
 
@@ -464,6 +455,7 @@ std::string toText(const Review& review) {
     for (const ReadPicture& each : review.readPictures)
         json["readPictures"].push_back({each.name, each.digest, each.isLikeReference});
     json["digest"] = review.digest;
+    json["small"] = review.small;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -518,6 +510,9 @@ std::optional<Review> parseReview(std::string_view text) try {
         result.readPictures.push_back(
             {each.at(0).get<std::string>(), each.at(1).get<std::string>(), each.at(2).get<bool>()});
     result.digest = json.at("digest").get<std::string>();
+    result.small = json.at("small").get<std::vector<std::string>>();
+    for (std::string& each : result.small)
+        if (!isSmallPicture(each)) each.clear();
     return result;
 } catch (const Json::exception&) {
     return std::nullopt;

@@ -28,6 +28,7 @@ struct ReviewTask {
     std::vector<Slider> sliders;                                ///< whose pairs are indices of `pictures`
     std::vector<std::filesystem::path> sources;                 ///< files and folders of given code
     std::filesystem::path handedIn{};                           ///< the folder or file of the submission
+    std::vector<std::string> shown{};                           ///< pictures that a page to be sent shows
 };
 
 struct Review {
@@ -40,7 +41,8 @@ struct Review {
     std::vector<RangedUniform> ranges{};
     std::vector<std::string> calls{};  ///< functions that all its shaders call
     std::vector<ReadPicture> readPictures{};
-    std::string digest{};  ///< of what was handed in
+    std::string digest{};              ///< of what was handed in
+    std::vector<std::string> small{};  ///< smallPicture() of those that are shown; empty if it cannot be read
 };
 
 /// A shader source of more than this many bytes is not compared. No scene can use one.

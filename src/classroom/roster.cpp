@@ -7,9 +7,9 @@
 #include <initializer_list>
 
 #include "base/files.h"
+#include "classroom/given_file.h"
 #include "classroom/hand_in_time.h"
 #include "glib/text.h"
-#include "image/file.h"
 #include "suite/number_of.h"
 
 namespace glibra::classroom {
@@ -110,9 +110,9 @@ std::optional<std::size_t> columnOf(const Roster& roster, std::string_view name)
 
 Result<Roster> readRoster(const fs::path& file) {
     constexpr std::uint64_t kLargest = 16U << 20U;
-    const auto bytes = image::readFile(file, {file.string(), {}}, kLargest);
-    if (!bytes) return bytes.diagnostics;
-    Roster roster{csvRecords(base::asText(*bytes)), {}};
+    const Result<std::string> text = givenText(file, kLargest);
+    if (!text) return text.diagnostics;
+    Roster roster{csvRecords(*text), {}};
     const auto name = firstColumn(roster, {"full name", "name", "student", "student name"});
     const auto first = firstColumn(roster, {"first name", "given name"});
     const auto last = firstColumn(roster, {"last name", "surname", "family name"});

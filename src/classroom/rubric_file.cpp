@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <string>
-#include <system_error>
 
 #include "base/files.h"
+#include "classroom/given_file.h"
 #include "classroom/hand_in_time.h"
 #include "classroom/rubric.h"
-#include "image/file.h"
 #include "suite/file/glob.h"
 #include "suite/file/toml_reader.h"
 
@@ -252,17 +250,9 @@ Result<Rubric> readRubricText(std::string_view text, const std::string& file) {
 
 Result<Rubric> readRubric(const std::filesystem::path& file) {
     constexpr std::uint64_t kLargest = 1U << 20U;
-    // As in --rubric <(...): the user's own, so waiting for it does no harm.
-    if (std::error_code failure; std::filesystem::is_fifo(file, failure)) {
-        std::ifstream pipe(file, std::ios::binary);
-        std::string text(kLargest, '\0');
-        pipe.read(text.data(), static_cast<std::streamsize>(text.size()));
-        text.resize(static_cast<std::size_t>(pipe.gcount()));
-        return readRubricText(text, file.string());
-    }
-    const auto bytes = image::readFile(file, {file.string(), {}}, kLargest);
-    if (!bytes) return bytes.diagnostics;
-    return readRubricText(base::asText(*bytes), file.string());
+    const Result<std::string> text = givenText(file, kLargest);
+    if (!text) return text.diagnostics;
+    return readRubricText(*text, file.string());
 }
 
 Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,

@@ -9,14 +9,13 @@
 #include "base/page_template.h"
 #include "base/text.h"
 #include "base/utf8.h"
+#include "classroom/file_names.h"
 #include "classroom/page_parts.h"
 #include "embedded/class_page.h"
 #include "embedded/report_page.h"
 
 namespace glibra::classroom {
 namespace {
-
-constexpr std::size_t kMostStudentPictures = 12;
 
 std::uint64_t shuffled(std::string_view text) {
     std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
@@ -31,27 +30,14 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
         text.replace(at, from.size(), to);
 }
 
-/// True for the names of devices, which Windows gives no file, whatever follows a point.
-bool isOfWindows(std::string_view name) {
-    std::string word(name.substr(0, name.find('.')));
-    while (word.ends_with(' ')) word.pop_back();
-    for (const char* each : {"con", "prn", "aux", "nul"})
-        if (base::sameWord(word, each)) return true;
-    return word.size() == 4 && word[3] >= '0' && word[3] <= '9' &&
-           (base::sameWord(word.substr(0, 3), "com") || base::sameWord(word.substr(0, 3), "lpt"));
-}
-
 }  // namespace
 
-std::string studentFile(const Classroom& room, std::size_t index) {
-    std::string name = room.entries[index].submission.name.substr(0, 200);
-    for (char& each : name)
-        if (std::string_view("/\\:*?\"<>|").find(each) != std::string_view::npos ||
-            static_cast<unsigned char>(each) < ' ')
-            each = '_';
-    if (name.empty() || name.front() == '.' || isOfWindows(name))
-        name = fmt::format("{:04} {}", index + 1, name);
-    return name + ".html";
+std::vector<std::string> studentFiles(const Classroom& room) {
+    std::vector<std::string> files;
+    for (const Entry& each : room.entries) files.push_back(each.submission.name);
+    files = fileNames(std::move(files));
+    for (std::string& each : files) each += ".html";
+    return files;
 }
 
 std::string studentPage(const Classroom& room, std::size_t index, const std::filesystem::path& site) {

@@ -11,6 +11,7 @@
 #include "base/memory_limit.h"
 #include "base/workers.h"
 #include "classroom/archive.h"
+#include "classroom/file_names.h"
 #include "classroom/submissions.h"
 #include "image/file.h"
 #include "suite/run/worker_count.h"
@@ -25,14 +26,6 @@ constexpr std::size_t kMostEntries = 200'000;                  // likewise
 constexpr std::size_t kLeastEntries = 200;                     // of each submission of a large class
 constexpr const char* kMark = ".made-by-glibra";
 constexpr const char* kFormerMark = "made-by-glibra";
-
-/// A name for the folder of a submission: one part of a path that is not hidden.
-std::string folderName(const std::string& name, std::size_t number) {
-    std::string text = name.substr(0, 200);
-    for (char& each : text)
-        if (each == '/' || each == '\\' || static_cast<unsigned char>(each) < ' ') each = '_';
-    return text.empty() || text.front() == '.' ? fmt::format("{:04}", number + 1) : text;
-}
 
 /// Makes SITE/NAME anew. The mark says that a folder of this name is ours, so that nobody loses theirs.
 Diagnostics makeFolder(const fs::path& site, const char* name) {
@@ -135,12 +128,10 @@ Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions&
     if (Diagnostics problems = makeFolder(options.site, kUnpacked); !problems.empty() || packed.empty())
         return problems;
     std::vector<std::string> names;
+    for (const Submission* each : packed) names.push_back(each->name);
+    names = fileNames(std::move(names));
     for (std::size_t i = 0; i < packed.size(); ++i) {
-        std::string name = folderName(packed[i]->name, i);
-        if (name == kMark || std::ranges::find(names, name) != names.end())
-            name = fmt::format("{:04}", i + 1);
-        names.push_back(name);
-        packed[i]->folder = options.site / kUnpacked / name;
+        packed[i]->folder = options.site / kUnpacked / names[i];
         fs::create_directory(packed[i]->folder, failure);
         if (failure) return {image::cannotWrite(packed[i]->folder, failure.message())};
     }

@@ -170,6 +170,7 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
     plan.folder = arguments.folder;
     plan.site = arguments.made.site;
     plan.common = static_cast<std::size_t>(arguments.common);
+    plan.studentPages = arguments.studentPages;
     plan.given.assign(arguments.templates.begin(), arguments.templates.end());
     for (const fs::path& each : plan.given)
         if (std::error_code failure; !fs::exists(each, failure))

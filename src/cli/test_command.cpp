@@ -225,23 +225,27 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     return options;
 }
 
-/// --rename: gives the golden of the shot's former name its new one, if the picture is that of the golden.
+/// --rename: gives the golden of the shot's former name its new one. The picture is that of the golden, or it
+/// is compared with it.
 void moveGolden(suite::ShotResult& shot, const Selection& selection, const suite::RunOptions& options) {
-    if (shot.verdict != suite::Verdict::missing || shot.renamedFrom.empty()) return;
+    const fs::path& from = shot.renamedFrom.empty() ? shot.nearTo : shot.renamedFrom;
+    if (shot.verdict != suite::Verdict::missing || from.empty()) return;
     const auto found = std::ranges::find(selection.suites, shot.suite, &suite::Suite::name);
     if (found == selection.suites.end() || !found->find(shot.shot)) return;
     const auto store = suite::GoldenStore::open(*found, options.goldens, options.allowOutside);
     const suite::Orphans& orphans =
         *options.orphans[static_cast<std::size_t>(found - selection.suites.begin())];
-    const Diagnostics problems = store->rename(shot.renamedFrom, *found->find(shot.shot), orphans.files());
+    const Diagnostics problems = store->rename(from, *found->find(shot.shot), orphans.files());
     if (hasError(problems)) {
         shot.verdict = suite::Verdict::refused;
         shot.reason = toString(problems.front());
         append(shot.diagnostics, problems);
         return;
     }
-    shot.verdict = suite::Verdict::updated;
-    shot.reason = fmt::format("the golden '{}' was renamed", shot.renamedFrom.string());
+    const bool isSame = !shot.renamedFrom.empty() || shot.judgement.same;
+    shot.verdict = isSame ? suite::Verdict::updated : suite::Verdict::failed;
+    shot.reason = fmt::format("the golden '{}' was renamed{}", from.string(),
+                              isSame ? "" : "; the picture is another one: " + shot.judgement.reason);
 }
 
 int test(const TestArguments& arguments) {
@@ -322,8 +326,8 @@ int test(const TestArguments& arguments) {
         const suite::Suite& suite = selection->suites[each.suite];
         progress.begins(suite.name + "/" + suite.shots[each.shot].name);
     };
-    events.done = [&](const suite::ShotResult& judged) {
-        suite::ShotResult shot = judged;
+    std::vector<suite::ShotResult> near;  // after those whose picture is that of a golden
+    const auto take = [&](suite::ShotResult shot) {
         if (arguments.rename) moveGolden(shot, *selection, options);
         if (const std::string line = lineOf(shot); printsLines && !line.empty()) progress.print(line);
         // A suite that is new has no goldens; that is no failure to count.
@@ -334,8 +338,19 @@ int test(const TestArguments& arguments) {
             shot.reads = found->second.files;
         record->add(shot);
     };
+    events.done = [&](const suite::ShotResult& judged) {
+        if (arguments.rename && !judged.nearTo.empty())
+            near.push_back(judged);
+        else
+            take(judged);
+    };
     events.stop = [&] { return isStopped() || record->failed(); };
     const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
+    for (suite::ShotResult& each : near) {
+        if (std::error_code failure; !fs::exists(each.nearTo, failure))
+            each.nearTo.clear();  // it is another shot's
+        take(std::move(each));
+    }
     progress.clear();
     if (sandbox)
         for (const base::Reach& each : sandbox->writable) {

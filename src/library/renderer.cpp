@@ -81,6 +81,7 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     refuse("alpha", &RenderOptions::alpha, kOfDraw);
     refuse("floatPixels", &RenderOptions::floatPixels, kOfDraw);
     refuse("viewState", &RenderOptions::viewState, kOfDraw);
+    refuse("axes", &RenderOptions::axes, kOfDraw);
     // Every other one is of render(), too, unless it is named here as one that a loaded scene keeps.
     static const std::array kKept{&suite::optionNamed("steps"),   &suite::optionNamed("set"),
                                   &suite::optionNamed("eye"),     &suite::optionNamed("strict"),

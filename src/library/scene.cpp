@@ -190,7 +190,7 @@ Result<const gpu::Target*> Scene::State::targetFor(const DrawOptions& wanted) {
 Result<Picture> Scene::State::draw(const DrawOptions& wanted) {
     Result<const gpu::Target*> target = targetFor(wanted);
     if (!target) return std::move(target.diagnostics);
-    Diagnostics found = device.live->draw(**target, wanted.view, wanted.time, false);
+    Diagnostics found = device.live->draw(**target, wanted.view, wanted.time, wanted.axes);
     Result<Picture> picture = readWindow(wanted.alpha ? 4 : 3, wanted.floatPixels);
     append(found, std::move(picture.diagnostics));
     render::applyStrict(found, options.strict);

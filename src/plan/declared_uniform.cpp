@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "plan/uniform_members.h"
+
 namespace glibra::plan {
 namespace {
 
@@ -13,8 +15,9 @@ const glsl::DeclaredUniform* factOf(const ProgramInterface& interface, std::stri
 }  // namespace
 
 int declaredElements(const ProgramInterface& interface, const ActiveUniform& uniform) {
-    const auto* declared = factOf(interface, uniform.name);
-    return declared == nullptr ? 0 : declared->arraySize;
+    if (const auto* declared = factOf(interface, uniform.name)) return declared->arraySize;
+    const auto member = searchMember(interface.facts.memory, uniform.name);
+    return member ? member->elements : 0;
 }
 
 bool hasInitializer(const ProgramInterface& interface, const ActiveUniform& uniform) {

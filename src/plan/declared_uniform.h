@@ -12,7 +12,7 @@
 
 namespace glibra::plan {
 
-/// The elements that its declaration gives an array; 0 for other uniforms.
+/// The elements that its declaration gives an array, also one in a structure; 0 for other uniforms.
 int declaredElements(const ProgramInterface& interface, const ActiveUniform& uniform);
 bool hasInitializer(const ProgramInterface& interface, const ActiveUniform& uniform);
 /// The functions that a subroutine uniform counts; null for other uniforms.

@@ -147,7 +147,13 @@ std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::s
         }
         here = declaredBy(memory, *member);
     }
-    if (here->members == nullptr) return MemberSearch{true, {}};
+    if (here->members == nullptr) {
+        MemberSearch found{true};
+        const glsl::ArraySizes& sizes = *here->sizes;
+        if (parts.back().subscripts.size() + 1 == sizes.size())
+            found.elements = static_cast<int>(std::clamp(sizes.back(), 0LL, 1LL << 20));
+        return found;
+    }
     if (here->members->empty()) return MemberSearch{};
     const bool isElement = parts.back().subscripts.size() >= here->sizes->size();
     const std::string whole =

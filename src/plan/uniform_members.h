@@ -16,6 +16,7 @@ struct MemberSearch {
     bool isDeclared = false;   ///< the tag names a number, a vector, a matrix or an array of them
     std::string hint{};        ///< if it does not: what would be right, beginning with "; "; may be empty
     std::string suggestion{};  ///< the name that the hint proposes; may be empty
+    int elements = 0;          ///< of an array that is declared with so many; else 0
 };
 
 /// Follows the parts of a tag as `lights[2].inner.position`. Nothing if it begins with no uniform variable of

@@ -135,7 +135,8 @@ int intOf(const char* name, const py::object& value) {
 }
 
 DrawOptions optionsOf(const py::object& width, const py::object& height, double time,
-                      const py::object& samples, bool alpha, bool floats, const std::vector<double>& eye) {
+                      const py::object& samples, bool alpha, bool floats, const std::vector<double>& eye,
+                      bool axes) {
     DrawOptions options;
     if (eye.size() == options.view.eye.size()) std::copy(eye.begin(), eye.end(), options.view.eye.begin());
     options.width = intOf("width", width);
@@ -144,6 +145,7 @@ DrawOptions optionsOf(const py::object& width, const py::object& height, double 
     options.samples = intOf("samples", samples);
     options.alpha = alpha;
     options.floatPixels = floats;
+    options.axes = axes;
     return options;
 }
 
@@ -153,6 +155,33 @@ glibra::RenderOptions loadOptionsOf(const py::dict& from) {
     to.libraryRoots = from["library"].cast<std::vector<std::filesystem::path>>();
     to.strict = from["strict"].cast<bool>();
     return to;
+}
+
+/// Those of a picture that is drawn once.
+glibra::RenderOptions renderOptionsOf(const py::dict& from) {
+    glibra::RenderOptions to = loadOptionsOf(from);
+    const DrawOptions drawn =
+        optionsOf(from["width"], from["height"], from["time"].cast<double>(), from["samples"],
+                  from["alpha"].cast<bool>(), from["floats"].cast<bool>(),
+                  from["eye"].cast<std::vector<double>>(), from["axes"].cast<bool>());
+    to.width = drawn.width;
+    to.height = drawn.height;
+    to.time = drawn.time;
+    to.samples = drawn.samples;
+    to.alpha = drawn.alpha;
+    to.floatPixels = drawn.floatPixels;
+    to.axes = drawn.axes;
+    to.viewState = drawn.view;
+    to.set = from["set"].cast<std::vector<std::string>>();
+    to.maxError = from["max_error"].cast<double>();
+    to.overrideCounts = from["override_counts"].cast<bool>();
+    return to;
+}
+
+/// The array and the remarks of a picture.
+py::tuple drawnOf(Result<Picture> picture) {
+    const Diagnostics remarks = picture ? picture.diagnostics : Diagnostics();
+    return py::make_tuple(arrayOf(taken(std::move(picture))), listOf(remarks));
 }
 
 }  // namespace
@@ -299,6 +328,16 @@ PYBIND11_MODULE(_core, module) {
              [](glibra::Renderer& renderer, const std::filesystem::path& path, const py::dict& options) {
                  return taken(renderer.load(path, loadOptionsOf(options)));
              })
+        .def("render",
+             [](glibra::Renderer& renderer, const std::filesystem::path& path, const py::dict& options) {
+                 const glibra::RenderOptions read = renderOptionsOf(options);
+                 Result<Picture> picture;
+                 {
+                     const py::gil_scoped_release others;
+                     picture = renderer.render(path, read);
+                 }
+                 return drawnOf(std::move(picture));
+             })
         .def("load_text", [](glibra::Renderer& renderer, const std::string& text, const std::string& name,
                              const std::map<std::string, std::string>& files, const py::dict& options) {
             return taken(renderer.loadText(text, name, files, loadOptionsOf(options)));
@@ -307,15 +346,16 @@ PYBIND11_MODULE(_core, module) {
     py::class_<glibra::Scene>(module, "Scene")
         .def("draw",
              [](glibra::Scene& scene, const py::object& width, const py::object& height, double time,
-                const py::object& samples, bool alpha, bool floats, const std::vector<double>& eye) {
-                 const DrawOptions options = optionsOf(width, height, time, samples, alpha, floats, eye);
+                const py::object& samples, bool alpha, bool floats, const std::vector<double>& eye,
+                bool axes) {
+                 const DrawOptions options =
+                     optionsOf(width, height, time, samples, alpha, floats, eye, axes);
                  Result<Picture> picture;
                  {
                      const py::gil_scoped_release others;
                      picture = scene.draw(options);
                  }
-                 Diagnostics remarks = picture ? picture.diagnostics : Diagnostics();
-                 return py::make_tuple(arrayOf(taken(std::move(picture))), listOf(remarks));
+                 return drawnOf(std::move(picture));
              })
         .def("values",
              [](const glibra::Scene& scene) {

@@ -337,6 +337,37 @@ TEST_F(Confined, AWorkerThatFillsTheDiskIsEnded) {
     EXPECT_EQ(ends[1], Outcome::End::finished) << "others go on";
 }
 
+TEST_F(Confined, AWorkerThatMakesFilesWithoutEndIsEnded) {
+    const fs::path made = root / "out/made";
+    std::vector<Outcome::End> ends(3, Outcome::End::stopped);
+    runInWorkers(
+        3, {.workers = 2, .sandbox = &sandbox},
+        [&](std::size_t piece, const Step&) -> std::string {
+            if (piece == 2) return {};
+            while (piece == 0 && !fs::exists(root / "out/begun")) ::usleep(1000);
+            if (piece == 1) ::close(::open((root / "out/begun").c_str(), O_WRONLY | O_CREAT, 0600));
+            for (int i = 0; piece == 1; ++i) {
+                if (i % 1000 == 0 && ::mkdir((made.string() + std::to_string(i / 1000)).c_str(), 0700) != 0)
+                    return "no folder";
+                const std::string file =
+                    made.string() + std::to_string(i / 1000) + "/" + std::to_string(i % 1000);
+                const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT, 0600);
+                if (opened < 0) return "no file";
+                ::close(opened);
+            }
+            return {};
+        },
+        [&](std::size_t piece, const Outcome& outcome) { ends[piece] = outcome.end; },
+        [](std::size_t, const std::string&) {});
+    EXPECT_EQ(ends[0], Outcome::End::finished);
+    EXPECT_EQ(ends[1], Outcome::End::crashed);
+    EXPECT_EQ(ends[2], Outcome::End::finished) << "others go on";
+    std::size_t files = 0;
+    for (const auto& each : fs::recursive_directory_iterator(root / "out")) files += each.is_regular_file();
+    EXPECT_GT(files, 200'000U);
+    EXPECT_LT(files, 1'000'000U);
+}
+
 TEST_F(Confined, SandboxesCannotBeLeftOrWidened) {
     isAllowed("a second sandbox", [&] {
         Sandbox all;

@@ -208,6 +208,8 @@ TEST(Reviews, ComeBackAsTheyWereAndDamagedOnesAreNone) {
     made.scores[0]->effect = 0.75;
     made.readPictures = {{"a.png", "12ab", true}};
     made.digest = "34cd";
+    made.small = {"data:image/png;base64,iVBO+/=", "data:image/svg+xml;base64,PHN2Zz4=",
+                  "data:image/gif;base64,R0\" onerror=\"x", ""};
     made.files[0].others = {"b.glsl"};
     made.files[0].tokens[1].file = 1;
     made.programs[0].idle = {"vertex"};
@@ -230,6 +232,8 @@ TEST(Reviews, ComeBackAsTheyWereAndDamagedOnesAreNone) {
     EXPECT_EQ(back->readPictures.at(0).name, "a.png");
     EXPECT_TRUE(back->readPictures.at(0).isLikeReference);
     EXPECT_EQ(back->digest, "34cd");
+    EXPECT_EQ(back->small, (std::vector<std::string>{made.small[0], "", "", ""}))
+        << "pictures, and nothing else";
     EXPECT_EQ(back->files[0].others, made.files[0].others);
     EXPECT_EQ(back->programs[0].idle, made.programs[0].idle);
     for (const char* each :

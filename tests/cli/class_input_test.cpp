@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -393,6 +395,74 @@ TEST_F(ClassInput, APictureOfTheSolutionIsNamed) {
     ASSERT_EQ(run("").status, 0);
     EXPECT_TRUE(contains(page(), "It reads a picture that looks like the reference's: mine.png") ||
                 contains(page(), "It reads a picture that looks like the reference&#39;s: mine.png"));
+}
+
+TEST_F(ClassInput, APartOfThePictureOfTheSolutionIsNamed) {
+    writeScene("ref/", kReference, sceneWith("Sphere 1 60 60", "0 0 1.6"));
+    writeScene("all/ana/", kReference);
+    ASSERT_EQ(run("").status, 0);
+    const Finished cropped = glibra(
+        folder.path(), "render " GLIBRA_SOURCE_DIR "/glib/start/teapot.glib --size 48x40 -o other.png");
+    ASSERT_EQ(cropped.status, 0) << cropped.err;
+    ASSERT_EQ(std::system(("cd '" + folder.path().string() +
+                           "' && python3 -c \"from PIL import Image; "
+                           "Image.open('site/pictures/0000-1.png').crop((40, 44, 88, 84)).save('cut.png')\"")
+                              .c_str()),
+              0);
+    for (const char* each : {"cut", "other"}) {
+        const std::string own = std::string("all/") + each + "/";
+        folder.write(own + each + ".png", readFile(folder / (std::string(each) + ".png")));
+        folder.write(own + "a.vert", "#version 330 core\nvoid main() { gl_Position = aVertex; }\n");
+        folder.write(own + "a.frag",
+                     "#version 330 core\nuniform sampler2D uP;\nout vec4 f;\nvoid main() { f = texture(uP, "
+                     "gl_FragCoord.xy / 128.); }\n");
+        folder.write(own + "a.glib",
+                     std::string("Texture2D 5 ") + each +
+                         ".png\nVertex a.vert\nFragment a.frag\nProgram P uP 5\nQuadXY 0. 1.\n");
+    }
+    ASSERT_EQ(run("").status, 0);
+    EXPECT_TRUE(contains(page(), "s: cut.png"));
+    EXPECT_FALSE(contains(page(), "s: other.png"));
+}
+
+/// A scene that lies alone among the submissions is handed in with the files that it uses.
+TEST_F(ClassInput, PointsEndWhenAShaderOfALoneSceneChanges) {
+    writeScene("all/", kReference);
+    fs::rename(folder / "all/a.glib", folder / "all/ana.glib");
+    writeScene("all/shaders/", kReference);
+    folder.write("all/bob.frag", kReference);
+    folder.write("all/bob.glib", "Vertex a.vert\nFragment bob.frag\nProgram P\nSphere\n");
+    folder.write("class.toml", "[[check]]\ndrawn = true\npoints = 4\n");
+    const auto digests = [&] {
+        EXPECT_EQ(run("--rubric class.toml").status, 0);
+        return readFile(folder / "site/handed-in.json");
+    };
+    const std::string first = digests();
+    const auto own = [](const std::string& all, const char* name) {
+        const std::size_t at = all.find(name);
+        return at == std::string::npos ? std::string() : all.substr(at, all.find('\n', at) - at);
+    };
+    ASSERT_FALSE(own(first, "\"ana\"").empty()) << first;
+    folder.write("all/unused.frag", "void main() {}\n");
+    folder.write("all/shaders/a.frag", "void main() {}\n");
+    EXPECT_EQ(digests(), first) << "what nobody reads, and what was given to all";
+    folder.write("all/a.frag", dots(".1,.2,.7", ".9,.9,.1", ".12"));
+    const std::string second = digests();
+    EXPECT_NE(own(second, "\"ana\""), own(first, "\"ana\""));
+    EXPECT_EQ(own(second, "\"bob\""), own(first, "\"bob\""));
+}
+
+TEST_F(ClassInput, RubricAndRosterMayComeFromPipes) {
+    writeScene("all/ana/", kReference);
+    folder.write("class.toml", "[[check]]\ndrawn = true\npoints = 4\n");
+    folder.write("list.csv", "name,number\nana,1001\n");
+    for (const char* each : {"rubric", "roster"}) ASSERT_EQ(::mkfifo((folder / each).c_str(), 0600), 0);
+    const std::string in = "cd '" + folder.path().string() + "' && ";
+    ASSERT_EQ(std::system((in + "(cat list.csv > roster & cat class.toml > rubric) &").c_str()), 0);
+    const Finished done = run("--rubric rubric --roster roster");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grades()["ana"]["points"], "4.00000");
+    EXPECT_EQ(grades()["ana"]["number"], "1001");
 }
 
 TEST_F(ClassInput, ProgramsThatDrawNothingCountForNoCheck) {

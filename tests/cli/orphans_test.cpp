@@ -76,6 +76,43 @@ TEST_F(DeletedScene, IsRecognizedUnderItsNewName) {
     EXPECT_EQ(run("--strict-orphans").status, 0);
 }
 
+TEST_F(DeletedScene, IsRecognizedUnderItsNewNameThoughItChanged) {
+    const auto round = [&](const std::string& name, const std::string& radius) {
+        folder.write(name + ".glib", "WindowSize 16 16\nOrtho -4 4 -4 4\nSphere " + radius + "\n");
+    };
+    round("circles", "2.5");
+    ASSERT_EQ(run("--update").status, 0);
+    const std::string golden = read("golden/circles.png");
+    remove("circles.glib");
+    round("rings", "2.2");
+    const Finished listed = run("");
+    EXPECT_EQ(listed.status, 1);
+    EXPECT_TRUE(contains(listed.out, "'golden/circles.png' belongs to no shot and may be that of this one"))
+        << listed.out;
+    EXPECT_TRUE(contains(listed.out, "glibra test s.toml --only rings --rename")) << listed.out;
+    const Finished renamed = run("--rename");
+    EXPECT_EQ(renamed.status, 1) << "nothing is accepted: " << renamed.out;
+    EXPECT_TRUE(
+        contains(renamed.out, "the golden 'golden/circles.png' was renamed; the picture is another one"))
+        << renamed.out;
+    EXPECT_TRUE(read("golden/rings.png") == golden);
+    EXPECT_FALSE(fs::exists(folder / "golden/circles.png"));
+    EXPECT_EQ(run("--strict-orphans").status, 1) << "it differs";
+    round("rings", "2.5");
+    EXPECT_EQ(run("--strict-orphans").status, 0);
+}
+
+/// A shot with the picture of a golden has it, and none that is merely like it.
+TEST_F(DeletedScene, GoesToTheShotWithItsPictureFirst) {
+    const std::string golden = read("golden/b.png");
+    remove("b.glib");
+    scene("a-first", 3);
+    scene("z-last", 2);
+    EXPECT_EQ(run("--rename").status, 1);
+    EXPECT_TRUE(read("golden/z-last.png") == golden);
+    EXPECT_FALSE(fs::exists(folder / "golden/a-first.png"));
+}
+
 /// A fault made in the same change is not accepted in passing.
 TEST_F(DeletedScene, UnderANewNameAndWithAnotherPictureIsNotAcceptedByPruning) {
     remove("b.glib");

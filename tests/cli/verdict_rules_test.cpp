@@ -128,7 +128,7 @@ TEST_F(VerdictRules, PartsOfDifferentRunsAreNotMerged) {
         std::string suite, arguments;
     } changes[] = {
         {"a tolerance",
-         "tolerance = { max = 255, fraction = 1, cluster = 999, line = 999, bias = 255 }\n" + second, ""},
+         "tolerance = { max = 254, fraction = 1, cluster = 999, line = 999, bias = 255 }\n" + second, ""},
         {"a shot", second + "[[shot]]\nname = \"c\"\nscript = \"a.glib\"\nmatch = \"a\"\ngolden = false\n",
          ""},
         {"an option", second, "--no-skip"},

@@ -123,6 +123,7 @@ int main() {
     MEMBER(DrawOptions, samples);
     MEMBER(DrawOptions, alpha);
     MEMBER(DrawOptions, floatPixels);
+    MEMBER(DrawOptions, axes);
     MEMBER(DrawOptions, view);
     TYPE(BufferContent::Column);
     MEMBER(BufferContent::Column, name);

@@ -148,6 +148,23 @@ TEST(LibraryScene, RefusesOptionsThatItWouldNotKeep) {
     }
 }
 
+TEST(LibraryScene, DrawsTheAxesThatAPictureOfRenderHas) {
+    Renderer renderer = opened();
+    Result<Scene> scene = renderer.load(kScenes / "start/teapot.glib");
+    ASSERT_TRUE(scene) << scene.message();
+    const Result<Picture> plain = scene->draw({.width = 64, .height = 48});
+    const Result<Picture> drawn = scene->draw({.width = 64, .height = 48, .axes = true});
+    RenderOptions options;
+    options.width = 64;
+    options.height = 48;
+    options.axes = true;
+    const Result<Picture> rendered = renderer.render(kScenes / "start/teapot.glib", options);
+    ASSERT_TRUE(plain && drawn && rendered);
+    EXPECT_NE(drawn->data, plain->data);
+    EXPECT_EQ(drawn->data, rendered->data);
+    EXPECT_EQ(scene->draw({.width = 64, .height = 48})->data, plain->data) << "they do not stay";
+}
+
 TEST(LibraryScene, KeepsOrRefusesEveryOptionOfPictures) {
     Renderer renderer = opened();
     const std::set<std::string_view> kept{"steps",   "set",     "eye",     "strict", "no-shim",

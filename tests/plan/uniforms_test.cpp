@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "by_hand.h"
+#include "plan/declared_uniform.h"
 
 namespace glibra::plan {
 namespace {
@@ -230,6 +231,29 @@ TEST(Sampler, ArrayHasAnEntryForEachElement) {
     EXPECT_EQ(result.samplers[0].unit, 5);
     EXPECT_EQ(result.samplers[1].unit, 9);
     EXPECT_EQ(result.samplers[2].unit, 7);
+}
+
+// A driver may report an array up to the last element that is used.
+TEST(Uniforms, ArraysInStructuresHaveTheirDeclaredLength) {
+    ProgramInterface interface =
+        interfaceWith({{"light.weights", "float[2]"}, {"lights[1].m[0].v", "vec2[1]"}});
+    glsl::MemoryFacts& memory = interface.facts.memory;
+    const auto member = [](std::string name, std::string type, glsl::ArraySizes sizes) {
+        glsl::MemoryMember made;
+        made.name = std::move(name);
+        made.type = std::move(type);
+        made.sizes = std::move(sizes);
+        return made;
+    };
+    memory.structures["Inner"].members = {member("v", "vec2", {3})};
+    memory.structures["Light"].members = {member("weights", "float", {4}), member("m", "Inner", {2}),
+                                          member("power", "float", {})};
+    memory.records.emplace("light", member("light", "Light", {}));
+    memory.records.emplace("lights", member("lights", "Light", {2}));
+    EXPECT_EQ(declaredElements(interface, interface.uniforms[0]), 4);
+    EXPECT_EQ(declaredElements(interface, interface.uniforms[1]), 3);
+    EXPECT_EQ(declaredElements(interface, test::uniform("light.power", "float")), 0);
+    EXPECT_EQ(declaredElements(interface, test::uniform("other", "float")), 0);
 }
 
 }  // namespace

@@ -67,6 +67,43 @@ class Drawing(unittest.TestCase):
         with self.assertRaisesRegex(glibra.SceneError, "library-E01"):
             scene.draw(64, 48, eye=numpy.full((4, 4), numpy.nan))
 
+    def test_of_one_picture_takes_the_options_of_the_program(self):
+        scene = glibra.Scene(TEAPOT)
+        plain = glibra.render(TEAPOT, 64, 48, time=2.5)
+        self.assertTrue((plain == scene.draw(64, 48, time=2.5)).all())
+        axes = glibra.render(TEAPOT, 64, 48, time=2.5, axes=True)
+        self.assertFalse((axes == plain).all())
+        self.assertTrue((axes == scene.draw(64, 48, time=2.5, axes=True)).all())
+        scene.uShininess = 2
+        self.assertTrue((glibra.render(TEAPOT, 64, 48, set={"uShininess": 2}) == scene.draw(64, 48)).all())
+        text = "WindowSize 64 64\nPerspective 40\nLookAt 0 0 3 0 0 0 0 1 0\nSphere\n"
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "sphere.glib"
+            file.write_text(text)
+            coarse, fine = (glibra.render(file, max_error=error, dtype="float32", alpha=True) for error in (8, .1))
+            self.assertEqual((coarse.shape, coarse.dtype), ((64, 64, 4), numpy.float32))
+            self.assertFalse((coarse == fine).all())
+            file.write_text(text + "Cube 1 2 3 4\n")
+            with self.assertRaises(glibra.SceneError):
+                glibra.render(file, strict=True)
+        for wrong in {"max_error": -1}, {"set": {"uNope": 1}}, {"width": -3}, {"dtype": "int8"}, {"eye": [1]}:
+            with self.assertRaises((glibra.SceneError, ValueError)):
+                glibra.render(TEAPOT, **wrong)
+
+    def test_ends_with_ctrl_c(self):
+        code = """
+import os, signal, threading, glibra
+scene = glibra.Scene(%r)
+scene.draw(16, 12)
+threading.Timer(.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    while True: scene.draw(640, 480)
+except KeyboardInterrupt:
+    print("ended", scene.draw(16, 12).shape)
+""" % str(TEAPOT)
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (0, "ended (12, 16, 3)\n"), done.stderr)
+
     def test_is_the_picture_of_the_program(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "teapot.png")

@@ -98,6 +98,24 @@ INSTANTIATE_TEST_SUITE_P(
                 "1:1 suite-E02 unknown key 'goldnes' at the top of the file; did you mean 'goldens'?\n"},
         Mistake{"ShotKeyInDefaults", "[defaults]\nmatch = 'x'\n" + shot(""),
                 "2:1 suite-E02 'match' belongs to one shot and cannot stand in [defaults]\n"},
+        Mistake{"AToleranceOfEverything", shot("tolerance = { flip = 1 }"),
+                "1:1 suite-E33 tolerance: flip = 1 passes every picture, so the shot compares nothing\n"},
+        Mistake{
+            "ATwofoldToleranceOfEverything", shot("tolerance = { flip = 1, structure = 1.0 }"),
+            "1:1 suite-E33 tolerance: flip = 1 with structure = 1 passes every picture, so the shot compares "
+            "nothing\n"},
+        Mistake{
+            "AToleranceOfAllDifferences", shot("tolerance = { max = 255, bias = 255 }"),
+            "1:1 suite-E33 tolerance: max = 255 with this bias passes every picture, so the shot compares "
+            "nothing\n"},
+        Mistake{"AToleranceOfAllPixels",
+                shot("tolerance = { fraction = 1, cluster = 1000000, line = 1000000, bias = 3 }"),
+                "1:1 suite-E33 tolerance: fraction = 1 with these limits passes every picture, so the shot "
+                "compares "
+                "nothing\n"},
+        Mistake{
+            "AToleranceOfEverythingInDefaults", "[defaults]\ntolerance = { structure = 1 }\n" + shot(""),
+            "3:1 suite-E33 tolerance: structure = 1 passes every picture, so the shot compares nothing\n"},
         Mistake{"UnknownToleranceKey", shot("tolerance = { maximum = 3, flipp = 1 }"),
                 "3:15 suite-E02 unknown key 'maximum' in tolerance; did you mean 'max'?\n"
                 "3:28 suite-E02 unknown key 'flipp' in tolerance; did you mean 'flip'?\n"},

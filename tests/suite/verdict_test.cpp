@@ -315,6 +315,26 @@ TEST_F(Renamed, AMissingGoldenIsThatOfNoShotWithTheSamePicture) {
     EXPECT_TRUE(other.renamedFrom.empty());
 }
 
+TEST_F(Renamed, AMissingGoldenMayBeThatOfNoShotWithASimilarPictureOrName) {
+    Shot changed = shotNamed("another/scene@t=2.5");
+    const ShotResult near = decide(changed, gradient(2), {.orphans = orphans}).result;
+    EXPECT_EQ(near.verdict, Verdict::missing);
+    EXPECT_EQ(near.nearTo, folder / "goldens/old.png");
+    EXPECT_TRUE(near.renamedFrom.empty());
+    EXPECT_NE(near.reason.find("--rename"), std::string::npos) << near.reason;
+    EXPECT_FALSE(near.expected.empty()) << "both pictures are shown";
+    // Neither the picture nor the name is similar.
+    const image::Image other = [&] {
+        image::Image made = gradient();
+        for (std::size_t i = 0; i < made.data.size(); ++i)
+            made.data[i] = static_cast<std::byte>((i * i * 31) >> 3U);
+        return made;
+    }();
+    EXPECT_TRUE(decide(changed, other, {.orphans = orphans}).result.nearTo.empty());
+    EXPECT_EQ(decide(shotNamed("olds"), other, {.orphans = orphans}).result.nearTo,
+              folder / "goldens/old.png");
+}
+
 TEST_F(Renamed, UpdateWithPruneTakesNoChangedPicture) {
     const JudgeOptions options{.prune = true, .orphans = orphans};
     const ShotResult changed = accept(shot, gradient(40), options);

@@ -14,13 +14,14 @@ import re
 import subprocess
 import tempfile
 import threading
+import warnings as _warnings
 
 import numpy
 
 from . import _core
 from ._core import Comparison, Diagnostic, Value, __version__
 
-__all__ = ["Comparison", "Diagnostic", "Scene", "SceneError", "Value", "compare", "save", "__version__"]
+__all__ = ["Comparison", "Diagnostic", "Scene", "SceneError", "Value", "compare", "render", "save", "__version__"]
 
 
 class SceneError(RuntimeError):
@@ -155,6 +156,47 @@ def _control_of(value, label, widgets):
     return widgets.FloatSlider(value=now, min=low, max=high, step=(high - low) / 200 or 1, description=label)
 
 
+def _is_float(dtype):
+    kind = numpy.dtype(dtype)
+    if kind not in (numpy.dtype("uint8"), numpy.dtype("float32")):
+        raise ValueError("dtype is uint8 or float32")
+    return kind == numpy.dtype("float32")
+
+
+def _columns_of(eye):
+    """A matrix as OpenGL has it."""
+    turned = numpy.identity(4) if eye is None else numpy.asarray(eye, dtype=float)
+    if turned.shape != (4, 4):
+        raise ValueError(f"eye is a matrix of shape (4, 4), found {turned.shape}")
+    return turned.T.ravel().tolist()
+
+
+def _setting_of(name, value):
+    """NAME=VALUE, as the command line has it."""
+    numbers = value if isinstance(value, str) else ",".join(f"{each:.17g}" for each in _array_of(value, name).ravel())
+    return f"{name}={numbers}"
+
+
+def render(path, width=0, height=0, *, time=0.0, samples=0, alpha=False, dtype="uint8", eye=None, axes=False, max_error=0.0,
+           override_counts=False, set=None, within="", library=(), strict=False):
+    """Reads a scene file and draws one picture, an array as of `Scene.draw`. With ``max_error``, the counts, samples and noise
+    sizes that the scene leaves open are chosen so that nothing is drawn more than so many pixels from its place; with
+    ``override_counts``, so are those that it states. ``set`` gives values by their names. Warnings of the scene are Python's
+    warnings. To draw a scene more than once, load it as a `Scene`."""
+    options = {"width": width, "height": height, "time": time, "samples": samples, "alpha": alpha, "floats": _is_float(dtype),
+               "eye": _columns_of(eye), "axes": axes, "max_error": max_error, "override_counts": override_counts,
+               "set": [_setting_of(name, value) for name, value in (set or {}).items()], **_places(within, library, strict)}
+    picture, remarks = _renderer().render(os.fspath(path), options)
+    for each in remarks:
+        if each.severity == "warning":
+            _warnings.warn(str(each), stacklevel=2)
+    return picture
+
+
+def _places(within, library, strict):
+    return {"within": os.fspath(within), "library": [os.fspath(each) for each in library], "strict": strict}
+
+
 class Scene:
     """A loaded scene. Its values are attributes: ``scene.uShininess = 20``, ``scene.uColor = 1, 0, 0``,
     ``scene.method = "linear"``. Names that are no Python names, or are those of methods: ``scene["lights[0].color"] = ...``.
@@ -168,7 +210,7 @@ class Scene:
             raise TypeError("Scene takes a path or a text")
         if text is None and files:
             raise TypeError("files are those of a text; a scene of a path reads its own")
-        options = {"within": os.fspath(within), "library": [os.fspath(each) for each in library], "strict": strict}
+        options = _places(within, library, strict)
         contents = {os.fspath(file): _content_of(file, content) for file, content in (files or {}).items()}
         made = (_renderer().load(os.fspath(path), options) if text is None
                 else _renderer().load_text(text, os.fspath(name), contents, options))
@@ -176,18 +218,12 @@ class Scene:
         object.__setattr__(self, "_names", {each.name for each in made.values()})
         object.__setattr__(self, "_warnings", [])
 
-    def draw(self, width=0, height=0, *, time=0.0, samples=0, alpha=False, dtype="uint8", eye=None):
+    def draw(self, width=0, height=0, *, time=0.0, samples=0, alpha=False, dtype="uint8", eye=None, axes=False):
         """The picture at a time in seconds: an array of height x width x 3 (4 with ``alpha``) numbers, top row first; uint8,
         or float32, which is not limited to 0..1. A size of 0 is the scene's. ``eye`` moves the camera: a 4 x 4 matrix, rows
-        first, that is multiplied from the left to the scene's model-view matrices."""
-        kind = numpy.dtype(dtype)
-        if kind not in (numpy.dtype("uint8"), numpy.dtype("float32")):
-            raise ValueError("dtype is uint8 or float32")
-        turned = numpy.identity(4) if eye is None else numpy.asarray(eye, dtype=float)
-        if turned.shape != (4, 4):
-            raise ValueError(f"eye is a matrix of shape (4, 4), found {turned.shape}")
-        picture, warnings = self._scene.draw(width, height, time, samples, alpha, kind == numpy.dtype("float32"),
-                                             turned.T.ravel().tolist())
+        first, that is multiplied from the left to the scene's model-view matrices. ``axes`` draws those of world space. Ctrl-C
+        ends it when the picture is complete, as KeyboardInterrupt."""
+        picture, warnings = self._scene.draw(width, height, time, samples, alpha, _is_float(dtype), _columns_of(eye), axes)
         object.__setattr__(self, "_warnings", warnings)
         return picture
 

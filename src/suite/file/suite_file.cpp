@@ -59,6 +59,22 @@ std::string shareText(const std::string& name, const std::string& other) {
         other, name);
 }
 
+/// The limits that let every picture pass, as "flip = 1"; empty if some picture fails.
+std::string limitsOfNothing(const image::Tolerance& tolerance) {
+    constexpr double kAll = 255;
+    constexpr int kMostPixels = 1'000'000;  // of a group: of pictures of a suite's usual size
+    if ((tolerance.flip || tolerance.structure) && tolerance.flip.value_or(1) >= 1 &&
+        tolerance.structure.value_or(1) >= 1)
+        return !tolerance.flip        ? "structure = 1"
+               : !tolerance.structure ? "flip = 1"
+                                      : "flip = 1 with structure = 1";
+    if (tolerance.bias < std::min(tolerance.largest, kAll)) return {};
+    if (tolerance.largest >= kAll) return "max = 255 with this bias";
+    const bool countsNone =
+        tolerance.fraction >= 1 && tolerance.cluster >= kMostPixels && tolerance.line >= kMostPixels;
+    return countsNone ? "fraction = 1 with these limits" : "";
+}
+
 /// Makes shots of templates.
 class SuiteBuilder {
   public:
@@ -72,6 +88,11 @@ class SuiteBuilder {
         readTemplate(reader_, table, folder, false, shot);
         if (!hasKey(table, "script")) reader_.report("suite-E12", "the shot has no script", shot.shot.place);
         checkAgreement(shot);
+        if (const std::string limits = limitsOfNothing(shot.shot.tolerance); !limits.empty())
+            reader_.report(
+                "suite-E33",
+                fmt::format("tolerance: {} passes every picture, so the shot compares nothing", limits),
+                shot.shot.place);
         dropSwept(shot, defaults);
         if (shot.scripts.empty()) return;
         const std::vector<FoundScript> scripts = findScripts(reader_, folder, shot);

@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <set>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "base/files.h"
+#include "base/suggest.h"
 #include "image/convert.h"
 #include "image/read.h"
 #include "suite/file/suite_file.h"
@@ -57,6 +62,11 @@ bool suitesBeside(const Suite& suite, std::vector<Suite>& beside) {
         if (read) beside.push_back(std::move(*read));
     }
     return allRead;
+}
+
+/// A golden that was read has an alpha, which a rendering need not have.
+std::string keyOf(const image::Image& picture) {
+    return toText(hashOf(image::withComponents(picture, 4)));
 }
 
 }  // namespace
@@ -108,19 +118,82 @@ std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder,
     return orphans;
 }
 
-fs::path Orphans::find(const image::Image& picture) const {
-    if (isEmpty()) return {};
-    // A golden that was read has an alpha, which a rendering need not have.
-    const auto keyOf = [](const image::Image& each) {
-        return toText(hashOf(image::withComponents(each, 4)));
-    };
+Orphans::Gist Orphans::gistOf(const image::Image& picture) {
+    constexpr int kSide = 16;
+    constexpr std::size_t kComponents = 3;
+    const image::Image colors = image::withComponents(image::withType(picture, image::Component::u8), 3);
+    Gist sums(kSide * kSide * kComponents), counts(kSide * kSide);
+    for (int y = 0; y < colors.height; ++y) {
+        const std::span<const std::byte> row = colors.row(y);
+        for (int x = 0; x < colors.width; ++x) {
+            const auto cell =
+                static_cast<std::size_t>(y * kSide / colors.height * kSide + x * kSide / colors.width);
+            ++counts[cell];
+            for (std::size_t k = 0; k < kComponents; ++k)
+                sums[kComponents * cell + k] +=
+                    std::to_integer<int>(row[kComponents * static_cast<std::size_t>(x) + k]);
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= std::max(1., counts[i / kComponents]);
+    for (std::size_t k = 0; k < kComponents; ++k) {
+        double mean = 0;
+        for (std::size_t i = k; i < sums.size(); i += kComponents) mean += sums[i] / (kSide * kSide);
+        for (std::size_t i = k; i < sums.size(); i += kComponents) sums[i] -= mean;
+    }
+    return sums;
+}
+
+void Orphans::read() const {
     std::call_once(isRead_, [&] {
         for (const fs::path& file : files_)
-            if (const Result<image::Image> golden = image::readImage(file))
+            if (const Result<image::Image> golden = image::readImage(file)) {
                 ofPixels_.emplace(keyOf(*golden), file);
+                gists_.emplace_back(file, gistOf(*golden));
+            }
     });
+}
+
+fs::path Orphans::find(const image::Image& picture) const {
+    if (isEmpty()) return {};
+    read();
     const auto found = ofPixels_.find(keyOf(picture));
     return found == ofPixels_.end() ? fs::path() : found->second;
+}
+
+fs::path Orphans::findNear(const image::Image& picture, std::string_view shot) const {
+    constexpr double kAlike = .75;             // correlation; of 200 pairs of unrelated pictures one has it
+    constexpr double kSimilar = 2. / 3;        // part of a name that stays
+    constexpr std::size_t kLongestName = 200;  // of those that are compared
+    if (isEmpty()) return {};
+    read();
+    const auto product = [](const Gist& a, const Gist& b) {
+        return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+    };
+    const Gist own = gistOf(picture);
+    fs::path best;
+    double most = 0;
+    for (const auto& [file, gist] : gists_) {
+        const double norm = std::sqrt(product(own, own) * product(gist, gist));
+        const double alike = norm > 0 ? product(own, gist) / norm : 0;
+        // The folder of goldens is not known here: the parts of the path that a name would have.
+        fs::path name = file.stem();
+        for (fs::path above = file.parent_path();
+             std::count(shot.begin(), shot.end(), '/') > std::distance(name.begin(), name.end()) - 1 &&
+             above.has_filename();
+             above = above.parent_path())
+            name = above.filename() / name;
+        const std::string text = name.generic_string();
+        const std::size_t longer = std::max(text.size(), shot.size());
+        const double similar =
+            longer > kLongestName || longer == 0
+                ? 0
+                : 1 - static_cast<double>(base::editDistance(text, shot)) / static_cast<double>(longer);
+        if ((alike >= kAlike || similar >= kSimilar) && alike + similar > most) {
+            most = alike + similar;
+            best = file;
+        }
+    }
+    return best;
 }
 
 Diagnostics removeOrphans(const std::vector<fs::path>& orphans) {

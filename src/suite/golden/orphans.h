@@ -8,6 +8,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,11 +35,20 @@ class Orphans {
     [[nodiscard]] bool isEmpty() const { return files_.empty(); }
     /// The file whose pixels are exactly those of the picture; empty if there is none.
     [[nodiscard]] std::filesystem::path find(const image::Image& picture) const;
+    /// The file that is most like this picture of a shot, or has the most similar name; empty if none is or
+    /// has: it may be the golden of the shot before it was renamed and its scene changed.
+    [[nodiscard]] std::filesystem::path findNear(const image::Image& picture, std::string_view shot) const;
 
   private:
+    /// A picture as 16 x 16 colours, less their mean.
+    using Gist = std::vector<double>;
+    static Gist gistOf(const image::Image& picture);
+    void read() const;
+
     std::vector<std::filesystem::path> files_;
     mutable std::once_flag isRead_;
     mutable std::map<std::string, std::filesystem::path> ofPixels_;
+    mutable std::vector<std::pair<std::filesystem::path, Gist>> gists_;
 };
 
 /// Removes them, and folders that are empty afterwards. Errors have the id file-E10.

@@ -59,6 +59,7 @@ struct ShotResult {
     bool changed = false;       ///< passed, but the same driver and processor gave other bytes before
     double compared = 1;        ///< the part of the picture that `ignore` and `mask` leave to be compared
     std::filesystem::path renamedFrom{};  ///< a golden of no shot with the same pixels, for a missing one
+    std::filesystem::path nearTo{};  ///< or one that may be of this shot before it was renamed and changed
     int width = 0, height = 0;
     image::Judgement judgement;  ///< set if pictures were compared
     Diagnostics diagnostics;     ///< messages about the scene

@@ -298,6 +298,7 @@ void members(Archive& archive, Value& value) {
         archive("changed", value.changed);
         archive.within("compared", value.compared, 1.);
         archive("renamedFrom", value.renamedFrom);
+        archive("nearTo", value.nearTo);
         archive.within("width", value.width, kLargestSide);
         archive.within("height", value.height, kLargestSide);
         archive("judgement", value.judgement);

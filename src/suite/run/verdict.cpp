@@ -10,6 +10,7 @@
 #include "gpu/context/family.h"
 #include "image/compare/heat_map.h"
 #include "image/inspect.h"
+#include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
 #include "suite/golden/ignored.h"
@@ -388,10 +389,26 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
                 "there is no golden '{}', though '{}' names it; restore it, or write golden = false if the "
                 "Expect statements suffice",
                 found.lost.string(), goldens_.hashFile().string());
-        else if (attempt.own.hasChecks)
+        else if (!showNear(shot, got, result) && attempt.own.hasChecks)
             result.reason +=
                 ", though the suite has goldens; write golden = false if the Expect statements suffice";
     }
+}
+
+bool ShotJudge::showNear(const Shot& shot, const image::Image& got, ShotResult& result) const {
+    if (!options_.orphans) return false;
+    const std::filesystem::path near = options_.orphans->findNear(got, shot.name);
+    const Result<image::Image> golden = near.empty() ? Result<image::Image>() : image::readImage(near);
+    if (!golden) return false;
+    result.nearTo = near;
+    result.judgement = image::judge(*golden, got, shot.tolerance, true);
+    result.expected = write(shot, "expected", *golden, result);
+    if (result.judgement.comparison.sameSize) showDifference(shot, *golden, got, result);
+    result.reason += fmt::format(
+        "; '{}' belongs to no shot and may be that of this one before it was renamed and changed ({}): '{}' "
+        "moves it, and the picture is compared with it",
+        near.string(), result.judgement.reason, renameCommand(suite_, shot));
+    return true;
 }
 
 std::string ShotJudge::whyKept(const Shot& shot, const Findings& found, const image::Image& got) const {

@@ -89,6 +89,8 @@ class ShotJudge {
                                 ShotResult& result) const;
     void showDifference(const Shot& shot, const image::Image& expected, const image::Image& got,
                         ShotResult& result) const;
+    /// Names and shows a golden of no shot that may be this shot's former one. False if there is none.
+    bool showNear(const Shot& shot, const image::Image& got, ShotResult& result) const;
     void showGolden(const Shot& shot, const Findings& found, const image::Image& got,
                     ShotResult& result) const;
 
