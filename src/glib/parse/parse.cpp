@@ -402,8 +402,8 @@ bool read(std::string_view text, Script& script, MessageLog& log) {
 void nameForeignFile(std::string_view text, Script& script) {
     const auto unknown = std::ranges::count(script.diagnostics, "glib-E01", &Diagnostic::id);
     // A scene with a misspelt word may begin like other files: with "#version 2 of my scene".
-    const bool isForeign =
-        !base::foreignEncoding(text).empty() || std::cmp_greater(unknown, script.commands.size());
+    const bool isForeign = script.commands.empty() || !base::foreignEncoding(text).empty() ||
+                           std::cmp_greater(unknown, script.commands.size());
     const std::string problem = isForeign ? base::notThe("a scene", text) : std::string();
     if (problem.empty() || !hasError(script.diagnostics)) return;
     script.commands.clear();
