@@ -46,49 +46,20 @@ constexpr Beginning kBeginnings[] = {
     {"Kaydara FBX"sv, "an FBX model"},
     {"; FBX"sv, "an FBX model"},
     {"BLENDER"sv, "a Blender file"},
-    {"MM\x00"sv, "a 3DS model"},
     {"OFF\n"sv, "an OFF model"},
     {"\x03\x02\x23\x07"sv, "SPIR-V, a compiled shader"},
 };
 
-/// What the first word of a text shows, that is no comment of its language.
-struct FirstWord {
-    std::string_view word, kind;
+/// First words of a text, that is no comment of its language, and what they show.
+struct FirstWords {
+    std::string_view words, kind;
 };
-constexpr std::string_view kShader = "a GLSL shader", kObj = "an OBJ model";
-constexpr FirstWord kFirstWords[] = {
-    {"#version", kShader},
-    {"#extension", kShader},
-    {"#pragma", kShader},
-    {"precision", kShader},
-    {"uniform", kShader},
-    {"varying", kShader},
-    {"attribute", kShader},
-    {"layout", kShader},
-    {"void", kShader},
-    {"in", kShader},
-    {"out", kShader},
-    {"const", kShader},
-    {"float", kShader},
-    {"int", kShader},
-    {"bool", kShader},
-    {"vec2", kShader},
-    {"vec3", kShader},
-    {"vec4", kShader},
-    {"mat3", kShader},
-    {"mat4", kShader},
-    {"#define", kShader},
-    {"#include", kShader},
-    {"#if", kShader},
-    {"#ifdef", kShader},
-    {"#ifndef", kShader},
-    {"struct", kShader},
-    {"mtllib", kObj},
-    {"v", kObj},
-    {"vn", kObj},
-    {"vt", kObj},
-    {"o", kObj},
-    {"newmtl", "an MTL file of materials"},
+constexpr FirstWords kFirstWords[] = {
+    {" #version #extension #pragma #define #include #if #ifdef #ifndef precision uniform varying attribute "
+     "layout void in out const float int bool vec2 vec3 vec4 mat3 mat4 struct ",
+     "a GLSL shader"},
+    {" mtllib v vn vt o ", "an OBJ model"},
+    {" newmtl ", "an MTL file of materials"},
 };
 
 /// The rest of a text after blanks and comments of GLSL, or of OBJ and others, which begin with `#`.
@@ -104,9 +75,9 @@ std::string_view afterComments(std::string_view text, bool isHashComment) {
 }
 
 std::string_view kindByFirstWord(std::string_view text) {
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n("), text.size());
-    for (const FirstWord& each : kFirstWords)
-        if (text.substr(0, end) == each.word) return each.kind;
+    const std::string word = " " + std::string(text.substr(0, text.find_first_of(" \t\r\n("))) + " ";
+    for (const FirstWords& each : kFirstWords)
+        if (each.words.find(word) != std::string_view::npos) return each.kind;
     return {};
 }
 
@@ -141,6 +112,7 @@ std::string_view fileKind(std::string_view content) {
     const std::string_view start = content.substr(0, 4096);
     const bool isBinary = start.find('\0') != std::string_view::npos;
     if (isBinary && content.starts_with("BM")) return "a BMP picture";
+    if (isBinary && content.starts_with("MM")) return "a 3DS model";
     if (content.size() > 2 && content[0] == 'P' && content[1] >= '1' && content[1] <= '7' &&
         (content[2] == '\n' || content[2] == ' ' || content[2] == '\r'))
         return "a PNM picture";

@@ -12,7 +12,7 @@ namespace {
 
 using Value = std::optional<double>;
 
-constexpr int kDeepestOperation = 64;
+constexpr int kDeepestOperation = 1'000;
 
 Value numberOf(std::string_view text) {
     double value = 0;
@@ -93,21 +93,23 @@ class Evaluation {
     }
 
     Value operation(int least) {
-        if (++depth_ > kDeepestOperation) {
-            at_ = code_.size() + 1;
-            return std::nullopt;
-        }
         Value value = operand();
         for (int strength = strengthOf(text()); strength >= least; strength = strengthOf(text())) {
             const std::string_view op = text();
             ++at_;
             value = applied(op, value, operation(strength + 1));
         }
-        --depth_;
         return value;
     }
 
     Value operand() {
+        if (++depth_ > kDeepestOperation) return failed();
+        const Value value = innerOperand();
+        --depth_;
+        return value;
+    }
+
+    Value innerOperand() {
         if (accept("!")) {
             const Value value = operand();
             return value ? Value(*value == 0 ? 1 : 0) : std::nullopt;

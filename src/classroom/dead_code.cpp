@@ -14,7 +14,8 @@
 namespace glibra::classroom {
 namespace {
 
-constexpr int kMostRounds = 8;  // a chain of variables that only each other read needs several
+// Constant conditions inside of each other need a round each. A long text has fewer rounds.
+constexpr std::size_t kLeastRounds = 8, kMostTokensRead = 1'000'000;
 
 bool isAssignment(std::string_view text) {
     static const std::set<std::string_view> kSigns{
@@ -29,7 +30,9 @@ class DeadCode {
         : tokens_(std::move(tokens)), own_(own) {}
 
     std::vector<CodeToken> run() {
-        for (int round = 0; round < kMostRounds; ++round) {
+        std::size_t read = 0;
+        for (std::size_t round = 0; round < kLeastRounds || read < kMostTokensRead; ++round) {
+            read += tokens_.size();
             dead_.assign(tokens_.size(), false);
             known_ = knownValues(tokens_);
             matchBrackets();
@@ -249,19 +252,35 @@ class DeadCode {
         if (isWhole) writes[tokens_[begin].text].push_back(statement);
     }
 
-    /// A local variable that occurs nowhere but as the target of its assignments.
-    void killUnread(const std::map<std::string_view, std::size_t>& occurrences,
+    /// Local variables that occur nowhere but in their own assignments, "a = a + 1.", and in those of others
+    /// of this kind.
+    void killUnread(std::map<std::string_view, std::size_t> occurrences,
                     const std::set<std::string_view>& locals,
                     const std::map<std::string_view, std::vector<Statement>>& writes) {
-        for (const std::string_view name : locals) {
-            const std::vector<Statement>& own = writes.at(name);
-            std::size_t inside = 0;  // also "a = a + 1.": only what is dead reads it
-            for (const Statement& each : own)
+        const auto visit = [&](std::string_view name, const auto& use) {
+            for (const Statement& each : writes.at(name))
                 for (std::size_t i = each.begin; i < each.end; ++i)
-                    if (isVariable(i) && tokens_[i].text == name) ++inside;
+                    if (isVariable(i)) use(tokens_[i].text);
+        };
+        std::vector<std::string_view> open;
+        const auto readLess = [&](std::string_view name) {
             const auto all = occurrences.find(name);
-            if (all == occurrences.end() || all->second != inside) continue;
-            for (const Statement& each : own) kill(each.begin, each.end);
+            if (all != occurrences.end() && --all->second == 0 && locals.contains(name)) open.push_back(name);
+        };
+        for (const std::string_view name : locals) {
+            ++occurrences[name];  // it counts as read until all its own occurrences are taken away
+            visit(name, [&](std::string_view each) {
+                if (each == name) readLess(each);
+            });
+        }
+        for (const std::string_view name : locals) readLess(name);
+        while (!open.empty()) {
+            const std::string_view name = open.back();
+            open.pop_back();
+            visit(name, [&](std::string_view each) {
+                if (each != name) readLess(each);
+            });
+            for (const Statement& each : writes.at(name)) kill(each.begin, each.end);
         }
     }
 
@@ -301,7 +320,7 @@ class DeadCode {
             if (colon == end) continue;
             kill(from, *value != 0 ? question + 1 : colon + 1);
             if (*value != 0) kill(colon, at);
-            return;  // the others in the next rounds
+            question = at;  // what is inside of it in the next rounds
         }
     }
 

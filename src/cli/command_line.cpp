@@ -344,9 +344,9 @@ Option CommandLine::flag(const std::string& name, const std::function<void()>& a
 Option CommandLine::flag(const std::string& name, const std::vector<std::string>& words, std::string& to,
                          const std::string& help) {
     CLI::Option* option = app_->add_flag(name + "{" + words.front() + "}", to, help);
-    option->check([name, words](const std::string& text) -> std::string {
+    option->check([words](const std::string& text) -> std::string {
         if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-        return fmt::format("{}: expected {}, found '{}'", name, alternatives(words), text);
+        return fmt::format("expected {}, found '{}'", alternatives(words), text);
     });
     return Option(*option);
 }

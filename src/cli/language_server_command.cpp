@@ -37,7 +37,8 @@ bool takeInput(editor::MessageReader& reader, int milliseconds) {
 
 /// True if there is a process of that number. One that belongs to somebody else counts.
 bool isRunning(long long process) {
-    return process > 0 && (::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH);
+    return process > 0 && std::in_range<pid_t>(process) &&
+           (::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH);
 }
 
 /// True if more input is there, or comes within the time.

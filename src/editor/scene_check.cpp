@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -273,35 +274,45 @@ std::string sceneAround(const std::filesystem::path& shader, glsl::Stage stage) 
     return own("Fragment") + end;
 }
 
-/// What checks a file that is `scene`, or a shader that has none, with or without a driver.
-SceneCheck checkFile(const std::filesystem::path& file, const RenderOptions& options, bool asksDriver) {
+/// Checks a scene, or a shader that has none. Delivers what is known without a driver, then, if a driver is
+/// asked and there is one, all.
+void checkFile(const std::filesystem::path& file, const RenderOptions& options, bool asksDriver,
+               const std::function<void(const SceneCheck&)>& deliver) {
     const std::optional<glsl::Stage> stage = stageOfFile(file);
-    if (!stage) {
-        SceneCheck check = withoutDriver(file, options);
-        if (asksDriver)
-            if (auto found = askDriver(file, options)) check.diagnostics = *std::move(found);
-        return check;
+    std::filesystem::path scene = file;
+    RenderOptions with = options;
+    if (stage) {
+        scene += ".glib";
+        with.texts[scene] = sceneAround(file, *stage);
     }
-    std::filesystem::path around = file;
-    around += ".glib";
-    RenderOptions alone = options;
-    alone.texts[around] = sceneAround(file, *stage);
-    SceneCheck check = withoutDriver(around, alone);
-    if (asksDriver)
-        if (auto found = askDriver(around, alone)) check.diagnostics = *std::move(found);
-    check.names = {};
-    std::erase(check.files, around);
-    if (!check.uses(file)) check.files.push_back(file);
-    std::erase_if(check.diagnostics, [&](const Diagnostic& each) {
-        return each.severity != Severity::error || each.place.file == around || !check.uses(each.place.file);
-    });
-    return check;
+    SceneCheck check = withoutDriver(scene, with);
+    if (stage) {
+        check.names = {};
+        std::erase(check.files, scene);
+        if (!check.uses(file)) check.files.push_back(file);
+    }
+    const auto deliverOwn = [&] {
+        if (stage)
+            std::erase_if(check.diagnostics, [&](const Diagnostic& each) {
+                return each.severity != Severity::error || each.place.file == scene ||
+                       !check.uses(each.place.file);
+            });
+        deliver(check);
+    };
+    deliverOwn();
+    if (!asksDriver) return;
+    std::optional<Diagnostics> found = askDriver(scene, with);
+    if (!found) return;
+    check.diagnostics = *std::move(found);
+    deliverOwn();
 }
 
 }  // namespace
 
 SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& options) {
-    return checkFile(file, options, false);
+    SceneCheck found;
+    checkFile(file, options, false, [&](const SceneCheck& check) { found = check; });
+    return found;
 }
 
 ContainedCheck checkContained(const std::filesystem::path& file, const RenderOptions& options) {
@@ -316,15 +327,16 @@ ContainedCheck checkContained(const std::filesystem::path& file, const RenderOpt
     // The first bytes are the length of the answer. It is written last.
     const std::size_t half = bytes.size() / 2;
     const base::CallEnd end = base::runContained({.seconds = kSeconds}, [&] {
-        for (const bool asksDriver : {false, true}) {
-            const std::string answer = toJson(checkFile(file, options, asksDriver))
-                                           .dump(-1, ' ', false, json::error_handler_t::replace);
+        std::byte* to = bytes.data();
+        checkFile(file, options, true, [&](const SceneCheck& check) {
+            const std::string answer = toJson(check).dump(-1, ' ', false, json::error_handler_t::replace);
             const std::size_t length = answer.size();
-            if (length + sizeof length > half) return;
-            std::byte* const to = bytes.data() + (asksDriver ? half : 0);
-            std::memcpy(to + sizeof length, answer.data(), length);
-            std::memcpy(to, &length, sizeof length);
-        }
+            if (length + sizeof length <= half) {
+                std::memcpy(to + sizeof length, answer.data(), length);
+                std::memcpy(to, &length, sizeof length);
+            }
+            to += half;
+        });
     });
     for (const std::size_t at : {half, std::size_t{0}}) {
         std::size_t length = 0;

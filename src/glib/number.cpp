@@ -84,7 +84,7 @@ std::optional<NumberPrefix> numberPrefix(std::string_view token) {
     if (problem == std::errc::result_out_of_range) {
         number.value = isHuge(unsignedText) ? std::numeric_limits<double>::infinity() : 0;
     }
-    number.finite = base::fitsFloat(number.value) && std::isfinite(number.value);
+    number.finite = std::isfinite(base::toFloat(number.value));
     if (token[0] == '-') number.value = -number.value;
     return number;
 }

@@ -36,6 +36,8 @@ Result<Prepared> prepareJpeg(ByteSpan file, const FileLabel& label, const Limits
     if (facts.width > 0 && facts.height > 0)
         if (auto tooLarge = checkSize(facts.width, facts.height, 4, limits, label))
             return *std::move(tooLarge);
+    if (!hasEndOfImage(file)) return damaged(label, "the file ends before its pixels do");
+    if (facts.frame == 0) return damaged(label, "its JPEG header is missing or damaged");
     constexpr std::uint32_t kProgressive = 0xc2, kBits = 8;
     if (facts.frame > kProgressive || facts.bits != kBits ||
         (facts.components != 1 && facts.components != 3 && facts.components != 4))
@@ -44,7 +46,6 @@ Result<Prepared> prepareJpeg(ByteSpan file, const FileLabel& label, const Limits
             fmt::format("JPEG pictures of {} components of {} bits, frame {:x}, are not read; save it as a "
                         "baseline or progressive JPEG picture of 8 bits",
                         facts.components, facts.bits, facts.frame));
-    if (!hasEndOfImage(file)) return damaged(label, "the file ends before its pixels do");
     Prepared prepared;
     prepared.replacement = withoutMetadata(file);
     if (facts.orientation != 1)

@@ -24,6 +24,7 @@ TEST(FileKind, IsReadFromTheBeginning) {
         {"\x89PNG\r\n\x1a\n", "a PNG picture"},
         {"\xff\xd8\xff\xe0", "a JPEG picture"},
         {"BM\x36\0\0\0"s, "a BMP picture"},
+        {"MM\x22\x01\0\0\x02\0"s, "a 3DS model"},
         {"P6\n2 2\n255\n", "a PNM picture"},
         {"%PDF-1.7\n", "a PDF document"},
         {"glTF\x02\0\0\0"s, "a glTF model"},

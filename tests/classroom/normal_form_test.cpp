@@ -62,6 +62,22 @@ TEST(NormalForm, EvasionsDoNotCount) {
             << each.one << " | " << each.other;
 }
 
+TEST(NormalForm, HoweverMuchOfItThereIs) {
+    std::string chain = "float u0 = a;", sides = "o = a * b;", deep = "o = a * b;";
+    for (int i = 1; i < 100; ++i)
+        chain += "float u" + std::to_string(i) + " = u" + std::to_string(i - 1) + ";";
+    for (int i = 0; i < 30; ++i) sides = "o = true ? o : cos(b);" + sides;
+    for (int i = 0; i < 30; ++i) deep = "if (true) { if (false) o = b; " + deep + " }";
+    const std::string plain = "o = a * b;";
+    EXPECT_EQ(normalCodes(body(plain)), normalCodes(body(chain + plain)));
+    EXPECT_EQ(normalCodes(body(plain)), normalCodes(body(sides)));
+    EXPECT_EQ(normalCodes(body(plain)), normalCodes(body(deep)));
+    const std::string never = "if (" + std::string(200, '(') + "false" + std::string(200, ')') + ") o = b;";
+    EXPECT_EQ(normalCodes(body(plain)), normalCodes(body(never + plain)));
+    // One that nobody writes is only read to its end.
+    EXPECT_FALSE(normalCodes(body("if (" + std::string(1'000'000, '!') + "true) o = b;" + plain)).empty());
+}
+
 TEST(NormalForm, WhatHasAnEffectStays) {
     const SamePair kPairs[] = {
         {"o = a * b;", "o = a + b;"},

@@ -137,7 +137,9 @@ TEST_F(DeletedScene, UpdateOfWhatIsMissingAcceptsNoRegression) {
     EXPECT_EQ(made.status, 1) << made.out;
     EXPECT_TRUE(read("golden/a.png") == golden);
     EXPECT_TRUE(fs::exists(folder / "golden/new.png"));
-    EXPECT_EQ(run("--update=none").status, 2);
+    const Finished wrong = run("--update=none");
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_TRUE(contains(wrong.err, "error: --update: expected all or missing, found 'none'")) << wrong.err;
     EXPECT_EQ(run("--update=all").status, 0);
     EXPECT_FALSE(read("golden/a.png") == golden);
 }

@@ -48,6 +48,11 @@ TEST(LevelUniforms, MayReachLevelsInALoop) {
                      "for (int i = 0; i < 2; ++i) {\n    gl_TessLevelInner[i] = max(uB, 1.);\n}"),
               "uAuB");
     EXPECT_EQ(levels("for (int i = 0; i < 4; ++i) { gl_TessLevelOuter[i] = uA; tcColor[i].x = uA; }"), "");
+    EXPECT_EQ(levels("if (gl_InvocationID == 0) for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = uA;"),
+              "uA");
+    EXPECT_EQ(levels("if (uA > 1.) for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = uA;"), "");
+    EXPECT_EQ(levels("int i = 0; while (i < 4) { gl_TessLevelOuter[i] = uA; ++i; }"), "uA");
+    EXPECT_EQ(levels("int i = 0; while (float(i) < uA) { gl_TessLevelOuter[i] = uA; ++i; }"), "");
 }
 
 TEST(LevelUniforms, ReachNothingElse) {

@@ -5,7 +5,7 @@
 
 #include "fixture.h"
 #include "gpu/object/vertex_array.h"
-#include "gpu/state/raster_tracker.h"
+#include "raster_fixture.h"
 
 namespace glibra::gpu {
 namespace {
@@ -19,13 +19,8 @@ using test::pixels;
 using test::Rgba;
 
 /// A target with stencil, and a program that writes uColor at depth uDepth.
-class RasterDrawTest : public test::GpuTest {
+class RasterDrawTest : public test::RasterTest {
   protected:
-    void TearDown() override {
-        if (test::GpuTest::HasFatalFailure()) return;
-        RasterTracker(driver()).apply({});  // for the tests that follow
-        GpuTest::TearDown();
-    }
     void prepare(int width, int height, TexelFormat format) {
         auto color = Texture::create(driver(), TextureShape::texture2D, format, {width, height});
         auto depth = Texture::create(driver(), TextureShape::texture2D, TexelFormat::depth24_stencil8,

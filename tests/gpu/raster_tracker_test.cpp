@@ -6,6 +6,7 @@
 
 #include "fixture.h"
 #include "gpu/context/call_counter.h"
+#include "raster_fixture.h"
 
 namespace glibra::gpu {
 namespace {
@@ -174,14 +175,7 @@ const std::vector<StateCase>& stateCases() {
     return all;
 }
 
-class RasterTrackerTest : public test::GpuTest {
-  protected:
-    void TearDown() override {
-        if (test::GpuTest::HasFatalFailure()) return;
-        RasterTracker(driver()).apply({});  // for the tests that follow
-        GpuTest::TearDown();
-    }
-};
+class RasterTrackerTest : public test::RasterTest {};
 
 TEST_F(RasterTrackerTest, EveryStateReachesTheDriverAndGoesAgain) {
     // The driver reports stencil references only as far as the stencil buffer holds them.

@@ -8,12 +8,6 @@
 namespace glibra::image::testing {
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
-void putHighFirst(Bytes& to, std::uint32_t value, int bytes) {
-    for (int i = bytes; i-- > 0;) to.push_back(static_cast<std::byte>(value >> (8 * i)));
-}
-
 enum Mode : std::uint32_t {
     inBitmap = 0,
     inGrey = 1,
@@ -54,27 +48,27 @@ Variant photoshopVariant(const PhotoshopForm& form) {
     variant.height = kForeignTall;
     Bytes& to = variant.file;
     for (const char each : {'8', 'B', 'P', 'S'}) to.push_back(static_cast<std::byte>(each));
-    putHighFirst(to, 1, 2);
+    putBig(to, 1, 2);
     to.insert(to.end(), 6, std::byte{0});
-    putHighFirst(to, form.channels, 2);
-    putHighFirst(to, kForeignTall, 4);
-    putHighFirst(to, kForeignWide, 4);
-    putHighFirst(to, form.bits, 2);
-    putHighFirst(to, form.mode, 2);
+    putBig(to, form.channels, 2);
+    putBig(to, kForeignTall, 4);
+    putBig(to, kForeignWide, 4);
+    putBig(to, form.bits, 2);
+    putBig(to, form.mode, 2);
     const std::uint32_t map = form.mode == inIndexed ? 768 : form.mode == inDuotone ? 100 : 0;
-    putHighFirst(to, map, 4);
+    putBig(to, map, 4);
     for (std::uint32_t i = 0; i < map; ++i) to.push_back(static_cast<std::byte>(hash(i + 9000)));
     const std::size_t mapAt = to.size() - map;
-    putHighFirst(to, 0, 4);  // resources
-    putHighFirst(to, 0, 4);  // layers
-    putHighFirst(to, form.isPacked ? 1 : 0, 2);
+    putBig(to, 0, 4);  // resources
+    putBig(to, 0, 4);  // layers
+    putBig(to, form.isPacked ? 1 : 0, 2);
 
     const std::uint32_t rowBytes = (kForeignWide * form.bits + 7) / 8;
     if (form.isPacked)
-        for (std::uint32_t i = 0; i < form.channels * kForeignTall; ++i) putHighFirst(to, rowBytes + 1, 2);
+        for (std::uint32_t i = 0; i < form.channels * kForeignTall; ++i) putBig(to, rowBytes + 1, 2);
     for (std::uint32_t channel = 0; channel < form.channels; ++channel)
         for (std::uint32_t y = 0; y < kForeignTall; ++y) {
-            if (form.isPacked) putHighFirst(to, rowBytes - 1, 1);
+            if (form.isPacked) putBig(to, rowBytes - 1, 1);
             std::uint32_t bits = 0;
             for (std::uint32_t x = 0; x < kForeignWide; ++x) {
                 const std::uint32_t raw = photoshopRaw(form, x + kForeignWide * y, channel);
@@ -84,12 +78,12 @@ Variant photoshopVariant(const PhotoshopForm& form) {
                     const auto value = static_cast<float>(photoshopValue(raw, 32));
                     std::uint32_t stored = 0;
                     std::memcpy(&stored, &value, 4);
-                    putHighFirst(to, stored, 4);
+                    putBig(to, stored, 4);
                 } else {
-                    putHighFirst(to, raw, static_cast<int>(form.bits / 8));
+                    putBig(to, raw, static_cast<int>(form.bits / 8));
                 }
             }
-            if (form.bits == 1) putHighFirst(to, bits, 1);
+            if (form.bits == 1) putBig(to, bits, 1);
         }
 
     for (std::uint32_t at = 0; at < kForeignWide * kForeignTall; ++at) {

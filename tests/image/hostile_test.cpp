@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "bmp_maker.h"
+#include "image/foreign.h"
 #include "image/png/png_writer.h"
 #include "image/texture_file.h"
+#include "image/tiff/tiff_header.h"
 #include "image/write.h"
 #include "support.h"
 
@@ -14,21 +16,64 @@ namespace {
 using testing::idsOf;
 
 struct Hostile : testing::InFolder {
-    static void putBig(std::vector<std::byte>& to, std::uint32_t value, int bytes) {
-        for (int i = bytes - 1; i >= 0; --i) to.push_back(static_cast<std::byte>(value >> (8 * i)));
+    /// A TIFF picture of one pixel with so many numbers that say what its sample means: 0 is white.
+    [[nodiscard]] static std::vector<std::byte> tiffOfMeanings(std::uint32_t count) {
+        constexpr std::uint32_t kShort = 3, kLong = 4, kEntries = 9, kData = 8 + 2 + 12 * kEntries + 4;
+        std::vector<std::byte> file = testing::bytesOf({'I', 'I', 42, 0, 8, 0, 0, 0});
+        testing::putLittle(file, kEntries, 2);
+        const auto put = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t number,
+                             std::uint32_t value) {
+            testing::putLittle(file, tag, 2);
+            testing::putLittle(file, type, 2);
+            testing::putLittle(file, number, 4);
+            testing::putLittle(file, value, 4);
+        };
+        put(256, kShort, 1, 1);
+        put(257, kShort, 1, 1);
+        put(258, kShort, 1, 8);
+        put(259, kShort, 1, 1);
+        put(262, kShort, count, count > 2 ? kData : 0);
+        put(273, kLong, 1, kData);
+        put(277, kShort, 1, 1);
+        put(278, kShort, 1, 1);
+        put(279, kLong, 1, 1);
+        file.resize(kData + 16);
+        return file;
     }
     /// The header of a Photoshop file and nothing else.
     [[nodiscard]] static std::vector<std::byte> photoshop(std::uint32_t side, std::uint32_t channels) {
         std::vector<std::byte> file = testing::bytesOf({'8', 'B', 'P', 'S', 0, 1, 0, 0, 0, 0, 0, 0});
-        putBig(file, channels, 2);
-        putBig(file, side, 4);
-        putBig(file, side, 4);
-        putBig(file, 32, 2);
-        putBig(file, 3, 2);
+        testing::putBig(file, channels, 2);
+        testing::putBig(file, side, 4);
+        testing::putBig(file, side, 4);
+        testing::putBig(file, 32, 2);
+        testing::putBig(file, 3, 2);
         file.resize(70);
         return file;
     }
 };
+
+TEST_F(Hostile, ATiffPictureWithSeveralMeaningsIsRefused) {
+    const FileLabel label{"a.tif", {}};
+    EXPECT_TRUE(readTiffHeader(tiffOfMeanings(1), label));
+    for (const std::uint32_t count : {2U, 3U}) {
+        const auto header = readTiffHeader(tiffOfMeanings(count), label);
+        ASSERT_FALSE(header) << count;
+        EXPECT_NE(header.message().find("of an unknown kind"), std::string::npos) << header.message();
+    }
+}
+
+TEST_F(Hostile, AJpegPictureWithoutAHeaderSaysSo) {
+    const std::pair<std::vector<int>, const char*> files[] = {
+        {{0xff, 0xd8, 0xff, 0xe0, 0, 4, 0, 0}, "the file ends before its pixels do"},
+        {{0xff, 0xd8, 0xff, 0xe0, 0, 4, 0, 0, 0xff, 0xd9}, "its JPEG header is missing or damaged"},
+    };
+    for (const auto& [bytes, message] : files) {
+        const auto read = decodeForeign(Format::jpeg, testing::bytesOf(bytes), "a.jpg", {"a.jpg", {}}, {});
+        ASSERT_FALSE(read);
+        EXPECT_NE(read.message().find(message), std::string::npos) << read.message();
+    }
+}
 
 TEST_F(Hostile, ADecoderThatTakesTooLongIsEnded) {
     GLIBRA_NEED_MODULE();

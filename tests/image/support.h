@@ -168,6 +168,9 @@ inline std::string idsOf(const Diagnostics& diagnostics) {
 inline void putLittle(std::vector<std::byte>& to, std::uint32_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) to.push_back(static_cast<std::byte>(value >> (8 * i)));
 }
+inline void putBig(std::vector<std::byte>& to, std::uint32_t value, int bytes) {
+    for (int i = bytes; i-- > 0;) to.push_back(static_cast<std::byte>(value >> (8 * i)));
+}
 
 inline std::vector<std::byte> bytesOf(const std::vector<int>& values) {
     std::vector<std::byte> bytes;

@@ -10,8 +10,6 @@
 namespace glibra::image::testing {
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
 constexpr std::uint32_t kTiffWide = 7, kTiffTall = 3;
 
 enum Meaning : std::uint32_t { whiteIsZero = 0, blackIsZero = 1, rgb = 2, palette = 3, inks = 5, cieLab = 8 };

@@ -8,7 +8,6 @@
 namespace glibra::image::testing {
 namespace {
 
-using Bytes = std::vector<std::byte>;
 using Numbers = std::vector<std::uint32_t>;
 
 constexpr int kWide = 11, kTall = 5;

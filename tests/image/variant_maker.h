@@ -11,6 +11,8 @@
 
 namespace glibra::image::testing {
 
+using Bytes = std::vector<std::byte>;
+
 /// A file and its pixels as RGBA numbers, top row first.
 struct Variant {
     std::string name;

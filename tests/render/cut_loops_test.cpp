@@ -37,6 +37,7 @@ const std::vector<Counting>& countings() {
          70'001},
         {"", "int n = 80000; while (true) { if (n == 0) break; n = n - 1 - (n & 0); t++; }", 80'000},
         {"", "int n = 80000; while (bool goes = n-- > 0) t++;", 80'000},
+        {"", "int n = 80000; while (const bool goes = n-- > 0) t++;", 80'000},
         {"",
          "int n = 30; for (;;) { switch (n) { case 0: n = -1; break; default: n--; } if (n < 0) break; t++; "
          "}",

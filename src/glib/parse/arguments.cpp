@@ -307,7 +307,7 @@ void evaluateNumbers(const CommandRow& row, Command& command, std::span<const Ev
         const EvaluatedNumber& number = numbers[i];
         const std::string text = numberText(number.value);
         double value = 0;
-        if (std::isfinite(static_cast<float>(number.value)))
+        if (std::isfinite(base::toFloat(number.value)))
             value = checkArgument({row.arguments[i], i, row.name(), number.value, text, number.position},
                                   number.reportsCut, log);
         else

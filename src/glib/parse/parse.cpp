@@ -398,23 +398,19 @@ bool read(std::string_view text, Script& script, MessageLog& log) {
     return true;
 }
 
-}  // namespace
-
-/// True if an unknown command stands before all known ones.
-static bool beginsWithUnknown(const Script& script, const Diagnostics& found) {
-    const auto unknown = std::ranges::find(found, "glib-E01", &Diagnostic::id);
-    return unknown != found.end() &&
-           (script.commands.empty() || unknown->place.line <= script.commands.front().position.line);
-}
-
 /// Makes the messages of a file that is no scene a single one: "this is a GLSL shader, not a scene".
-static void nameForeignFile(std::string_view text, Script& script) {
-    if (!hasError(script.diagnostics)) return;
-    if (!base::isNoText(text) && !beginsWithUnknown(script, script.diagnostics)) return;
-    if (base::fileKind(text).empty()) return;
+void nameForeignFile(std::string_view text, Script& script) {
+    const auto unknown = std::ranges::count(script.diagnostics, "glib-E01", &Diagnostic::id);
+    // A scene with a misspelt word may begin like other files: with "#version 2 of my scene".
+    const bool isForeign = script.commands.empty() || !base::foreignEncoding(text).empty() ||
+                           std::cmp_greater(unknown, script.commands.size());
+    const std::string problem = isForeign ? base::notThe("a scene", text) : std::string();
+    if (problem.empty() || !hasError(script.diagnostics)) return;
     script.commands.clear();
-    script.diagnostics = {diagnose("glib-E03", "this " + base::notThe("a scene", text), {script.path, 1, 1})};
+    script.diagnostics = {diagnose("glib-E03", "this " + problem, {script.path, 1, 1})};
 }
+
+}  // namespace
 
 Script parse(std::string_view text, std::string path) {
     Script script;

@@ -73,30 +73,34 @@ const std::string& fileOf(const TranslatedStage& stage, const std::string& sourc
 /// preprocessor gives the line in its file, but the number of another file.
 class ErrorLines {
   public:
-    explicit ErrorLines(const TranslatedStage& stage) : stage_(stage), rest_(stage.source) {}
+    explicit ErrorLines(const TranslatedStage& stage) {
+        std::string_view rest = stage.source;
+        for (const LineOrigin& origin : stage.lineMap.lines) {
+            const std::string_view text = rest.substr(0, rest.find('\n'));
+            rest.remove_prefix(std::min(text.size() + 1, rest.size()));
+            if (origin.file >= 0 && text.starts_with("#error"))
+                lines_.push_back(
+                    {text, origin.line, &stage.lineMap.files[static_cast<std::size_t>(origin.file)]});
+        }
+    }
 
     const std::string* fileOf(const LogLine& line) {
-        std::string_view rest = rest_;
-        for (std::size_t at = at_; !rest.empty(); ++at) {
-            const std::size_t end = std::min(rest.find('\n'), rest.size());
-            const std::string_view text = rest.substr(0, end);
-            rest.remove_prefix(std::min(end + 1, rest.size()));
-            const LineOrigin origin =
-                at < stage_.lineMap.lines.size() ? stage_.lineMap.lines[at] : LineOrigin{};
-            if (origin.file < 0 || origin.line != line.line || !text.starts_with("#error") ||
-                !text.ends_with(line.text))
-                continue;
-            rest_ = rest;
-            at_ = at + 1;
-            return &stage_.lineMap.files[static_cast<std::size_t>(origin.file)];
-        }
-        return nullptr;
+        const auto found = std::find_if(lines_.begin() + next_, lines_.end(), [&](const Line& each) {
+            return each.number == line.line && each.text.ends_with(line.text);
+        });
+        if (found == lines_.end()) return nullptr;
+        next_ = found - lines_.begin() + 1;
+        return found->file;
     }
 
   private:
-    const TranslatedStage& stage_;
-    std::string_view rest_;  ///< after the last one that was found
-    std::size_t at_ = 0;     ///< the line at which it begins
+    struct Line {
+        std::string_view text;
+        int number = 0;
+        const std::string* file = nullptr;
+    };
+    std::vector<Line> lines_;
+    std::ptrdiff_t next_ = 0;  ///< after the last one that was found
 };
 
 int lineOf(const TranslatedStage& stage, const std::string& file, int line) {

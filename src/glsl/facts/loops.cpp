@@ -98,8 +98,9 @@ class LoopSearch {
                 continue;
             }
             if (!search_.isWord(at) || text(at + 1) != "(" || match(at + 1) >= range.end) continue;
-            if (text(at) == "if" || text(at) == "switch")
-                conditional = std::max(conditional, statements_.end(at, range.end));
+            // What is inside of one that was found ends with it.
+            if (at >= conditional && (text(at) == "if" || text(at) == "switch"))
+                conditional = statements_.end(at, range.end);
             if (text(at) == "for" || text(at) == "while") {
                 take(loopAt(at, range.end, depth, isSureHere));
                 at = std::max(at, statements_.body(at, range.end).end - 1);

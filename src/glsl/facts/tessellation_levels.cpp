@@ -71,8 +71,9 @@ class Flow {
 
     bool understandsAll(const Tokens& tokens) {
         for (auto begin = tokens.begin(); begin != tokens.end();) {
-            if (*begin == "for") {  // what it repeats is read like any statement
-                const auto end = endOfParentheses(begin + 1, tokens.end());
+            // What these control is read like any statement.
+            if (*begin == "if" || *begin == "else" || *begin == "for" || *begin == "while") {
+                const auto end = *begin == "else" ? begin + 1 : endOfParentheses(begin + 1, tokens.end());
                 if (isReached(Tokens(begin, end))) return false;
                 begin = end;
                 continue;
@@ -88,21 +89,9 @@ class Flow {
 
     /// True if the statement does not touch what is reached, or is an assignment that passes it on.
     bool understands(Tokens statement) {
-        if (!dropHeads(statement)) return false;
         if (std::ranges::find(statement, "uniform") != statement.end()) return true;
         noteDeclaration(statement);
         return !isReached(statement) || passesOn(statement);
-    }
-
-    /// Removes `else` and `if (...)` from the front; false if a condition depends on what is reached.
-    bool dropHeads(Tokens& statement) const {
-        while (!statement.empty() && (statement.front() == "if" || statement.front() == "else")) {
-            auto end = statement.cbegin() + 1;
-            if (statement.front() == "if") end = endOfParentheses(end, statement.cend());
-            if (isReached(Tokens(statement.cbegin(), end))) return false;
-            statement.erase(statement.cbegin(), end);
-        }
-        return true;
     }
 
     void noteDeclaration(Tokens& statement) {

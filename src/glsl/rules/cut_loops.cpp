@@ -88,8 +88,12 @@ class LoopRecorder {
     void markCondition(Range condition, const std::string& site) {
         std::uint32_t before = condition.first;
         const bool isEmpty = condition.end - condition.first <= 2;
-        // while (bool goesOn = f())
-        if (!isEmpty && unit_.bodies.roles[before + 2] == WordRole::localDeclaration) before += 3;
+        // while (bool goesOn = f()), or with const before it
+        for (std::uint32_t name = before + 2; name < std::min(before + 4, condition.end - 1); ++name)
+            if (unit_.bodies.roles[name] == WordRole::localDeclaration) {
+                before = name + 1;
+                break;
+            }
         unit_.edits.after(raw(before), isEmpty ? " glibra_goes(true" : " glibra_goes(");
         unit_.edits.before(raw(condition.end - 1), ", " + site + ")");
     }

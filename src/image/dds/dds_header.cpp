@@ -87,39 +87,26 @@ constexpr std::array kDdsKinds{
 /// A kind of compressed blocks: its name, or the DXGI_FORMATs from `first` to `last`: without a type, sRGB
 /// and plain, which hold the same bytes.
 struct DdsBlockKind {
-    std::string_view name;  ///< empty: none
-    std::uint32_t first, last;
-    std::uint32_t bytes, parts;
-    std::uint32_t dxgi = 0;  ///< 0: of parts
+    std::string_view name;      ///< empty: none
+    std::uint32_t first, last;  ///< 0: none
+    std::uint32_t bytes, parts, dxgi;
     bool isSigned = false, premultiplied = false;
 };
 
 constexpr std::array kDdsBlockKinds{
-    DdsBlockKind{.name = "DXT1", .first = 70, .last = 72, .bytes = 8, .parts = 0, .dxgi = kDxgiBc1},
-    DdsBlockKind{.name = "DXT3", .first = 73, .last = 75, .bytes = 16, .parts = 0, .dxgi = kDxgiBc2},
-    DdsBlockKind{.name = "DXT5", .first = 76, .last = 78, .bytes = 16, .parts = 0, .dxgi = kDxgiBc3},
-    DdsBlockKind{.name = "DXT2",
-                 .first = 0,
-                 .last = 0,
-                 .bytes = 16,
-                 .parts = 0,
-                 .dxgi = kDxgiBc2,
-                 .premultiplied = true},
-    DdsBlockKind{.name = "DXT4",
-                 .first = 0,
-                 .last = 0,
-                 .bytes = 16,
-                 .parts = 0,
-                 .dxgi = kDxgiBc3,
-                 .premultiplied = true},
-    DdsBlockKind{.name = "BC4U", .first = 79, .last = 80, .bytes = 8, .parts = 1},
-    DdsBlockKind{.name = "ATI1", .first = 0, .last = 0, .bytes = 8, .parts = 1},
-    DdsBlockKind{.name = "BC4S", .first = 81, .last = 81, .bytes = 8, .parts = 1, .isSigned = true},
-    DdsBlockKind{.name = "BC5U", .first = 82, .last = 83, .bytes = 16, .parts = 2},
-    DdsBlockKind{.name = "ATI2", .first = 0, .last = 0, .bytes = 16, .parts = 2},
-    DdsBlockKind{.name = "BC5S", .first = 84, .last = 84, .bytes = 16, .parts = 2, .isSigned = true},
-    DdsBlockKind{.name = "", .first = 94, .last = 95, .bytes = 16, .parts = 0, .dxgi = kDxgiBc6},
-    DdsBlockKind{.name = "", .first = 97, .last = 99, .bytes = 16, .parts = 0, .dxgi = kDxgiBc7},
+    DdsBlockKind{"DXT1", 70, 72, 8, 0, kDxgiBc1},
+    DdsBlockKind{"DXT3", 73, 75, 16, 0, kDxgiBc2},
+    DdsBlockKind{"DXT5", 76, 78, 16, 0, kDxgiBc3},
+    DdsBlockKind{"DXT2", 0, 0, 16, 0, kDxgiBc2, false, true},
+    DdsBlockKind{"DXT4", 0, 0, 16, 0, kDxgiBc3, false, true},
+    DdsBlockKind{"BC4U", 79, 80, 8, 1, 0},
+    DdsBlockKind{"ATI1", 0, 0, 8, 1, 0},
+    DdsBlockKind{"BC4S", 81, 81, 8, 1, 0, true},
+    DdsBlockKind{"BC5U", 82, 83, 16, 2, 0},
+    DdsBlockKind{"ATI2", 0, 0, 16, 2, 0},
+    DdsBlockKind{"BC5S", 84, 84, 16, 2, 0, true},
+    DdsBlockKind{"", 94, 95, 16, 0, kDxgiBc6},
+    DdsBlockKind{"", 97, 99, 16, 0, kDxgiBc7},
 };
 
 template <class Is>

@@ -12,8 +12,7 @@
 namespace glibra::image {
 
 /// DXGI_FORMATs of blocks that the image module reads.
-inline constexpr std::uint32_t kDxgiBc1 = 71, kDxgiBc2 = 74, kDxgiBc3 = 77, kDxgiBc6 = 95,
-                               kDxgiBc6Signed = 96, kDxgiBc7 = 98;
+inline constexpr std::uint32_t kDxgiBc1 = 71, kDxgiBc2 = 74, kDxgiBc3 = 77, kDxgiBc6 = 95, kDxgiBc7 = 98;
 
 /// What the bits of a component mean.
 enum class DdsNumber {

@@ -43,6 +43,7 @@ struct TiffEntry {
 };
 
 enum : std::uint64_t { kByte = 1, kShort = 3, kLong = 4, kLong8 = 16 };
+constexpr std::uint64_t kNoMeaning = 7;  // no photometric interpretation has this number
 
 /// Bytes of a number of a value.
 std::size_t sizeOf(const TiffEntry& entry) {
@@ -88,7 +89,8 @@ void take(const TiffBytes& bytes, const TiffEntry& entry, TiffHeader& header) {
             header.fillOrder = *value;
             break;
         case 262:
-            header.photometric = *value;
+            // Several do not stand in the entry, and have no meaning.
+            header.photometric = entry.count == 1 ? *value : kNoMeaning;
             header.photometricAt = bytes.lowestByte(entry.valueAt, sizeOf(entry));
             break;
         case 274:
@@ -175,7 +177,7 @@ std::string_view meaningOf(std::uint64_t photometric) {
         "grey with 0 as white", "grey",  "RGB", "indices of a palette", "a mask", "inks", "YCbCr",
         "of an unknown kind",   "CIELab"};
     return photometric < kMeanings.size() ? kMeanings.at(static_cast<std::size_t>(photometric))
-                                          : kMeanings[7];
+                                          : kMeanings[kNoMeaning];
 }
 
 /// Empty, or why the samples are not handed to OpenImageIO.

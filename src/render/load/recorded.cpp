@@ -24,33 +24,29 @@ Diagnostic reportOf(const glsl::UndefinedSite& site, std::int32_t count, std::in
                     std::int32_t limit) {
     using Kind = glsl::UndefinedSite::Kind;
     const std::string times = count == 1 ? "once" : base::groupedText(count) + " times";
+    const auto warn = [&](const char* id, const std::string& text) { return diagnose(id, text, site.place); };
     switch (site.kind) {
         case Kind::subscript:
-            return diagnose("glsl-W29",
-                            fmt::format("the subscript in '{}' is outside of the {} elements {}, the first "
-                                        "time {}",
-                                        site.text, limit, times, first),
-                            site.place);
+            return warn(
+                "glsl-W29",
+                fmt::format("the subscript in '{}' is outside of the {} elements {}, the first time {}",
+                            site.text, limit, times, first));
         case Kind::vertices:
-            return diagnose(
+            return warn(
                 "glsl-W30",
-                fmt::format("EmitVertex() exceeds max_vertices = {} {}; the surplus is lost", limit, times),
-                site.place);
+                fmt::format("EmitVertex() exceeds max_vertices = {} {}; the surplus is lost", limit, times));
         case Kind::texel:
-            return diagnose("glsl-W31",
-                            fmt::format("'{}' is outside {}, the first time at {} of {} texels", site.text,
-                                        times, first, limit),
-                            site.place);
+            return warn("glsl-W31", fmt::format("'{}' is outside {}, the first time at {} of {} texels",
+                                                site.text, times, first, limit));
         case Kind::level:
-            return diagnose("glsl-W31",
-                            fmt::format("'{}' names a level that the texture lacks {}, the first time {} of "
-                                        "{} levels",
-                                        site.text, times, first, limit),
-                            site.place);
+            return warn(
+                "glsl-W31",
+                fmt::format("'{}' names a level that the texture lacks {}, the first time {} of {} levels",
+                            site.text, times, first, limit));
         case Kind::divisor:
             break;
     }
-    return diagnose("glsl-W32", fmt::format("the divisor '{}' is 0 {}", site.text, times), site.place);
+    return warn("glsl-W32", fmt::format("the divisor '{}' is 0 {}", site.text, times));
 }
 
 /// What a program has recorded, which is then 0 again.

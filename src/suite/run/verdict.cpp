@@ -37,10 +37,6 @@ bool isTransparent(const image::Image& picture) {
     return true;
 }
 
-std::string percent(double part) {
-    return fmt::format("{:.3g} %", 100 * part);
-}
-
 }  // namespace
 
 std::string whyNoGolden(const image::Image& picture) {
@@ -231,8 +227,8 @@ Judged ShotJudge::passed(const Attempt& attempt, Findings found) const {
     result.verdict = Verdict::passed;
     if (result.compared < kLittle)
         result.diagnostics.push_back(diagnose("suite-W04",
-                                              fmt::format("only {} of the picture of '{}' is compared",
-                                                          percent(result.compared), attempt.shot->name),
+                                              fmt::format("only {:.3g} % of the picture of '{}' is compared",
+                                                          100 * result.compared, attempt.shot->name),
                                               attempt.shot->place));
     append(result.diagnostics, std::move(found.problems));
     result.judgement = std::move(found.judgement);

@@ -76,12 +76,11 @@ const ChangedFiles::Folder& ChangedFiles::folder(const fs::path& path) {
     const std::vector<std::string> top = git(path, {"rev-parse", "--show-toplevel"});
     if (top.size() != 1) return known;
     known.top = top.front();
-    constexpr const char* kCommit = "commit ";
     std::string commit;
     for (const std::string& line :
-         git(path, {"log", "-z", "--format=commit %H", "--name-only", "--relative", "--", "."})) {
-        if (line.starts_with(kCommit))
-            commit = line.substr(std::char_traits<char>::length(kCommit));
+         git(path, {"log", "-z", "--format=/%H", "--name-only", "--relative", "--", "."})) {
+        if (line.starts_with('/'))  // as no relative path does
+            commit = line.substr(1);
         else
             known.commits.emplace(line, commit);  // the latest comes first
     }
