@@ -107,7 +107,7 @@ class SceneChecker {
         return pack(guarded(scene, [&] {
             const RenderOptions options =
                 optionsFor(scene, arguments_.standardInput, arguments_.picture.options);
-            render::CheckResult checked = render::checkScene(*context_, scene, options);
+            render::CheckResult checked = render::checkScene(*context_, scene, options, &shared_);
             if (arguments_.translated.empty()) checked.shaders.clear();
             if (arguments_.run) checked.diagnostics = runOf(scene, options, std::move(checked.diagnostics));
             // The limit of time is that of a picture, and an exercise has several.
@@ -127,7 +127,7 @@ class SceneChecker {
     Diagnostics runOf(const std::string& scene, const RenderOptions& options, Diagnostics checked) {
         Diagnostics found = hasError(checked)
                                 ? render::answerWithoutPicture(scene, options, std::move(checked))
-                                : render::runChecks(*context_, scene, options, std::move(checked));
+                                : render::runChecks(*context_, scene, options, std::move(checked), &shared_);
         Diagnostics misspelt = render::takeMisspellings(found);
         append(misspelt, std::move(found));
         return misspelt;
@@ -137,6 +137,7 @@ class SceneChecker {
     int jobs_;
     bool quotesLines_ = ::isatty(STDERR_FILENO) == 1;  // a confined worker has no terminal
     std::optional<gpu::Context> context_;
+    render::SharedParts shared_;  // after the context, because it must be destroyed first
 };
 
 /// Reports what the workers found, in the order of the scenes.

@@ -215,19 +215,20 @@ class LayoutFinder {
     /// Reports glib-E05 for the first value that its float does not hold, and memory-W02 for the first that
     /// is out of the range of its integer.
     void checkValues(const scene::Buffer& buffer, const MemoryPattern& pattern) {
-        for (std::size_t i = 0; i < buffer.values.size(); ++i) {
+        const std::vector<double>& values = buffer.values.numbers();
+        for (std::size_t i = 0; i < values.size(); ++i) {
             const NumberKind kind = pattern.at(i).kind;
-            if (kind == NumberKind::floating && !base::fitsFloat(buffer.values[i])) {
+            if (kind == NumberKind::floating && !base::fitsFloat(values[i])) {
                 diagnostics_.push_back(
                     diagnose("glib-E05",
                              fmt::format("buffer '{}': value {} is {}, which is too large for a 32-bit float",
-                                         buffer.name, i, glib::numberText(buffer.values[i])),
+                                         buffer.name, i, glib::numberText(values[i])),
                              buffer.place));
                 return;
             }
             const bool isSigned = kind == NumberKind::integer;
             if (!isSigned && kind != NumberKind::unsignedInteger) continue;
-            const double value = buffer.values[i];
+            const double value = values[i];
             const double held = isSigned ? static_cast<double>(base::toInt(value))
                                          : static_cast<double>(base::toUnsigned(value));
             if (base::wholeNumber(value).value == held) continue;

@@ -140,7 +140,7 @@ class SceneMeasures {
         if (buffer.file) return std::nullopt;
         for (std::size_t i = 0; i < pattern.head.size(); ++i)
             if (pattern.head[i].offset == static_cast<std::uint64_t>(offset))
-                return i < buffer.values.size() ? buffer.values[i] : 0;
+                return i < buffer.values.size() ? buffer.values.numbers()[i] : 0;
         return std::nullopt;
     }
 

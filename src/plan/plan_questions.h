@@ -41,6 +41,7 @@ struct PlanOptions {
     /// Objects of a modern scene whose content is wanted besides the window.
     std::vector<scene::ObjectView> roots{};
     bool everything = false;    ///< for `glibra check` and --no-skip: skips nothing
+    bool idleNoise = true;      ///< with `everything`: also built-in noise that no sampler reads
     bool reportsNames = true;   ///< false: one of several lists; reportNames() is called with all plans
     bool shareMeshes = true;    ///< false: one mesh per draw
     bool shareTargets = false;  ///< textures may share memory; only `roots` keep their content

@@ -39,8 +39,10 @@ const scene::ObjectView* sizeObjectOf(const scene::Dispatch& dispatch) {
 PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::UniformSetIndex uniforms,
                                         const std::string& file) {
     if (!variant.program) uniforms = {};  // the built-in program reads none of them
-    PlannedProgramIndex& index = programs_[{variant, uniforms}];
-    if (index) return index;
+    const std::size_t values = uniforms ? uniforms.position() + 1 : 0;
+    if (withValues_.size() <= values) withValues_.resize(scene_.uniformSets.size() + 1);
+    for (PlannedProgramIndex each = withValues_[values]; each; each = states_[each].other)
+        if (plan_.programs[each].variant == variant) return each;
     const ProgramInterface& interface = questions_.interfaceOf(variant);
     PlannedProgram program{variant, &interface, {}, {}, {}};
     State state;
@@ -51,8 +53,9 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     program.hasOpenLoops = interface.usable && longLoops.empty() && plan::hasOpenLoops(program, measure);
     append(state.diagnostics, std::move(longLoops));
     append(state.diagnostics, reportLostVertices(program, measure));
+    state.other = withValues_[values];
     states_.push_back(std::move(state));
-    return index = plan_.programs.add(std::move(program));
+    return withValues_[values] = plan_.programs.add(std::move(program));
 }
 
 void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms,
@@ -60,10 +63,13 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
     const ProgramInterface& interface = *program.interface;
     const scene::Program noPairs;
     const scene::Program* own = declared(program.variant.program);
-    scene::Program merged;  // what a draw sets comes after what the Program statement sets
+    scene::Program merged;  // values of the draw after those of the Program statement, which they replace
     if (own != nullptr && uniforms) {
-        merged = *own;
+        merged.name = own->name;
+        merged.place = own->place;
         const std::vector<glib::UniformSpec>& set = scene_.uniformSets[uniforms].values;
+        merged.uniforms.reserve(own->uniforms.size() + set.size());
+        merged.uniforms = own->uniforms;
         merged.uniforms.insert(merged.uniforms.end(), set.begin(), set.end());
         own = &merged;
     }

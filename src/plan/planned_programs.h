@@ -33,6 +33,7 @@ class PlannedPrograms {
         Diagnostics badBindings;                 ///< draw-E09, draw-E10: nothing is drawn with it
         std::vector<scene::ObjectView> refused;  ///< UniformResolution::refusedImages
         bool isAnnounced = false;                ///< its diagnostics are in the plan
+        PlannedProgramIndex other{};             ///< another variant with the same values, or none
     };
 
     PlannedProgramIndex of(const scene::Draw& draw, const scene::Pass& pass) {
@@ -61,6 +62,8 @@ class PlannedPrograms {
     /// The textures that a draw's samplers read. Draws with equal program, slots and wrap share them.
     template <class Reader>  // Draw or Dispatch
     const std::vector<TextureUse>& texturesOf(const Reader& reader, PlannedProgramIndex program) {
+        static const std::vector<TextureUse> kNone;
+        if (state(program).units.empty()) return kNone;
         const auto [entry, isNew] = uses_.try_emplace({program, reader.slots, reader.sampling.clamp});
         if (isNew)
             entry->second = textureUses(scene_, reader.slots, reader.sampling, *(*this)[program].interface,
@@ -84,7 +87,7 @@ class PlannedPrograms {
     const PlanQuestions& questions_;
     const PlanOptions& options_;
     FramePlan& plan_;
-    std::map<std::pair<ProgramVariant, scene::UniformSetIndex>, PlannedProgramIndex> programs_;
+    std::vector<PlannedProgramIndex> withValues_;  ///< by place of the uniform set, from 1; 0: of none
     scene::List<State, PlannedProgram> states_;
     std::map<std::tuple<PlannedProgramIndex, scene::SlotTableIndex, bool>, std::vector<TextureUse>> uses_;
     /// Values of uniforms do not matter, so that draws that differ only in them share a vertex array.

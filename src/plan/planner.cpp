@@ -43,8 +43,9 @@ class FramePlanner {
         const Needs needs = this->needs();
         for (const scene::NodeIndex& node : nodes_.order) planNode(node, needs);
         if (options_.everything) planUndrawnPrograms();
+        const std::set<scene::TextureIndex> idle = idleNoise();
         for (const scene::TextureIndex each : scene_.textures.indices())
-            if (needs.textures[each]) plan_.textures.push_back(each);
+            if (needs.textures[each] && !idle.contains(each)) plan_.textures.push_back(each);
         for (const scene::BufferIndex each : scene_.buffers.indices())
             if (needs.buffers.size() > each.position() && needs.buffers[each]) plan_.buffers.push_back(each);
         listAttributes();
@@ -76,6 +77,20 @@ class FramePlanner {
             return programs_.usesOf(dispatch);
         };
         return findLiveNeeds(scene_, nodes_, questions, options_.roots, options_.everything);
+    }
+
+    /// Built-in noise that is planned only because all textures are, unless PlanOptions::idleNoise.
+    [[nodiscard]] std::set<scene::TextureIndex> idleNoise() const {
+        std::set<scene::TextureIndex> idle;
+        if (!options_.everything || options_.idleNoise) return idle;
+        for (const scene::TextureIndex each : scene_.textures.indices()) {
+            const auto* noise = std::get_if<scene::NoiseSource>(&scene_.textures[each].source);
+            if (noise != nullptr && !noise->file && noise->remarks.empty()) idle.insert(each);
+        }
+        plan_.visitStatements([&](const auto& planned, const auto&) {
+            for (const TextureUse& use : planned.textures) idle.erase(use.view.texture);
+        });
+        return idle;
     }
 
     void planNode(const scene::NodeIndex& node, const Needs& needs) {

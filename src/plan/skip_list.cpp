@@ -29,6 +29,7 @@ class SkipList {
         addPrograms();
         addMeshes();
         addTextures();
+        addBuffers();
         addFiles();
         return std::move(skipped_);
     }
@@ -163,6 +164,18 @@ class SkipList {
                                                            : fmt::format("'{}'", texture.name);
             add(noise != nullptr ? "noise texture" : "texture", which + ": no active sampler reads it",
                 texture.place);
+        }
+    }
+
+    void addBuffers() {
+        scene::List<bool, scene::Buffer> used(scene_.buffers.size());
+        for (const scene::BufferIndex each : plan_.buffers) used[each] = true;
+        for (const scene::BufferIndex i : scene_.buffers.indices()) {
+            const scene::Buffer& buffer = scene_.buffers[i];
+            if (used[i])
+                useFile(buffer.file);
+            else
+                add("buffer", fmt::format("'{}': nothing reads it", buffer.name), buffer.place);
         }
     }
 

@@ -156,6 +156,11 @@ void SceneState::explainSimulation(Stats& stats) const {
         }
         for (const scene::TextureIndex texture : each->textures)
             used.push_back(scene.textures[texture].place);
+        for (const scene::BufferIndex buffer : each->buffers) {
+            const scene::Buffer& own = scene.buffers[buffer];
+            used.push_back(own.place);
+            if (own.file) used.push_back(scene.files[own.file].place);
+        }
     }
     const auto isNode = [](const plan::Skipped& each) {
         return each.what == "pass" || each.what == "draw" || each.what == "dispatch" ||

@@ -20,6 +20,7 @@
 #include "geometry/mesh.h"
 #include "glib/script.h"
 #include "glsl/types/stage.h"
+#include "scene/buffer_values.h"
 #include "scene/index.h"
 
 namespace glibra::scene {
@@ -138,8 +139,8 @@ struct Buffer {
     /// `name`.
     std::string type;
     std::optional<std::uint64_t> count{};  ///< elements; nothing: as many as the values fill
-    std::vector<double> values;            ///< components in order; what they do not fill is zero
-    bool isComputed = false;               ///< an expression has given `values`, one element at a time
+    BufferValues values;                   ///< components in order; what they do not fill is zero
+    bool isComputed = false;               ///< an expression gives `values`, one element at a time
     FileIndex file{};                      ///< raw bytes, in place of `values`
     bool hasHistory = false;
     Place place;

@@ -7,6 +7,7 @@
 #include <array>
 #include <random>
 
+#include "render/check/scene_check.h"
 #include "render/file/job.h"
 #include "render/scene_renderer.h"
 #include "skip_runs.h"
@@ -262,6 +263,52 @@ TEST(SkipRule, ATileIsSparedWhatLiesBesideIt) {
     const render::JobResult done = render::runJob(sharedContext(), job, [](int) {});
     EXPECT_NE(done.explanation.find(std::to_string(spared) + " lie outside their tile"), std::string::npos)
         << done.explanation;
+}
+
+const std::string kBuffered =
+    "WindowSize 32 32\nVertex inline\n#version 430 core\nin vec3 aPosition;\nbuffer used { float x[]; };\n"
+    "void main() { gl_Position = vec4(aPosition.xy * x[1], 0., 1.); }\nEndVertex\n"
+    "Fragment inline\n#version 430 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\nEndFragment\n"
+    "Program P\nBox 1\n";
+
+TEST(SkipRule, NoBufferThatNothingReads) {
+    const SceneFolder folder("Buffer idle float 9 (1/(3 - i))\nBuffer used float 9 (.1*i)\n" + kBuffered);
+    const Drawing run = draw(folder);
+    EXPECT_EQ(run.skipped("buffer"), Words{"'idle': nothing reads it"});
+    EXPECT_EQ(run.count("buffers"), 1U);
+    const auto idsOf = [](const Diagnostics& all) {
+        std::string ids;
+        for (const Diagnostic& each : all)
+            if (each.severity == Severity::error) ids += each.id + " ";
+        return ids;
+    };
+    // What is wrong with it is found by `glibra check`, and where it is read, each time once.
+    EXPECT_EQ(idsOf(run.diagnostics), "");
+    EXPECT_EQ(idsOf(render::checkScene(sharedContext(), folder / "scene.glib", {}).diagnostics), "expr-E06 ");
+    RenderOptions wanted;
+    wanted.wantedObjects = {"idle"};
+    render::Stats stats;
+    EXPECT_EQ(
+        idsOf(render::SceneRenderer::load(sharedContext(), folder / "scene.glib", wanted, stats).diagnostics),
+        "expr-E06 ");
+    folder.write("scene.glib", "Buffer used float 9 (1/(3 - i))\n" + kBuffered);
+    EXPECT_EQ(
+        idsOf(render::SceneRenderer::load(sharedContext(), folder / "scene.glib", {}, stats).diagnostics),
+        "expr-E06 ");
+}
+
+TEST(SkipRule, ACheckMakesOnlyTheNoiseThatASamplerReadsAndSharesIt) {
+    const auto filled = [](const SceneFolder& folder, render::SharedParts* shared) {
+        const gpu::CallCounter counter;
+        EXPECT_FALSE(
+            hasError(render::checkScene(sharedContext(), folder / "scene.glib", {}, shared).diagnostics));
+        return counter.counts().texturesFilled;
+    };
+    EXPECT_EQ(filled(sceneOf(program("plain") + "Sphere 1\n"), nullptr), 0U);
+    const SceneFolder noisy = sceneOf(program("noise") + "Sphere 1\n");
+    render::SharedParts shared;
+    EXPECT_EQ(filled(noisy, &shared), 1U);
+    EXPECT_EQ(filled(noisy, &shared), 0U);
 }
 
 TEST(SkipRule, WhatIsSkippedIsStillCheckedWhenNothingIs) {

@@ -211,6 +211,20 @@ TEST(Mistakes, AVariableWithoutAValueForAMomentHasOneLater) {
     EXPECT_EQ(tests::drawsOf(second).at(0).modelView[3].x, 2);
 }
 
+TEST(Mistakes, OfTheLaterElementsOfABufferAreReportedWhenTheyAreRead) {
+    const Scene scene = tests::run("Buffer b float 4 (1/(2 - i))\nBuffer c int 2 (i + .5)\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    ASSERT_EQ(scene.buffers.size(), 2U);
+    const BufferValues copy = scene.buffers.at(0).values;
+    EXPECT_EQ(copy.size(), 4U);
+    EXPECT_TRUE(scene.buffers.at(0).values.hasFailed());
+    EXPECT_EQ(copy.numbers(), (std::vector<double>{.5, 1, 0, 0}));
+    EXPECT_EQ(idsOf(copy.takeProblems()), "expr-E06");
+    EXPECT_EQ(textsOf(scene.buffers.at(0).values.takeProblems()), "") << "reported twice";
+    EXPECT_EQ(textsOf(scene.buffers.at(1).values.takeProblems()), "2:16 glib-W27 0.5 is cut to 0");
+    EXPECT_EQ(errorsOf("Buffer b float 4 (1/i)\n").substr(0, 4), "1:19") << "the first one at once";
+}
+
 TEST(Mistakes, OfAVariableAreNotRepeatedByItsChecks) {
     EXPECT_EQ(errorsOf("Let v (1 - sqrt(0 - 1))\nExpect (v == 1)\nBox\n"),
               "1:12 expr-E06 'sqrt(0 - 1)': the result is not a number");

@@ -330,6 +330,22 @@ TEST(ModernPasses, ClearEachTargetToAColourOfItsOwn) {
               "glib-E26");
 }
 
+TEST(Buffers, HaveTheValuesThatTheNamesHadAtTheirStatement) {
+    const Scene scene =
+        run("Let k (2)\nLet list [3 5 7]\nBuffer b vec2 3 (vec2(k*i, list[int(i)]))\nLet k (9)\n");
+    ASSERT_EQ(scene.buffers.size(), 1U) << textsOf(scene.diagnostics);
+    EXPECT_EQ(scene.buffers.at(0).values.numbers(), (std::vector<double>{0, 3, 2, 5, 4, 7}));
+}
+
+TEST(UniformSets, OfEqualValuesAreSharedWhereverTheyStand) {
+    const Scene scene =
+        run("Texture2D a 8 8 rgba8\nTexture2D b 8 8 rgba8\nRepeat 6 as k\nSet uK (mod(k, 2)) uM "
+            "a\nBox\nEndRepeat\n"
+            "Set uK 1 uM a\nBox\nSet uM b\nBox\nSet uK {1 1 1}\nBox\n");
+    EXPECT_EQ(drawsOf(scene).size(), 9U) << textsOf(scene.diagnostics);
+    EXPECT_EQ(scene.uniformSets.size(), 4U);
+}
+
 TEST(Choices, NameTheTopologyOfVertices) {
     const std::string text = "Vertices (k) 12\n";
     const Scene chosen = run("Let k <triangles lines>\n" + text);

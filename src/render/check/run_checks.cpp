@@ -160,11 +160,11 @@ Diagnostics answerWithoutPicture(const std::filesystem::path& path, const Render
 }
 
 Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options,
-                      Diagnostics known) {
+                      Diagnostics known, SharedParts* shared) {
     Stats stats;
     RenderOptions checked = options;
     checked.checks = true;
-    Result<SceneRenderer> renderer = SceneRenderer::load(context, path, checked, stats);
+    Result<SceneRenderer> renderer = SceneRenderer::load(context, path, checked, stats, shared);
     Diagnostics reported = std::move(known);
     for (Diagnostic& each : renderer.diagnostics)
         if (!hasMessage(reported, each)) reported.push_back(std::move(each));

@@ -28,8 +28,8 @@ Diagnostics answerWithoutPicture(const std::filesystem::path& scene, const Rende
 
 /// Draws the scene and answers its checks, for `glibra check --run`. The result has what was reported,
 /// without what Expect error asks for, and an error for each check that does not hold. `known` is what
-/// checkScene() has reported, which the result keeps.
+/// checkScene() has reported, which the result keeps. `shared`: parts of other scenes, or null.
 Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& scene, const RenderOptions& options,
-                      Diagnostics known = {});
+                      Diagnostics known = {}, SharedParts* shared = nullptr);
 
 }  // namespace glibra::render

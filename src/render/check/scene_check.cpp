@@ -77,8 +77,8 @@ std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
 
 }  // namespace
 
-CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
-                       const RenderOptions& options) {
+CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options,
+                       SharedParts* shared) {
     Stats stats;
     RenderOptions compiled = options;
     compiled.checkUndefined = false;  // nothing is drawn
@@ -87,8 +87,12 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
     result.diagnostics = std::move(interpreted.diagnostics);
     if (interpreted) {
         // A scene with errors in its text is checked further, because its shaders may have errors too.
-        SceneState state(context, compiled, std::move(*interpreted), false, stats, nullptr);
-        append(result.diagnostics, state.preparePlan(state.planOptions(true), stats));
+        SceneState state(context, compiled, std::move(*interpreted), false, stats, shared);
+        for (const scene::Buffer& each : state.scene.buffers)
+            append(result.diagnostics, each.values.takeProblems());
+        Result<plan::PlanOptions> everything = state.planOptions(true);
+        if (everything) everything->idleNoise = false;
+        append(result.diagnostics, state.preparePlan(std::move(everything), stats));
         result.shaders = translatedShaders(state);
     }
     append(result.diagnostics, context.debugLog().takeDiagnostics());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "render/load/shared_parts.h"
 
 namespace glibra::render {
 
@@ -23,8 +24,9 @@ struct CheckResult {
     std::vector<TranslatedShader> shaders;
 };
 
-/// Resolves and reads every file, and compiles and links every program. Draws nothing and skips nothing.
+/// Resolves and reads every file, computes every buffer, and compiles and links every program. Draws nothing
+/// and skips nothing but built-in noise that no sampler reads. `shared`: parts of other scenes, or null.
 CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene,
-                       const RenderOptions& options);
+                       const RenderOptions& options, SharedParts* shared = nullptr);
 
 }  // namespace glibra::render

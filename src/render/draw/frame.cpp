@@ -42,10 +42,10 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const plan::FramePlan& pla
 
 void FrameDrawer::skipOpaqueBlending() {
     blendsOpaque_ = false;
-    std::set<plan::PlannedProgramIndex> reported;
+    std::set<const BuiltProgram*> reported;
     plan_.visitDraws([&](const plan::PlannedDraw& draw, const auto&, const scene::Pass& pass) {
         const BuiltProgram* own = pass.isWindow ? ownProgramOf(draw) : nullptr;
-        if (own == nullptr || !own->interface.facts.isOpaque || !reported.insert(draw.program).second) return;
+        if (own == nullptr || !own->interface.facts.isOpaque || !reported.insert(own).second) return;
         const glsl::TranslatedProgram& facts = own->interface.facts;
         stats_.skip("blending", fmt::format("'{}': always writes 1 for alpha", facts.name), facts.place);
     });

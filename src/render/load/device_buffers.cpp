@@ -39,10 +39,13 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     if (known != made_.end() && known->second.current.size() < bytes)
         if (Diagnostics failure = grow(known->second, bytes); hasError(failure)) return failure;
     if (known != made_.end() && (states_[index].lasts || known->second.values == buffer.values)) return {};
+    Diagnostics problems = buffer.values.takeProblems();
+    if (buffer.values.hasFailed()) return problems;
     if (known != made_.end()) {
         known->second.values = buffer.values;
         known->second.declared.reset();
-        return reset(index);
+        append(problems, reset(index));
+        return problems;
     }
     const StageTimer timer(stats_, "upload");
     const std::uint64_t all = buffer.hasHistory ? 2 * bytes : bytes;
@@ -55,7 +58,8 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
                          buffer.place)};
     bytesLeft_ -= all;
     const Result<std::vector<std::byte>> content = declaredBytes(index);
-    if (!content) return content.diagnostics;
+    append(problems, content.diagnostics);
+    if (!content) return problems;
     Result<gpu::Buffer> current = filled(bytes, *content);
     if (!current) return std::move(current.diagnostics);
     Made made{std::move(*current), {}, {}, buffer.values};
@@ -67,7 +71,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     made_.emplace(index, std::move(made));
     stats_.add("buffers", 1);
     stats_.add("bytes of buffers", all);
-    return content.diagnostics;
+    return problems;
 }
 
 Diagnostics DeviceBuffers::grow(Made& made, std::uint64_t bytes) {
@@ -105,14 +109,14 @@ Result<std::vector<std::byte>> DeviceBuffers::declaredBytes(scene::BufferIndex i
         if (!bytes) return diagnostics;
         return {std::move(*bytes), std::move(diagnostics)};
     }
-    if (std::ranges::all_of(buffer.values, [](double each) { return each == 0; }))
-        return std::vector<std::byte>();
+    const std::vector<double>& values = buffer.values.numbers();
+    if (std::ranges::all_of(values, [](double each) { return each == 0; })) return std::vector<std::byte>();
     // The bytes up to the last value.
-    const plan::MemoryNumber last = layout.pattern.at(buffer.values.size() - 1);
+    const plan::MemoryNumber last = layout.pattern.at(values.size() - 1);
     const std::uint64_t used =
         std::min<std::uint64_t>(layout.bytes, last.offset + layout.pattern.stride + sizeOf(last.kind));
     std::vector<std::byte> content(used);
-    writeNumbers(layout.pattern, 0, buffer.values, content);
+    writeNumbers(layout.pattern, 0, values, content);
     return content;
 }
 

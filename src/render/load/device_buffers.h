@@ -60,7 +60,7 @@ class DeviceBuffers {
         gpu::Buffer current;
         std::optional<gpu::Buffer> previous;
         std::optional<gpu::Buffer> declared;  ///< made by the first reset() of a buffer with values
-        std::vector<double> values;           ///< that it was declared with
+        scene::BufferValues values;           ///< that it was declared with
     };
     Diagnostics make(scene::BufferIndex index);
     /// Gives a buffer that has become longer by padding that many bytes, with its content.

@@ -169,13 +169,13 @@ std::optional<DeviceScene::IndexAt> DeviceScene::firstIndexFrom(scene::BufferInd
     const std::size_t head = buffers_.layout(buffer)->pattern.head.size();
     // Values that the statement does not give are zero.
     std::vector<double> ofFile;
+    std::span<const double> values;
     if (declared.file) {
         if (!checkedIndices_.emplace(buffer, count, limit).second) return std::nullopt;
-        ofFile = buffers_.read({buffer}, head, count);
+        values = ofFile = buffers_.read({buffer}, head, count);
+    } else {
+        values = std::span(declared.values.numbers()).subspan(std::min(head, declared.values.size()));
     }
-    const std::span<const double> values =
-        declared.file ? std::span<const double>(ofFile)
-                      : std::span(declared.values).subspan(std::min(head, declared.values.size()));
     for (std::size_t i = 0; i < values.size() && i < count; ++i) {
         const double vertex = values[i];
         const bool isRestart = restarts && (vertex == kRestartAt || vertex == kRestartOfInts);

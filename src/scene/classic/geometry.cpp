@@ -192,8 +192,10 @@ void doPrimitive(Interpreter& in, const Command& command) {
     Shape shape{command.id, command.numbers, {}, nullptr};
     const geometry::Counts counts = countsOf(shape).value_or(geometry::Counts{});
     if (!countVertices(in, command, counts.vertices)) return;
-    const std::string size = fmt::format("{} vertices, {} {}", counts.vertices, counts.primitives,
-                                         geometry::wordsOf(topologyOf(command.id)));
+    std::string size;
+    if (in.scene.verbose)
+        size = fmt::format("{} vertices, {} {}", counts.vertices, counts.primitives,
+                           geometry::wordsOf(topologyOf(command.id)));
     draw(in, command, {shareShape(in, std::move(shape)), command.word, size, {}});
 }
 

@@ -65,9 +65,14 @@ Parts partsOf(const Command& command) {
     return parts;
 }
 
+/// True for a basic type of integers.
+bool isOfIntegers(std::string_view type) {
+    return basicType(type) && (type.starts_with('i') || type.starts_with('u'));
+}
+
 /// The components of an expression of `i` for each element. They are computed again only if what the
 /// expression reads has changed.
-std::optional<std::vector<double>> computedElements(Interpreter& in, const Value& value, int count) {
+std::optional<BufferValues> computedElements(Interpreter& in, const Value& value, int count, bool areWhole) {
     ComputedElements& known = in.shared->computed.elements[writtenAt(in, value)];
     const auto readsOf = [&](std::span<const Environment::Slot> slots) {
         std::vector<double> reads;
@@ -86,7 +91,11 @@ std::optional<std::vector<double>> computedElements(Interpreter& in, const Value
     std::vector<Environment::Slot> slots;
     in.around.readSlots = &slots;
     const Depends before = std::exchange(in.shared->depends, Depends::nothing);
-    auto values = elementsOf(in, value, {&value, 1}, count, kMostNumbers);
+    std::optional<BufferValues> values;
+    if (value.kind == Value::Kind::expression)
+        values = elementsLater(in, value, count, kMostNumbers, areWhole);
+    else if (auto numbers = elementsOf(in, value, {&value, 1}, count, kMostNumbers))
+        values = std::move(*numbers);
     in.around.readSlots = nullptr;
     known.depends = in.shared->depends;
     in.shared->depends = before | known.depends;
@@ -129,10 +138,13 @@ bool readContent(Interpreter& in, const Command& command, const Parts& parts, Bu
                                buffer.type, components));
             return false;
         }
+        if (isOfIntegers(buffer.type))
+            for (Diagnostic& each : reportFirstCut(buffer.values.numbers(), in.place(content)))
+                in.report(std::move(each));
         return true;
     }
     const auto count = static_cast<int>(buffer.count.value_or(0));
-    auto values = computedElements(in, content, count);
+    auto values = computedElements(in, content, count, isOfIntegers(buffer.type));
     if (!values) return false;
     if (type && values->size() != *buffer.count * components) {
         refuse(in, "glib-E26", command, content.position,
@@ -143,17 +155,6 @@ bool readContent(Interpreter& in, const Command& command, const Parts& parts, Bu
     buffer.values = std::move(*values);
     buffer.isComputed = true;
     return true;
-}
-
-/// glib-W27 for the first fraction that integers cut.
-void reportCut(Interpreter& in, const Value& content, const Buffer& buffer) {
-    if (!buffer.type.starts_with('i') && !buffer.type.starts_with('u')) return;
-    const auto cut =
-        std::ranges::find_if(buffer.values, [](double each) { return base::wholeNumber(each).isCut; });
-    if (cut != buffer.values.end() && std::isfinite(*cut))
-        in.reportAt(content, "glib-W27",
-                    fmt::format("{} is cut to {}", glib::numberText(*cut),
-                                glib::numberText(base::wholeNumber(*cut).value)));
 }
 
 void doBuffer(Interpreter& in, const Command& command) {
@@ -183,7 +184,6 @@ void doBuffer(Interpreter& in, const Command& command) {
         buffer.count = static_cast<std::uint64_t>(*size);
     }
     if (parts.content != nullptr && !readContent(in, command, parts, buffer)) return;
-    if (type && parts.content != nullptr) reportCut(in, *parts.content, buffer);
     // What a structure takes is known when its shader is read.
     constexpr std::uint64_t kBytes = 4;
     const std::size_t components = type ? type->size() : 1;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/matrices.h"
+#include "base/number.h"
 #include "base/suggest.h"
 #include "base/text.h"
 #include "expression/known_names.h"

@@ -129,6 +129,63 @@ ReadExpression* supplied(Interpreter& in, const Value& value, const expression::
     return &read;
 }
 
+/// False with glib-E15 reported if so many elements of so many numbers are more than `most` numbers.
+bool areFew(Interpreter& in, const Value& owner, std::size_t numbers, int count, double most) {
+    if (static_cast<double>(numbers) * count <= most) return true;
+    in.reportAt(owner, "glib-E15",
+                fmt::format("{} elements of {} numbers; the limit is {} numbers", base::groupedText(count),
+                            numbers, base::groupedText(static_cast<long long>(most))));
+    return false;
+}
+
+/// The values that the names of an expression of `i` have where it stands.
+class KeptValues final : public expression::Values {
+  public:
+    KeptValues(const Environment& names, std::span<const expression::Use> uses, Environment::Slot counter)
+        : counter_(counter) {
+        for (const expression::Use& use : uses) {
+            const expression::Symbol& symbol = use.symbol;
+            if (symbol.slot == counter) continue;
+            Kept kept{symbol.slot, symbol.type.size(), {}, {}, {}};
+            for (std::size_t i = 0; i < std::max<std::size_t>(1, symbol.count); ++i) {
+                const double* value = names.find(symbol.slot, i);
+                if (value == nullptr) kept.why = names.whyMissing(symbol.slot, i);
+                kept.has.push_back(value != nullptr);
+                kept.components.resize((i + 1) * kept.size);
+                if (value != nullptr) std::copy_n(value, kept.size, &kept.components[i * kept.size]);
+            }
+            kept_.push_back(std::move(kept));
+        }
+    }
+    void setCounter(double value) { i_ = value; }
+
+    [[nodiscard]] const double* find(std::uint32_t slot, std::size_t element) const override {
+        if (slot == counter_) return &i_;
+        const Kept& kept = of(slot);
+        return element < kept.has.size() && kept.has[element] ? &kept.components[element * kept.size]
+                                                              : nullptr;
+    }
+    [[nodiscard]] std::string whyMissing(std::uint32_t slot, std::size_t /*element*/) const override {
+        return of(slot).why;
+    }
+
+  private:
+    struct Kept {
+        Environment::Slot slot = 0;
+        std::size_t size = 1;
+        std::vector<double> components;  ///< of all elements
+        std::vector<bool> has;           ///< one per element
+        std::string why;                 ///< there is no value
+    };
+    [[nodiscard]] const Kept& of(std::uint32_t slot) const {
+        return *std::ranges::find(kept_, slot, &Kept::slot);  // few, so that a search is fast
+    }
+
+    Environment::Slot counter_;
+    double i_ = 0;
+    std::vector<Kept> kept_;
+};
+
 /// True for a value that another picture may have otherwise though nobody has changed the scene. Its
 /// fractions are cut on purpose.
 bool changesByItself(expression::Depends depends) {
@@ -386,17 +443,49 @@ std::optional<std::vector<double>> elementsOf(Interpreter& in, const Value& owne
         const auto numbers = numbersOf(in, element);
         if (!numbers) {
             all.reset();
-        } else if (static_cast<double>(numbers->size()) * count > most) {
-            in.reportAt(
-                owner, "glib-E15",
-                fmt::format("{} elements of {} numbers; the limit is {} numbers", base::groupedText(count),
-                            numbers->size(), base::groupedText(static_cast<long long>(most))));
+        } else if (!areFew(in, owner, numbers->size(), count, most)) {
             all.reset();
         } else {
             all->insert(all->end(), numbers->begin(), numbers->end());
         }
     }
     return all;
+}
+
+Diagnostics reportFirstCut(std::span<const double> numbers, const Place& place) {
+    const auto cut = std::ranges::find_if(numbers, [](double each) { return base::wholeNumber(each).isCut; });
+    if (cut == numbers.end() || !std::isfinite(*cut)) return {};
+    return {diagnose("glib-W27",
+                     fmt::format("{} is cut to {}", glib::numberText(*cut),
+                                 glib::numberText(base::wholeNumber(*cut).value)),
+                     place)};
+}
+
+std::optional<BufferValues> elementsLater(Interpreter& in, const Value& element, int count, double most,
+                                          bool areWhole) {
+    const InnerNames inner(in);
+    Environment& names = in.names();
+    const Environment::Slot counter = names.bind("i", counterSymbol());
+    names.setNumber(counter, 0);
+    const auto first = evaluate(in, element);
+    if (!first || !areFew(in, element, first->all().size(), count, most)) return std::nullopt;
+    const expression::Expression& expression = *readExpression(in, element, {}).expression;
+    const auto make = [expression, values = KeptValues(names, expression.uses(), counter), count, areWhole,
+                       place = in.place(element)]() mutable {
+        BufferValues::Made made;
+        for (int i = 0; i < count; ++i) {
+            values.setCounter(i);
+            const auto value = expression.evaluate(values);
+            if (!value) {
+                made.problems.push_back(value.problem.message);
+                return made;
+            }
+            made.numbers.insert(made.numbers.end(), value->all().begin(), value->all().end());
+        }
+        if (areWhole) made.problems = reportFirstCut(made.numbers, place);
+        return made;
+    };
+    return BufferValues(first->all().size() * static_cast<std::size_t>(count), make);
 }
 
 }  // namespace glibra::scene

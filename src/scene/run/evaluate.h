@@ -10,6 +10,7 @@
 #include "expression/expression.h"
 #include "glib/parse/arguments.h"
 #include "glib/script.h"
+#include "scene/buffer_values.h"
 #include "scene/run/state.h"
 
 namespace glibra::scene {
@@ -82,5 +83,11 @@ expression::Symbol counterSymbol();
 /// stand in. Nothing with the reason reported, which is glib-E15 if they are more than `most` numbers.
 std::optional<std::vector<double>> elementsOf(Interpreter&, const Value& owner,
                                               std::span<const Value> element, int count, double most);
+/// The same for an expression, of which only the first element is computed here. `areWhole`: they become
+/// integers, and glib-W27 tells of the first fraction.
+std::optional<BufferValues> elementsLater(Interpreter&, const Value& element, int count, double most,
+                                          bool areWhole);
+/// glib-W27 for the first fraction that integers cut; nothing without one.
+Diagnostics reportFirstCut(std::span<const double> numbers, const Place& place);
 
 }  // namespace glibra::scene

@@ -43,7 +43,8 @@ struct ComputedElements {
     bool isSteady = false;  ///< it changes with variables alone
     std::size_t count = 0;
     std::vector<Environment::Slot> slots;  ///< of these variables
-    std::vector<double> reads, values;
+    std::vector<double> reads;
+    BufferValues values;
     expression::Depends depends = expression::Depends::nothing;
 };
 
@@ -52,7 +53,7 @@ struct MeshContent {
     struct Part {
         std::string name;  ///< "position"
         std::string type;  ///< of an element
-        std::vector<double> values;
+        BufferValues values;
     };
     std::size_t vertices = 0, primitives = 0;
     std::vector<Part> parts;

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -132,7 +133,7 @@ struct Output {
 /// Everything made so far, so that equal things are shared.
 struct MadeParts {
     std::map<std::tuple<CommandId, std::vector<double>, std::string>, ShapeIndex> shapes;
-    std::map<std::vector<std::pair<std::string, std::vector<double>>>, UniformSetIndex> uniformSets;
+    std::unordered_multimap<std::size_t, UniformSetIndex> uniformSets;  ///< by hash
     std::map<std::vector<std::pair<std::string, std::vector<double>>>, AttributeSetIndex> attributeSets;
     std::multimap<std::uint64_t, ShapeIndex> listShapes;  ///< by hash of the mesh
     SlotTableIndex slotTable{};  ///< the table that equals State::slots, if there is one

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "base/suggest.h"
@@ -123,17 +125,35 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const KeyedValues& tag,
     return spec;
 }
 
-/// A number for each different object, for keys of sets.
-std::vector<double> keyOfObject(const ObjectView& object) {
-    if (const auto* buffer = std::get_if<BufferView>(&object))
-        return {-1, static_cast<double>(buffer->buffer.position()), buffer->isPrevious ? 1.0 : 0};
-    const auto& view = std::get<TextureView>(object);
-    return {-2,
-            static_cast<double>(view.texture.position()),
-            static_cast<double>(view.level.value_or(-1)),
-            static_cast<double>(view.layer.value_or(-1)),
-            view.isPrevious ? 1.0 : 0,
-            view.sampler ? static_cast<double>(view.sampler.position()) : -1};
+/// Equal for sets that areAlike().
+std::size_t hashOfSet(const UniformSet& set) {
+    std::size_t hash = set.objects.size();
+    const auto add = [&hash](const auto& part) {
+        hash = (hash ^ std::hash<std::remove_cvref_t<decltype(part)>>()(part)) * 0x9e3779b97f4a7c15U;
+    };
+    for (const glib::UniformSpec& each : set.values) {
+        add(each.tag);
+        for (const double value : each.values) add(value);
+    }
+    for (const ObjectBinding& each : set.objects)
+        add(std::holds_alternative<BufferView>(each.object)
+                ? std::get<BufferView>(each.object).buffer.position()
+                : std::get<TextureView>(each.object).texture.position());
+    return hash;
+}
+
+/// True if draws can share one of them. Where the tags stand does not count.
+bool areAlike(const UniformSet& a, const UniformSet& b) {
+    const auto isSameValue = [](const glib::UniformSpec& x, const glib::UniformSpec& y) {
+        return x.values == y.values && x.tag == y.tag && x.form == y.form &&
+               x.mayBeUnknown == y.mayBeUnknown && x.resembles == y.resembles && x.word == y.word;
+    };
+    const auto isSameObject = [](const ObjectBinding& x, const ObjectBinding& y) {
+        return x.object == y.object && x.tag == y.tag && x.mayBeUnknown == y.mayBeUnknown &&
+               x.isChosen == y.isChosen && x.resembles == y.resembles;
+    };
+    return std::ranges::equal(a.values, b.values, isSameValue) &&
+           std::ranges::equal(a.objects, b.objects, isSameObject) && a.lost == b.lost;
 }
 
 /// The word in the parentheses of `uMap (shown)`, if it is a choice that names objects: it means the same
@@ -271,19 +291,12 @@ UniformSetIndex uniformsOf(Interpreter& in, ProgramIndex program, std::span<cons
     }
     for (const KeyedValues& each : own) addOwn(each, false);
     if (set.values.empty() && set.objects.empty() && set.lost.empty()) return {};
-    std::vector<std::pair<std::string, std::vector<double>>> key;
-    key.reserve(set.values.size() + set.objects.size());
-    for (const glib::UniformSpec& each : set.values)
-        key.emplace_back(fmt::format("{}\n{}{}{}\n{}", each.tag, static_cast<int>(each.form),
-                                     each.mayBeUnknown, each.resembles, each.word),
-                         each.values);
-    for (const ObjectBinding& each : set.objects)
-        key.emplace_back(
-            fmt::format("{}\n{}{}{}", each.tag, each.mayBeUnknown, each.isChosen, each.resembles),
-            keyOfObject(each.object));
-    for (const std::string& each : set.lost) key.emplace_back(each + "\nlost", std::vector<double>());
-    UniformSetIndex& index = in.made.uniformSets[std::move(key)];
-    if (!index) index = in.scene.uniformSets.add(std::move(set));
+    const std::size_t hash = hashOfSet(set);
+    const auto [first, last] = in.made.uniformSets.equal_range(hash);
+    for (auto each = first; each != last; ++each)
+        if (areAlike(in.scene.uniformSets[each->second], set)) return each->second;
+    const UniformSetIndex index = in.scene.uniformSets.add(std::move(set));
+    in.made.uniformSets.emplace(hash, index);
     return index;
 }
 
