@@ -10,11 +10,8 @@
 #include <tuple>
 
 #include "budget/budget.h"
-#include "budget/choose_levels.h"
-#include "budget/choose_noise.h"
 #include "budget/least_counts.h"
 #include "budget/pixel_scale.h"
-#include "budget/pixel_text.h"
 #include "budget/program_facts.h"
 #include "budget/sampling_model.h"
 #include "budget/vertex_values.h"

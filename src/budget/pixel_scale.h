@@ -1,8 +1,10 @@
 #pragma once
 // How long a small step in model space can become on a picture.
 
+#include <fmt/format.h>
 #include <glm/mat4x4.hpp>
 #include <optional>
+#include <string>
 
 #include "geometry/shapes/primitive.h"
 
@@ -22,5 +24,23 @@ inline constexpr double kPictureMargin = 1.05;
 /// and the view share, at the smallest w.
 std::optional<double> pixelsPerUnit(const glm::dmat4& clipFromModel, const geometry::Extent& extent,
                                     double width, double height);
+
+// Errors in words.
+
+/// Returns "0.249 px", with enough digits to distinguish it from a bound.
+inline std::string pixelText(double pixels) {
+    return fmt::format("{:.3g} px", pixels);
+}
+
+/// The share of the pixels of a picture, 0..1, that may have another colour for another reason than contours
+/// that are off.
+inline constexpr double kMostColored = .001;
+
+/// "about 0.2 px off, and 3 of 1000 pixels have another colour"
+inline std::string changeText(double pixels, double colored) {
+    std::string text = fmt::format("about {} off", pixelText(pixels));
+    if (colored <= kMostColored) return text;
+    return text + fmt::format(", and {:.2g} of 1000 pixels have another colour", 1000 * colored);
+}
 
 }  // namespace glibra::budget

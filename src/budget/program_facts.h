@@ -1,7 +1,7 @@
 #pragma once
 // The facts about a program that decide how fine the meshes that it draws have to be.
 
-#include "plan/program_interface.h"
+#include "plan/program_variant.h"
 
 namespace glibra::budget {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "budget/least_counts.h"
-#include "budget/pixel_text.h"
+#include "budget/pixel_scale.h"
 #include "scene/primitives.h"
 
 namespace glibra::budget {

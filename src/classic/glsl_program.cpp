@@ -12,7 +12,6 @@
 
 #include "classic/gl_functions.h"
 #include "classic/linked_program.h"
-#include "classic/program_values.h"
 #include "glsl/emit/log.h"
 #include "glsl/translate.h"
 

@@ -10,10 +10,10 @@
 #include "base/contained.h"
 #include "base/files.h"
 #include "base/workers.h"
+#include "classroom/class_page.h"
 #include "classroom/compare_sources.h"
 #include "classroom/moments.h"
 #include "classroom/review.h"
-#include "classroom/student_page.h"
 #include "suite/run/run.h"
 
 namespace glibra::classroom {

@@ -12,7 +12,7 @@
 #include "classroom/similarity.h"
 #include "classroom/submissions.h"
 #include "classroom/tokens.h"
-#include "suite/file/moments.h"
+#include "suite/file/sweep.h"
 #include "suite/results/results.h"
 
 namespace glibra::classroom {

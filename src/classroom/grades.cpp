@@ -1,14 +1,12 @@
 #include "classroom/grades.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
 
 #include "base/text.h"
 #include "base/utf8.h"
-#include "classroom/csv_record.h"
 
 namespace glibra::classroom {
 namespace {

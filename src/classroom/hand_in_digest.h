@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
+
+#include "image/image.h"
 
 namespace glibra::classroom {
 
@@ -13,5 +16,14 @@ namespace glibra::classroom {
 /// folder these are all its files; of a scene that lies alone among the submissions it is the scene and all
 /// that the pictures read of that folder, but not what was given to all (`shaders` and `textures`).
 std::string digestOfHandIn(const std::filesystem::path& handedIn, std::span<const RenderOptions> pictures);
+
+// Pictures for pages that are sent: small ones.
+
+/// A picture as the address of an <img>, which has its content: with at most 256 pixels on the longer side,
+/// and 256 colours if it would be more than 24 KiB otherwise.
+std::string smallPicture(const image::Image& picture);
+
+/// True for what smallPicture() returns: nothing but a picture, whoever sent it.
+bool isSmallPicture(std::string_view address);
 
 }  // namespace glibra::classroom

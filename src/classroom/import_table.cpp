@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "base/utf8.h"
-#include "classroom/csv_record.h"
+#include "classroom/grades.h"
 #include "suite/number_of.h"
 
 namespace glibra::classroom {

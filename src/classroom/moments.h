@@ -1,5 +1,5 @@
 #pragma once
-// The moments at which a class is drawn: the times and sweeps of a command line (suite/file/moments.h), the
+// The moments at which a class is drawn: the times and sweeps of a command line (suite/file/sweep.h), the
 // shots of a suite, or those of an exercise.
 
 #include <glibra/result.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "classroom/classroom.h"
-#include "suite/file/moments.h"
+#include "suite/file/sweep.h"
 
 namespace glibra::classroom {
 

@@ -4,6 +4,7 @@
 
 #include <glibra/result.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -13,6 +14,19 @@
 #include <vector>
 
 namespace glibra::classroom {
+
+// Files and folders that are named after students.
+
+/// For each name a name of a file or folder that Linux, macOS and Windows accept. Where two would be one on a
+/// disk that ignores upper and lower case, and where a name is hidden or that of a device, the number of the
+/// submission, counted from 1, stands before it: "0012 ana".
+std::vector<std::string> fileNames(std::vector<std::string> names);
+
+// Files that the teacher names on the command line.
+
+/// The content of a file, or of a pipe, as in --rubric <(...): it is the user's own, so waiting for it does
+/// no harm. The errors of image::readFile.
+Result<std::string> givenText(const std::filesystem::path& file, std::uint64_t largest);
 
 /// The grade books whose names and tables are known.
 enum class GradeBook { none, moodle, canvas, gradescope };

@@ -14,7 +14,6 @@
 #include "classroom/hand_in_digest.h"
 #include "classroom/likeness.h"
 #include "classroom/reached_code.h"
-#include "classroom/small_picture.h"
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/format.h"

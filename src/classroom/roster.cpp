@@ -7,8 +7,8 @@
 #include <initializer_list>
 
 #include "base/files.h"
-#include "classroom/given_file.h"
 #include "classroom/hand_in_time.h"
+#include "classroom/names.h"
 #include "glib/text.h"
 #include "suite/number_of.h"
 

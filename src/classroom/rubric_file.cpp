@@ -6,8 +6,8 @@
 #include <string>
 
 #include "base/files.h"
-#include "classroom/given_file.h"
 #include "classroom/hand_in_time.h"
+#include "classroom/names.h"
 #include "classroom/rubric.h"
 #include "suite/file/glob.h"
 #include "suite/file/toml_reader.h"

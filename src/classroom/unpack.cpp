@@ -11,10 +11,10 @@
 #include "base/memory_limit.h"
 #include "base/workers.h"
 #include "classroom/archive.h"
-#include "classroom/file_names.h"
+#include "classroom/names.h"
 #include "classroom/submissions.h"
 #include "image/file.h"
-#include "suite/run/worker_count.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::classroom {
 namespace {

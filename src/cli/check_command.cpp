@@ -15,8 +15,8 @@
 #include "base/workers.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/info_output.h"
 #include "cli/interruption.h"
-#include "cli/json_output.h"
 #include "cli/picture_options.h"
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
@@ -31,7 +31,7 @@
 #include "render/consequences.h"
 #include "suite/report/verdict_commands.h"
 #include "suite/run/exercise_check.h"
-#include "suite/run/worker_count.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::cli {
 namespace {

@@ -2,18 +2,20 @@
 // What `glibra class` is asked for, and what is found out before anything is drawn.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "classroom/class_run.h"
+#include "classroom/classroom.h"
 #include "classroom/names.h"
 #include "classroom/roster.h"
 #include "classroom/rubric.h"
 #include "classroom/submissions.h"
 #include "classroom/teacher_marks.h"
 #include "cli/interruption.h"
-#include "cli/site_options.h"
+#include "cli/picture_options.h"
 
 namespace glibra::cli {
 
@@ -45,5 +47,21 @@ struct ClassInput {
 int readInput(const ClassArguments& arguments, ClassInput& input);
 /// Unpacks zip files and gives the students the names of the roster. The exit status; kDone if all is well.
 int unpack(const ClassArguments& arguments, ClassInput& input, const Interruption& interruption);
+
+// `glibra class --serve`: the page of a class on the loopback address, where a teacher types points and
+// comments.
+
+struct ClassService {
+    classroom::Classroom& room;
+    classroom::TeacherMarks& own;  ///< what is typed; SITE/marks.json is written with every change
+    std::filesystem::path site;
+    bool isAnonymous = false;
+    std::function<void()> mark;   ///< gives all marks anew, from the rubric and `own`
+    std::function<bool()> write;  ///< writes page and tables anew; false: it has printed why not
+    std::function<bool()> stop;
+};
+
+/// Serves until `stop`; prints the address. Returns the exit status.
+int serveClass(const ClassService& service);
 
 }  // namespace glibra::cli

@@ -14,7 +14,7 @@
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/json_output.h"
+#include "cli/info_output.h"
 #include "cli/picture_options.h"
 #include "cli/written_files.h"
 #include "image/compare/heat_map.h"

@@ -1,15 +1,24 @@
+#include "cli/info_command.h"
+
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "cli/bench_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/info_output.h"
 #include "gpu/context/context.h"
 
 namespace glibra::cli {
+
+void addBench(CommandLine& program, int& status) {
+    program.subcommand("bench", "measures run time against error, as curves with their Pareto fronts",
+                       [&status](const std::vector<std::string>& arguments) {
+                           status = becomeProgram(kBenchProgram, arguments);
+                       });
+}
+
 namespace {
 
 struct InfoArguments {

@@ -25,7 +25,7 @@
 #include "glib/modern/statement_table.h"
 #include "glsl/types/builtins.h"
 #include "image/file.h"
-#include "plan/declared_uniform.h"
+#include "plan/uniforms.h"
 #include "scene/shader_names.h"
 
 namespace glibra::cli {

@@ -1,10 +1,19 @@
 #pragma once
 // The options of a picture (suite/options/option_table.h) on a command line.
 
+#include <glibra/driver.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/sandbox.h"
+#include "cli/command_line.h"
+#include "suite/run/run_options.h"
 #include "suite/suite.h"
 
 namespace glibra::cli {
@@ -20,5 +29,37 @@ void addPictureOptions(CommandLine& command, suite::Shot& to);
 bool acceptsSet(const std::vector<std::string>& set);
 /// Makes `suite`, the option --suite, exclude the options that a suite states itself.
 void excludePictureOptions(CommandLine& command, Option& suite);
+
+// The options that `glibra class` and `glibra gallery` share: both draw scenes, perhaps of strangers, and
+// make a site of them.
+
+struct SiteOptions {
+    std::string site;
+    bool siteIsNamed = false;  ///< by the user
+    suite::Shot picture{};
+    double timeout = 20;  ///< seconds: a class has a submission that never ends sooner than a suite has
+    Driver driver = Driver::automatic;
+    int jobs = 0;
+    bool untrusted = false;
+};
+
+/// Adds -o, the options of a picture with these names, and how scenes are drawn. `to` must outlive the
+/// command.
+void addSiteOptions(CommandLine& command, SiteOptions& to, const char* siteHelp,
+                    std::initializer_list<const char*> picture);
+
+/// False if the site may not be written: it is a link that the user has not named. The reason has been
+/// printed.
+bool mayWriteSite(const SiteOptions& options);
+
+/// What confines the workers: those that draw, and those that only read. Nothing without --untrusted.
+struct Confinement {
+    std::optional<base::Sandbox> drawing, reading;
+};
+/// `drawing` has everything but SITE/pictures, which it may write and the others may read.
+Confinement confinement(base::Sandbox drawing, const std::filesystem::path& site);
+
+/// The workers that the options ask for. `confined` must outlive them.
+suite::SiteWorkers siteWorkers(const SiteOptions& options, const Confinement& confined);
 
 }  // namespace glibra::cli

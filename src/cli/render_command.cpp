@@ -11,7 +11,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/picture_options.h"
-#include "cli/render_scenes.h"
+#include "cli/render_arguments.h"
 #include "cli/scene_arguments.h"
 #include "cli/suite_options.h"
 #include "cli/suite_render.h"

@@ -13,7 +13,7 @@
 #include "suite/file/selection.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
-#include "suite/run/worker_count.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::cli {
 

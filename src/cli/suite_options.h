@@ -44,7 +44,7 @@ struct Selection {
     std::vector<suite::ShotReference> undivided;  ///< the shots of all shards
 };
 
-/// How to find out what the scenes of so many shots read (suite/run/read_inputs.h).
+/// How to find out what the scenes of so many shots read (suite/run/fingerprint.h).
 base::WorkerOptions inputWorkers(const SuiteArguments& arguments, std::size_t shots,
                                  const base::Sandbox* sandbox, std::function<bool()> stop);
 

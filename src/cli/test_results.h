@@ -1,6 +1,7 @@
 #pragma once
 // The results folder of `glibra test`: filled as shots are done, continued by --resume.
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -9,10 +10,39 @@
 #include <utility>
 
 #include "suite/report/report_files.h"
+#include "suite/results/results.h"
 #include "suite/results/results_file.h"
 #include "suite/run/run.h"
 
 namespace glibra::cli {
+
+// What an earlier run left is not taken for the result of this one, even if this one ends before it begins.
+
+/// The files that a run of suites writes at its end; an empty path means that it writes none.
+struct ResultFiles {
+    std::filesystem::path results;  ///< folder of results.jsonl
+    std::filesystem::path report;   ///< folder of index.html
+    std::filesystem::path junit;
+};
+
+/// Marks the results, the page and the JUnit file that an earlier run has left there as those of a run that
+/// did not reach its end: a merge refuses the results, the page says so, and the JUnit file has an error. The
+/// shots stay in the results for --resume. Files that no run of suites wrote are left alone, and so are
+/// results that another run is writing. Call it before anything can refuse the run.
+void markUnfinished(const ResultFiles& files);
+
+// The files that `glibra test` writes beside its results: --report, --junit, --summary.
+
+struct ReportRequest {
+    std::string report;      ///< folder of an HTML report
+    std::string junit;       ///< file
+    std::string summary;     ///< file, Markdown
+    std::string picturesAt;  ///< where the pictures of the results will be, for the summary
+};
+
+/// Writes those that are asked for. Returns false if one could not be written, which has been printed.
+bool writeReports(const suite::RunResult& run, const ReportRequest& request,
+                  const std::filesystem::path& results, const suite::ReportRoots& roots);
 
 class RunRecord {
   public:

@@ -9,7 +9,7 @@
 #include "cli/scene_arguments.h"
 #include "image/file.h"
 #include "render/file/job.h"
-#include "suite/run/read_inputs.h"
+#include "suite/run/fingerprint.h"
 
 namespace glibra::cli {
 

@@ -17,7 +17,7 @@
 #include "gallery/code_html.h"
 #include "glib/number.h"
 #include "glib/text.h"
-#include "suite/report/plain_page.h"
+#include "suite/report/html_report.h"
 #include "suite/write_below.h"
 
 namespace glibra::gallery {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "plan/frame_plan.h"
-#include "plan/texture_uses.h"
+#include "plan/texture_binding.h"
 
 namespace glibra::plan {
 

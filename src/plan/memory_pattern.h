@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "glsl/types/memory_facts.h"
-#include "plan/program_interface.h"
+#include "plan/program_variant.h"
 
 namespace glibra::plan {
 

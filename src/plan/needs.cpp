@@ -4,9 +4,13 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <ranges>
+#include <set>
 #include <utility>
 
+#include "plan/accesses.h"
 #include "scene/primitives.h"
+#include "scene/texture_parts.h"
 
 namespace glibra::plan {
 namespace {
@@ -194,6 +198,204 @@ bool usesStencil(const scene::Pass& pass) {
 Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
                 bool everything) {
     return NeedFinder(scene, nodes, questions).find(everything);
+}
+
+// The needs of modern scenes.
+
+namespace {
+
+class LiveFinder {
+  public:
+    LiveFinder(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
+               bool everything)
+        : scene_(scene), nodes_(nodes), questions_(questions), everything_(everything) {
+        needs_.passes.resize(nodes.passes.size());
+        needs_.dispatches.resize(nodes.dispatches.size());
+        needs_.clears.resize(nodes.clears.size());
+        needs_.textures.resize(scene.textures.size());
+        needs_.buffers.resize(scene.buffers.size());
+        for (const scene::Pass& pass : nodes.passes)
+            needs_.steps.emplace_back(pass.steps.size(), StepNeed::passNotNeeded);
+    }
+
+    Needs find(const std::vector<scene::ObjectView>& roots) && {
+        for (const scene::ObjectView& each : roots) read(each);
+        for (auto node : std::ranges::reverse_view(nodes_.order)) {
+            if (node.kind == scene::NodeIndex::Kind::pass) visitPass(node.index);
+            if (node.kind == scene::NodeIndex::Kind::dispatch) visitDispatch(node.index);
+            if (node.kind == scene::NodeIndex::Kind::clear) visitClear(node.index);
+        }
+        if (everything_) needs_.textures.assign(needs_.textures.size(), true);
+        return std::move(needs_);
+    }
+
+  private:
+    void read(const scene::ObjectView& view) {
+        const Object object = objectOf(view);
+        if (!note(object)) return;
+        live_.insert(object);
+        // The other copy is what an earlier writer left, in this frame or before it.
+        if (isPreviousCopy(view)) pinned_.insert(object);
+    }
+    /// The object must exist, but its content need not. False for none.
+    bool note(const Object& object) {
+        if (!std::visit([](auto index) { return bool(index); }, object)) return false;
+        if (const auto* texture = std::get_if<scene::TextureIndex>(&object))
+            needs_.textures[*texture] = true;
+        else
+            needs_.buffers[std::get<scene::BufferIndex>(object)] = true;
+        return true;
+    }
+    /// The whole texture gets a new content here.
+    void overwritten(scene::TextureIndex texture, const scene::TargetPart& part) {
+        const scene::Texture& declared = scene_.textures[texture];
+        const bool isWhole = !part.layer && scene::levelsOf(declared) == 1;
+        const bool restIsMade = !part.layer && part.level.value_or(0) == 0 && declared.hasMipmaps;
+        if (isWhole || restIsMade) endNeed(texture);
+    }
+
+    /// What the object holds before this node is not needed.
+    void endNeed(const Object& object) {
+        if (!pinned_.contains(object)) live_.erase(object);
+    }
+
+    static scene::TargetPart partOf(const scene::Pass& pass, std::size_t target) {
+        return target < pass.parts.size() ? pass.parts[target] : scene::TargetPart{};
+    }
+    [[nodiscard]] bool isDepthLive(const scene::Pass& pass) const {
+        if (pass.depth) return live_.contains(pass.depth->texture);
+        return liveDepths_.contains(pass.depthBuffer);
+    }
+    [[nodiscard]] bool isColorLive(const scene::Pass& pass) const {
+        if (pass.isWindow) return isWindowLive_;
+        return std::ranges::any_of(pass.targets,
+                                   [this](scene::TextureIndex each) { return live_.contains(each); });
+    }
+
+    bool mayWrite(const scene::Draw& draw) const {
+        return !usesBuiltin(scene_, draw) && questions_.mayWriteImages &&
+               questions_.mayWriteImages(draw.program);
+    }
+    /// True if the draw stores into something that is read later.
+    bool hasEffect(const scene::Draw& draw, const scene::Pass& pass) const {
+        return mayWrite(draw) && writesLive(questions_.usesOf(draw, pass));
+    }
+    [[nodiscard]] bool writesLive(const std::vector<ObjectUse>& uses) const {
+        return std::ranges::any_of(uses, [this](const ObjectUse& each) {
+            return each.writes && live_.contains(objectOf(each.object));
+        });
+    }
+    void use(const std::vector<ObjectUse>& uses) {
+        for (const ObjectUse& each : uses) {
+            if (each.reads || each.writes)
+                read(each.object);
+            else
+                note(objectOf(each.object));
+        }
+    }
+
+    void visitPass(std::size_t index) {
+        const scene::Pass& pass = nodes_.passes[index];
+        bool isColorSeen = isColorLive(pass);
+        bool isDepthSeen = isDepthLive(pass);
+        bool isNeeded = everything_ || isColorSeen || isDepthSeen;
+        for (std::size_t step = 0; step < pass.steps.size() && !isNeeded; ++step)
+            if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]))
+                isNeeded = hasEffect(*draw, pass);
+        if (!isNeeded) return;
+        needs_.passes[index] = true;
+        for (std::size_t step = pass.steps.size(); step-- > 0;) {
+            StepNeed& need = needs_.steps[index][step];
+            if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step])) {
+                need = needOf(*draw, pass, {index, step}, isColorSeen || isDepthSeen);
+                isDepthSeen = isDepthSeen || need == StepNeed::needed;
+                continue;
+            }
+            const bool isSeen = everything_ || isColorSeen || isDepthSeen;
+            need = isSeen ? StepNeed::needed : StepNeed::coveredByClear;
+            const auto& clear = std::get<scene::Clear>(pass.steps[step]);
+            if (isSeen && pass.isWindow && clear.color && needs_.clear.file.empty())
+                needs_.clear = clear.place;
+            if (clear.color) isColorSeen = false;
+            if (clear.depth && (clear.stencil || !usesStencil(pass))) isDepthSeen = false;
+        }
+        beginsWith(pass, isColorSeen, isDepthSeen);
+    }
+
+    StepNeed needOf(const scene::Draw& draw, const scene::Pass& pass, scene::StepIndex at, bool isSeen) {
+        if (!everything_) {
+            if (drawsNothing(scene_.shapes[draw.shape])) return StepNeed::drawsNothing;
+            if (!isSeen && !hasEffect(draw, pass)) return StepNeed::coveredByClear;
+            if (questions_.outOfSight) {
+                std::string why = questions_.outOfSight(draw, pass);
+                if (!why.empty()) {
+                    needs_.outOfSight.emplace(at, std::move(why));
+                    return StepNeed::outOfSight;
+                }
+            }
+        }
+        use(questions_.usesOf(draw, pass));
+        return StepNeed::needed;
+    }
+
+    /// What is read before the pass: its targets, as far as it keeps them. `isColorSeen`: something of the
+    /// colours that the pass begins with may be seen.
+    void beginsWith(const scene::Pass& pass, bool isColorSeen, bool isDepthSeen) {
+        const auto isCleared = [&](std::size_t color) {
+            return !isColorSeen || (color < pass.clearColors.size() && pass.clearColors[color]);
+        };
+        if (pass.isWindow && isCleared(0)) {
+            if (isWindowLive_ && !everything_ && needs_.clear.file.empty()) needs_.clear = pass.place;
+            isWindowLive_ = false;
+        }
+        for (std::size_t i = 0; i < pass.targets.size(); ++i) {
+            needs_.textures[pass.targets[i]] = true;
+            if (isCleared(i)) overwritten(pass.targets[i], partOf(pass, i));
+        }
+        const bool keepsStencil = !pass.clearStencil && usesStencil(pass);
+        const bool isDepthCleared = !isDepthSeen || (pass.clearDepth && !keepsStencil);
+        if (pass.depth) {
+            needs_.textures[pass.depth->texture] = true;
+            if (isDepthCleared)
+                overwritten(pass.depth->texture, {pass.depth->level, pass.depth->layer});
+            else
+                live_.insert(pass.depth->texture);
+        } else if (isDepthCleared) {
+            liveDepths_.erase(pass.depthBuffer);
+        } else {
+            liveDepths_.insert(pass.depthBuffer);
+        }
+    }
+
+    void visitDispatch(std::size_t index) {
+        const std::vector<ObjectUse> uses = questions_.usesOfDispatch(nodes_.dispatches[index]);
+        needs_.dispatches[index] = everything_ || writesLive(uses);
+        if (needs_.dispatches[index]) use(uses);
+    }
+
+    void visitClear(std::size_t index) {
+        const scene::ClearObject& clear = nodes_.clears[index];
+        needs_.clears[index] = everything_ || live_.contains(clear.object);
+        endNeed(clear.object);
+        if (needs_.clears[index]) note(clear.object);
+    }
+
+    const scene::Scene& scene_;
+    const scene::NodeList& nodes_;
+    const NeedQuestions& questions_;
+    bool everything_;
+    std::set<Object> live_;    ///< their content is read by a later node
+    std::set<Object> pinned_;  ///< a clear does not end the need for them
+    std::set<int> liveDepths_;
+    bool isWindowLive_ = true;
+    Needs needs_;
+};
+
+}  // namespace
+
+Needs findLiveNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
+                    const std::vector<scene::ObjectView>& roots, bool everything) {
+    return LiveFinder(scene, nodes, questions, everything).find(roots);
 }
 
 }  // namespace glibra::plan

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "plan/overrides.h"
-#include "plan/program_interface.h"
 #include "plan/program_variant.h"
 #include "scene/scene.h"
 

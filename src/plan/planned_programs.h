@@ -11,7 +11,7 @@
 #include "plan/accesses.h"
 #include "plan/frame_plan.h"
 #include "plan/plan_questions.h"
-#include "plan/texture_uses.h"
+#include "plan/texture_binding.h"
 
 namespace glibra::plan {
 

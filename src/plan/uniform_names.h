@@ -1,6 +1,8 @@
 #pragma once
 // Finds the active uniforms that a tag names, and the names that the runtime supplies (language, 5.3 and 6).
 
+#include <glibra/diagnostic.h>
+
 #include <functional>
 #include <map>
 #include <optional>
@@ -10,7 +12,9 @@
 #include <vector>
 
 #include "glsl/types/builtins.h"
-#include "plan/program_interface.h"
+#include "glsl/types/memory_facts.h"
+#include "plan/program_variant.h"
+#include "plan/type_table.h"
 
 namespace glibra::plan {
 
@@ -73,5 +77,83 @@ std::string suggestionFor(std::string_view tag, std::span<const std::string> nam
 
 /// The name under which a source declares the uniform: `light` for `light[2].color`.
 std::string_view rootName(std::string_view name);
+
+// Finds the member of a structure or uniform block that a tag with points and subscripts names, as far as the
+// text of the shaders declares it (language, 5.3).
+
+/// What the text of the shaders says about a tag.
+struct MemberSearch {
+    bool isDeclared = false;   ///< the tag names a number, a vector, a matrix or an array of them
+    std::string hint{};        ///< if it does not: what would be right, beginning with "; "; may be empty
+    std::string suggestion{};  ///< the name that the hint proposes; may be empty
+    int elements = 0;          ///< of an array that is declared with so many; else 0
+};
+
+/// Follows the parts of a tag as `lights[2].inner.position`. Nothing if it begins with no uniform variable of
+/// a structure type, and with neither the name nor the instance of a uniform block.
+std::optional<MemberSearch> searchMember(const glsl::MemoryFacts& memory, std::string_view tag);
+
+/// What a uniform variable of a structure type holds, named as OpenGL names active uniforms:
+/// "lights[1].position". An array of a basic type is one value.
+struct MemberValue {
+    std::string name;
+    std::string_view type;
+    bool isArray = false;
+};
+
+/// Calls `visit` for the values of the variable `root` in the order in which they are declared, until it
+/// returns false. False, without a call, if `root` is no such variable, or if the text does not show how many
+/// elements an array of structures has.
+bool visitMembers(const glsl::MemoryFacts& memory, std::string_view root,
+                  const std::function<bool(const MemberValue&)>& visit);
+
+// Messages about tags that set no uniform and uniforms that no tag sets.
+
+/// The messages of one program.
+class UniformMessages {
+  public:
+    /// `modern`: the scene if it is modern, else null. Messages are appended to `to`. The references must
+    /// outlive this.
+    UniformMessages(const scene::Program& program, const ProgramInterface& interface,
+                    const UniformNames& names, const scene::Scene* modern, Diagnostics& to)
+        : program_(program), interface_(interface), names_(names), modern_(modern), to_(to) {}
+
+    /// glib-W25: glibra supplies the uniform.
+    void supplied(const GivenValue& given);
+
+    /// glib-E16: the tag is probably a key of its statement; only Dispatch has keys that its tags may
+    /// resemble.
+    void misspelt(std::string_view tag, std::string_view key, const Place& place);
+
+    /// The tag names no active uniform: supplied but unused (glib-W25), declared but unused (glib-W24), the
+    /// misspelt key `resembles` (glib-E16), or unknown (glib-W23).
+    void unknown(const GivenValue& given, std::string_view resembles = {});
+
+    /// True for a tag that names an element or member that is declared in an array or structure of which
+    /// the program reads some other part. Drivers differ in which of these they call active.
+    [[nodiscard]] bool isUnreadPart(std::string_view tag) const;
+
+    /// glib-W37: the uniforms have no value. Many members of a variable or block are reported as one.
+    void unset(std::span<const ActiveUniform> uniforms);
+
+  private:
+    void warn(const char* id, std::string text, const Place& place, std::string_view subject = {},
+              std::string suggestion = {});
+    [[nodiscard]] bool isDeclared(std::string_view name) const;
+    const std::vector<std::string>& knownNames();
+    /// For a uniform that a Set names, but of another scope.
+    [[nodiscard]] std::string scopeHint(const std::string& name) const;
+    [[nodiscard]] std::string modernHint(const ActiveUniform& target) const;
+
+    const scene::Program& program_;
+    const ProgramInterface& interface_;
+    const UniformNames& names_;
+    const scene::Scene* modern_;
+    Diagnostics& to_;
+    std::vector<std::string> knownNames_;
+};
+
+/// glib-E27 for a word as the value of a tag, which names nothing of the scene.
+Diagnostic unknownWord(const scene::Scene& scene, std::string_view word, const Place& place);
 
 }  // namespace glibra::plan

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "glsl/types/builtins.h"
-#include "plan/program_interface.h"
+#include "plan/program_variant.h"
 #include "scene/scene.h"
 
 namespace glibra::plan {

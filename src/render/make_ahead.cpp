@@ -13,7 +13,7 @@
 
 #include "base/text.h"
 #include "plan/needs.h"
-#include "plan/texture_uses.h"
+#include "plan/texture_binding.h"
 #include "plan/uniforms.h"
 #include "render/scene_state.h"
 

@@ -9,9 +9,9 @@
 
 #include "budget/budget.h"
 #include "gpu/object/readback.h"
-#include "plan/buffer_table.h"
+#include "plan/buffers.h"
 #include "render/consequences.h"
-#include "render/load/buffer_content.h"
+#include "render/load/device_buffers.h"
 #include "render/probe/bound_probe.h"
 #include "render/probe/patch_probe.h"
 #include "render/probe/picture_probe.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "budget/decision.h"
-#include "plan/skipped.h"
+#include "plan/frame_plan.h"
 
 namespace glibra::render {
 

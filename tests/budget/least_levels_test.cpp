@@ -1,6 +1,6 @@
 // The search for levels, with a known error: a constant divided by the square of the level.
 
-#include "budget/least_levels.h"
+#include "budget/least_counts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The uniforms whose values the choice of tessellation levels may lower.
 
-#include "budget/level_uniforms.h"
+#include "budget/least_counts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The names of files that are named after students.
-#include "classroom/file_names.h"
+#include "classroom/names.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "../suite/folder.h"
-#include "classroom/csv_record.h"
 #include "classroom/grades.h"
 #include "classroom/moments.h"
 #include "classroom/page_parts.h"

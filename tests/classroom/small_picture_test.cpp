@@ -1,5 +1,5 @@
 // Pictures of pages that are sent, and pictures that were cut from others.
-#include "classroom/small_picture.h"
+#include "classroom/hand_in_digest.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,6 @@
 
 #include "check.h"
 #include "scratch_folder.h"
-#include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/merge.h"
 #include "suite/results/results_file.h"

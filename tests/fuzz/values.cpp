@@ -10,10 +10,9 @@
 #include "glib/number.h"
 #include "plan/overrides.h"
 #include "scratch_folder.h"
-#include "suite/file/shard.h"
+#include "suite/file/selection.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/hash_list.h"
-#include "suite/options/option_toml.h"
 #include "suite/options/option_words.h"
 #include "text_mutator.h"
 

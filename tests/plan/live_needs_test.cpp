@@ -7,7 +7,6 @@
 #include "by_hand.h"
 #include "plan/needs.h"
 #include "plan/texture_binding.h"
-#include "plan/texture_uses.h"
 
 namespace glibra::plan {
 namespace {

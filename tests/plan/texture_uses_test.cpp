@@ -1,4 +1,4 @@
-#include "plan/texture_uses.h"
+#include "plan/texture_binding.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "by_hand.h"
-#include "plan/declared_uniform.h"
 
 namespace glibra::plan {
 namespace {

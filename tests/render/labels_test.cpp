@@ -1,4 +1,4 @@
-#include "render/draw/labels.h"
+#include "render/draw/axes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Pictures that are encoded on several threads and written in their order.
 
-#include "render/file/picture_stream.h"
+#include "render/file/picture_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,6 @@
 #include "image/compare/compare.h"
 #include "image/write.h"
 #include "suite/report/html_report.h"
-#include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/results_file.h"
 

@@ -1,6 +1,6 @@
 // Which differences of pictures are alike.
 
-#include "suite/serve/difference_sign.h"
+#include "suite/serve/review.h"
 
 #include <gtest/gtest.h>
 

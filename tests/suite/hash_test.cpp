@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pictures.h"
-#include "suite/golden/hash_key.h"
+#include "suite/golden/hash_list.h"
 
 namespace glibra::suite {
 namespace {

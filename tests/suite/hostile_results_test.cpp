@@ -12,7 +12,6 @@
 #include "pictures.h"
 #include "results_maker.h"
 #include "suite/report/html_report.h"
-#include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/merge.h"
 #include "suite/results/results_file.h"

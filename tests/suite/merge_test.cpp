@@ -7,7 +7,6 @@
 #include "folder.h"
 #include "pictures.h"
 #include "suite/report/html_report.h"
-#include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/results_file.h"
 

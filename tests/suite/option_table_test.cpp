@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "option_samples.h"
-#include "suite/options/option_toml.h"
 #include "suite/options/option_words.h"
 #include "suite/report/verdict_commands.h"
 #include "suite_text.h"

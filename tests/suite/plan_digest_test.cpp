@@ -1,6 +1,6 @@
 // The digest by which --merge knows the parts of one run.
 
-#include "suite/run/plan_digest.h"
+#include "suite/run/fingerprint.h"
 
 #include <gtest/gtest.h>
 

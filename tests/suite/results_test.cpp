@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "results_maker.h"
-#include "suite/report/junit_report.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/figures.h"
 

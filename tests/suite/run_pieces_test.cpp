@@ -1,10 +1,10 @@
-#include "suite/run/run_pieces.h"
+#include "suite/run/run.h"
 
 #include <gtest/gtest.h>
 
 #include "suite/options/option_words.h"
 #include "suite/report/verdict_commands.h"
-#include "suite/run/run_messages.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::suite {
 namespace {

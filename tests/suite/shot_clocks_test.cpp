@@ -1,6 +1,6 @@
 // Each of the shots that a worker has in hand has its own time.
 
-#include "suite/run/shot_clocks.h"
+#include "suite/run/run.h"
 
 #include <gtest/gtest.h>
 

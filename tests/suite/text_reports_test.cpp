@@ -9,7 +9,6 @@
 #include "folder.h"
 #include "image/write.h"
 #include "results_maker.h"
-#include "suite/report/junit_report.h"
 #include "suite/report/small_heat_map.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/figures.h"

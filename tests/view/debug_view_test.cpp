@@ -1,4 +1,4 @@
-#include "view/debug_view/debug_view.h"
+#include "view/debug_view/debug_program.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "view/edit/detached_process.h"
+#include "view/edit/external_editor.h"
 
 #include <sys/wait.h>
 

@@ -8,7 +8,6 @@
 #include "render/scene_renderer.h"
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
-#include "view/browse/folder_list.h"
 #include "view/browse/thumbnails.h"
 #include "view/edit/example_folders.h"
 

@@ -1,4 +1,4 @@
-#include "view/session/frame_pacer.h"
+#include "view/session/frame_cost.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "view/export/hardcopy_job.h"
+#include "view/export/hardcopy.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "image/image.h"
-#include "plan/buffer_table.h"
+#include "plan/buffers.h"
 #include "render/scene_renderer.h"
 #include "render/simulation/simulation.h"
 #include "scene_folder.h"

@@ -1,4 +1,4 @@
-#include "view/edit/moved_line.h"
+#include "view/edit/source_lines.h"
 
 #include <gtest/gtest.h>
 

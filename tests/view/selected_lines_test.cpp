@@ -1,4 +1,4 @@
-#include "view/edit/selected_lines.h"
+#include "view/edit/source_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "view/edit/text_history.h"
+#include "view/edit/edited_file.h"
 
 #include <gtest/gtest.h>
 

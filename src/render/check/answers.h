@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/check/content.h"
+#include "render/check/object_content.h"
 #include "scene/conditions.h"
 #include "scene/nodes.h"
 

@@ -1,7 +1,6 @@
 #include "render/check/object_content.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>

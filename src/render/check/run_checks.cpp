@@ -1,6 +1,8 @@
 #include "render/check/run_checks.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -9,13 +11,87 @@
 #include "render/check/answers.h"
 #include "render/check/nan_search.h"
 #include "render/check/object_content.h"
-#include "render/check/open_checks.h"
 #include "render/check/order_check.h"
 #include "render/consequences.h"
 #include "render/scene_state.h"
+#include "scene/scene.h"
 
 namespace glibra::render {
 namespace {
+
+// Which Expect statements of a scene still have to be answered, and at which times (language, 12.9).
+
+/// The checks that a scene has at the time of its picture. Each is answered once, at the time that it had
+/// then: what its statement says at that time counts, and if it does not run there, what it said here.
+class OpenChecks {
+  public:
+    /// `scene`: as it is at `time`, that of the picture.
+    OpenChecks(const scene::Scene& scene, double time);
+
+    /// That of the picture.
+    [[nodiscard]] double time() const { return time_; }
+    /// The times of pictures to look at, at least one: those of the checks, and those that statements name
+    /// which have not run.
+    [[nodiscard]] const std::set<double>& times() const { return times_; }
+    /// The checks to answer at `moment`, which count as answered from now on. `there` are those of the scene
+    /// at that moment; those that ask for it and were not there before are answered too.
+    std::vector<scene::Check> take(double moment, const std::vector<scene::Check>& there);
+
+    [[nodiscard]] const std::vector<scene::Check>& all() const { return all_; }
+    [[nodiscard]] bool isAnswered() const { return open_.empty(); }
+    /// Those that take() has not returned, and those of the kind `error`.
+    [[nodiscard]] std::vector<scene::Check> unanswered() const;
+    /// The statements that have never run.
+    [[nodiscard]] const std::vector<scene::IdleCheck>& idle() const { return idle_; }
+
+  private:
+    [[nodiscard]] double timeOf(const scene::Check& check) const { return check.seconds.value_or(time_); }
+
+    double time_;
+    std::vector<scene::Check> all_, open_;
+    std::vector<scene::IdleCheck> idle_;
+    std::set<double> times_;
+};
+
+using scene::Check;
+
+OpenChecks::OpenChecks(const scene::Scene& scene, double time)
+    : time_(time), all_(scene.checks), idle_(scene.idleChecks) {
+    for (const Check& each : all_)
+        if (each.kind != Check::Kind::error) open_.push_back(each);
+    for (const Check& each : open_) times_.insert(timeOf(each));
+    for (const scene::IdleCheck& each : idle_)
+        if (each.seconds) times_.insert(*each.seconds);
+    if (times_.empty()) times_.insert(time);
+}
+
+std::vector<Check> OpenChecks::take(double moment, const std::vector<Check>& there) {
+    std::vector<Check> taken;
+    const auto laterOf = [&](const Check& check) {
+        const auto found = std::ranges::find_if(there, [&](const Check& each) { return each.isSame(check); });
+        return found != there.end() && found->kind == check.kind ? *found : check;
+    };
+    for (const Check& each : open_)
+        if (timeOf(each) == moment) taken.push_back(laterOf(each));
+    std::erase_if(open_, [&](const Check& each) { return timeOf(each) == moment; });
+    for (const Check& each : there) {
+        const auto isSame = [&](const Check& other) { return other.isSame(each); };
+        if (each.kind == Check::Kind::error || !each.seconds || *each.seconds != moment ||
+            std::ranges::any_of(all_, isSame))
+            continue;
+        taken.push_back(each);
+        all_.push_back(each);
+        std::erase_if(idle_, [&](const scene::IdleCheck& other) { return other.place == each.place; });
+    }
+    return taken;
+}
+
+std::vector<Check> OpenChecks::unanswered() const {
+    std::vector<Check> checks = open_;
+    std::copy_if(all_.begin(), all_.end(), std::back_inserter(checks),
+                 [](const Check& each) { return each.kind == Check::Kind::error; });
+    return checks;
+}
 
 Content windowContent(const SceneState& state, std::vector<std::byte> pixels) {
     Content content{"window", state.width, state.height, 1, 4, state.options.floatPixels ? 0 : 1.0 / 255, {}};

@@ -20,7 +20,7 @@
 #include "plan/still.h"
 #include "render/draw/dispatch.h"
 #include "render/draw/memory_order.h"
-#include "render/draw/tile.h"
+#include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"

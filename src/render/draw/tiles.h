@@ -7,9 +7,13 @@
 #include <vector>
 
 #include "image/image.h"
-#include "render/draw/tile.h"
 
 namespace glibra::render {
+
+/// A rectangle of the picture, in pixels from the picture's lower left corner.
+struct Tile {
+    int x = 0, y = 0, width = 0, height = 0;
+};
 
 /// Tiles of one size, and the part of each tile that goes into the picture. A tile is larger than its part by
 /// a margin, as far as the picture reaches, because points and lines that begin outside the part may extend

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "image/file.h"
-#include "render/load/buffer_content.h"
+#include "render/load/device_buffers.h"
 
 namespace glibra::render {
 

@@ -26,7 +26,6 @@
 #include "render/consequences.h"
 #include "render/file/animation.h"
 #include "render/file/buffer_file.h"
-#include "render/file/picture_stream.h"
 #include "render/file/picture_writer.h"
 #include "render/gpu_times.h"
 #include "render/scene_renderer.h"

@@ -1,16 +1,28 @@
 #include "render/load/device_buffers.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <set>
 #include <system_error>
 #include <utility>
 
+#include "base/text.h"
 #include "image/file.h"
 #include "plan/reach.h"
+#include "plan/uniform_names.h"
 
 namespace glibra::render {
+
+BufferContent contentOf(const plan::BufferLayout& layout, const base::StorageBlock* block,
+                        const gpu::Buffer& buffer) {
+    BufferContent content{layout, plan::tableOf(layout, block, std::numeric_limits<std::size_t>::max()),
+                          std::vector<std::byte>(buffer.size())};
+    buffer.read(0, content.bytes);
+    return content;
+}
+
 namespace {
 
 std::uint64_t sizeOfFile(const scene::FileReference& file) {
@@ -202,6 +214,45 @@ void DeviceBuffers::exchange(scene::BufferIndex buffer, bool keepsContent) {
     found->second.current.copyFrom(*found->second.previous);
     stats_.add("histories copied", 1);
     stats_.add("bytes copied", found->second.current.size());
+}
+
+// Buffers that samplers and images read as textures (language, 12.7).
+
+void DeviceBuffers::bind(const plan::TextureUse& use, gpu::BindingTracker& bindings) {
+    const gpu::Buffer* buffer = this->buffer(use.buffer);
+    if (buffer == nullptr) return;
+    const gpu::BufferTexture& texture =
+        textures_[{use.buffer.buffer, use.buffer.isPrevious, use.bufferFormat}];
+    // The buffer is attached anew each time, since those with history change their places.
+    if (!use.isImage) return texture.bind(use.driverUnit, *buffer, use.bufferFormat);
+    texture.bindImage(use.driverUnit, *buffer, use.bufferFormat, use.imageFormat.value_or(use.bufferFormat));
+    bindings.forgetImages();
+}
+
+Diagnostics DeviceBuffers::checkTexels(const plan::FramePlan& plan) const {
+    Diagnostics problems;
+    std::set<scene::BufferIndex> reported;
+    const auto most = static_cast<std::uint64_t>(context_.capabilities().maxBufferTexels);
+    const auto check = [&](plan::PlannedProgramIndex program, const std::vector<plan::TextureUse>& uses) {
+        for (const plan::TextureUse& each : uses) {
+            const gpu::Buffer* buffer = each.buffer.buffer ? this->buffer(each.buffer) : nullptr;
+            if (buffer == nullptr) continue;
+            const std::uint64_t texels = buffer->size() / base::bytesPerTexel(each.bufferFormat);
+            if (texels <= most || !reported.insert(each.buffer.buffer).second) continue;
+            const scene::Buffer& declared = scene_.buffers[each.buffer.buffer];
+            const base::ActiveUniform& uniform = at(plan.programs[program].interface->uniforms, each.uniform);
+            problems.push_back(
+                diagnose("memory-E04",
+                         fmt::format("buffer '{}' has {} texels for {} '{}'; this driver allows {}",
+                                     declared.name, base::groupedText(texels), uniform.type.word,
+                                     uniform.name, base::groupedText(most)),
+                         declared.place));
+        }
+    };
+    plan.visitDraws(
+        [&](const plan::PlannedDraw& each, const auto&...) { check(each.program, each.textures); });
+    for (const plan::PlannedDispatch& each : plan.dispatches) check(each.program, each.textures);
+    return problems;
 }
 
 }  // namespace glibra::render

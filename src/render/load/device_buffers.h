@@ -1,6 +1,7 @@
 #pragma once
 // The buffers of a scene on the device: made once, with the content that the scene declares.
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -14,11 +15,22 @@
 #include "gpu/state/binding_tracker.h"
 #include "plan/buffers.h"
 #include "plan/frame_plan.h"
-#include "render/load/object_state.h"
+#include "render/load/gl_names.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 
 namespace glibra::render {
+
+/// A buffer as the last picture left it.
+struct BufferContent {
+    plan::BufferLayout layout;
+    plan::BufferTable table;
+    std::vector<std::byte> bytes;
+};
+
+/// Reads it from the device, and waits for that. `block`: as of plan::tableOf.
+BufferContent contentOf(const plan::BufferLayout& layout, const base::StorageBlock* block,
+                        const gpu::Buffer& buffer);
 
 class DeviceBuffers {
   public:

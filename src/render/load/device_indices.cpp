@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "glib/number.h"
 #include "plan/accesses.h"
-#include "plan/buffer_table.h"
+#include "plan/buffers.h"
 #include "render/load/device_scene.h"
 
 namespace glibra::render {

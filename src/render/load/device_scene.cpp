@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "plan/buffer_table.h"
+#include "plan/buffers.h"
 
 namespace glibra::render {
 namespace {

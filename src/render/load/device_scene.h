@@ -16,7 +16,6 @@
 #include "plan/frame_plan.h"
 #include "render/load/device_buffers.h"
 #include "render/load/device_meshes.h"
-#include "render/load/device_targets.h"
 #include "render/load/device_textures.h"
 #include "render/load/programs.h"
 #include "render/load/shared_parts.h"

@@ -11,7 +11,7 @@
 #include "scene/file_lookup.h"
 #include "scene/folder_listings.h"
 #include "suite/file/glob.h"
-#include "suite/file/missing_folder.h"
+#include "suite/file/shot_keys.h"
 #include "suite/file/shot_name.h"
 
 namespace glibra::suite {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "suite/file/shot_template.h"
+#include "suite/file/shot_keys.h"
 #include "suite/file/toml_reader.h"
 
 namespace glibra::suite {

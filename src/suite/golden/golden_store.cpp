@@ -16,8 +16,7 @@
 #include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
-#include "suite/golden/appearance.h"
-#include "suite/golden/hash_key.h"
+#include "suite/golden/hash_list.h"
 #include "suite/golden/ignored.h"
 #include "suite/write_below.h"
 

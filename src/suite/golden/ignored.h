@@ -2,14 +2,28 @@
 // What a shot leaves out of its comparisons (`ignore` and `mask` of suites), and when two drawings of it
 // agree.
 
+#include <glibra/diagnostic.h>
 #include <glibra/result.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "image/image.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {
+
+// Pictures of a suite that somebody accepts by looking at them: goldens and masks.
+
+/// suite-E32 if a browser may show another picture of the file than the one that is decoded: of a PNG file
+/// for the reasons of image::shownOtherwise(), and of a file whose content is of another format than its name
+/// says. `what` is "golden" or "mask".
+std::optional<Diagnostic> shownOtherwise(std::string_view what, const std::filesystem::path& file,
+                                         std::span<const std::byte> bytes, const Place& place);
 
 /// True if some part is left out today.
 bool ignoresSomething(const Shot& shot);

@@ -1,9 +1,10 @@
 #include "suite/report/terminal_report.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "base/text.h"
 #include "base/utf8.h"
@@ -145,6 +146,217 @@ std::string toText(const RunResult& run, const TextOptions& options) {
     if (!run.shard.empty()) summary += ", shard " + base::printableText(run.shard);
     text.line(text.painted(summary, failures > 0 || !shortfall(run).empty() ? kRed : kGreen));
     return text.take();
+}
+
+namespace {
+
+constexpr std::size_t kMostListed = 30;
+constexpr std::size_t kMostText = 30000;  // a comment on GitHub has at most 65536 characters
+
+/// Text of a table cell: what Markdown or HTML would read as markup is written as a character reference.
+std::string cell(std::string_view text) {
+    std::string escaped;
+    for (const char c : base::printableText(text)) {
+        const bool isPlain = base::isLetter(c) || base::isDigit(c) || static_cast<unsigned char>(c) >= 0x80 ||
+                             std::string_view(" .,:;/=+-%()'").find(c) != std::string_view::npos;
+        escaped += isPlain ? std::string(1, c) : fmt::format("&#{};", static_cast<unsigned char>(c));
+    }
+    return escaped;
+}
+
+/// A path of the results folder as the end of an address.
+std::string address(const std::string& path) {
+    std::string encoded;
+    for (const char c : path) {
+        const bool isPlain = base::isOfName(c) || std::string_view("-.~/").find(c) != std::string_view::npos;
+        encoded += isPlain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return encoded;
+}
+
+std::string imageTag(const std::filesystem::path& file, const std::string& at) {
+    if (file.empty() || file.is_absolute()) return "";
+    return fmt::format("<img src=\"{}/{}\" width=\"160\">", at, address(file.generic_string()));
+}
+
+}  // namespace
+
+std::string toMarkdown(const RunResult& run, const MarkdownOptions& options) {
+    std::string text = fmt::format("### Pictures: {}\n\n", cell(counts(run)));
+    if (const std::string missing = shortfall(run); !missing.empty())
+        text += fmt::format("**Incomplete:** {}\n\n", cell(missing));
+    constexpr std::size_t kMostOrphans = 20;
+    for (const std::string& line : orphanLines(run, kMostOrphans)) text += cell(line) + "\n\n";
+    std::vector<const ShotResult*> shots;
+    for (const Verdict verdict : kVerdictsByConcern)
+        for (const ShotResult& each : run.shots)
+            if (each.verdict == verdict && needsALook(each)) shots.push_back(&each);
+    if (shots.empty()) return text;
+    const bool hasPictures = !options.picturesAt.empty();
+    text += hasPictures ? "| shot | | why | expected | got | difference |\n|---|---|---|---|---|---|\n"
+                        : "| shot | | why |\n|---|---|---|\n";
+    for (std::size_t i = 0; i < shots.size() && i < kMostListed; ++i) {
+        const ShotResult& shot = *shots[i];
+        text += fmt::format("| {} | {} | {} |", cell(shot.suite + "/" + shot.shot),
+                            isChangedPass(shot) ? "changed" : name(shot.verdict), cell(reasonOf(shot)));
+        if (hasPictures)
+            for (const auto* each : {&shot.expected, &shot.got, &shot.difference})
+                text += fmt::format(" {} |", imageTag(*each, options.picturesAt));
+        text += "\n";
+    }
+    if (shots.size() > kMostListed) text += fmt::format("\n... and {} more\n", shots.size() - kMostListed);
+    if (hasPictures) return text;
+    // Indented, so that no line of it can end the block.
+    std::string details = toText(run, TextOptions{.resultsFolder = options.results, .mapColumns = 48});
+    if (details.size() > kMostText) details = details.substr(0, details.rfind('\n', kMostText)) + "\n...\n";
+    text += "\n<details><summary>Heat maps</summary>\n\n    ";
+    for (const char c : details) text += c == '\n' ? "\n    " : std::string(1, c);
+    return text + "\n\n</details>\n";
+}
+
+namespace {
+
+/// JUnit tells what could not be tried (an error) from what was tried and is wrong (a failure).
+bool isError(const ShotResult& shot) {
+    return isFailure(shot.verdict) && wasNotDrawn(shot);
+}
+
+bool isSkipped(Verdict verdict) {
+    return verdict == Verdict::skipped || verdict == Verdict::quarantined;
+}
+
+struct Sums {
+    int tests = 0, failures = 0, errors = 0, skipped = 0;
+    double seconds = 0;
+};
+
+std::string seconds(double value) {
+    constexpr double kMost = 1e12;  // more is no time, and would print hundreds of digits
+    return fmt::format("{:.3f}", value >= 0 && value < kMost ? value : 0.);
+}
+
+Sums sumsOf(const std::vector<const ShotResult*>& shots) {
+    Sums sums;
+    for (const ShotResult* shot : shots) {
+        ++sums.tests;
+        if (isError(*shot))
+            ++sums.errors;
+        else if (isFailure(shot->verdict))
+            ++sums.failures;
+        else if (isSkipped(shot->verdict))
+            ++sums.skipped;
+        if (std::isfinite(shot->milliseconds)) sums.seconds += shot->milliseconds / 1000;
+    }
+    return sums;
+}
+
+std::string details(const ShotResult& shot) {
+    std::string text = reasonOf(shot) + '\n';
+    for (const Figure& figure : figures(shot))
+        text += fmt::format("{}: {}{}\n", figure.name, figure.value,
+                            figure.limit.empty() ? "" : fmt::format(", limit {}", figure.limit));
+    const auto add = [&](std::string_view title, const std::string& value) {
+        if (!value.empty()) text += fmt::format("{}: {}\n", title, value);
+    };
+    add("script", shot.script.string());
+    add("golden variant", shot.goldenVariant);
+    add("drawn by", shot.driver);
+    add(titlesOf(shot).got, shot.got.string());
+    add(titlesOf(shot).expected, shot.expected.string());
+    add("difference", shot.difference.string());
+    add("reproduce", shot.reproduce);
+    add("accept", shot.accept);
+    return text;
+}
+
+void putShot(std::string& xml, const ShotResult& shot) {
+    xml += fmt::format("    <testcase name=\"{}\" classname=\"{}\" time=\"{}\"", base::escapeXml(shot.shot),
+                       base::escapeXml(shot.suite), seconds(shot.milliseconds / 1000));
+    std::string inside;
+    if (isSkipped(shot.verdict)) {
+        inside += fmt::format("      <skipped message=\"{}\"/>\n", base::escapeXml(reasonOf(shot)));
+    } else if (isFailure(shot.verdict)) {
+        const char* element = isError(shot) ? "error" : "failure";
+        inside +=
+            fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element,
+                        base::escapeXml(reasonOf(shot)), name(shot.verdict), base::escapeXml(details(shot)));
+    }
+    std::string output;
+    if (!isFailure(shot.verdict) && !isSkipped(shot.verdict) && !reasonOf(shot).empty())
+        output += reasonOf(shot) + '\n';
+    for (const Diagnostic& each : shot.diagnostics) output += toString(each) + '\n';
+    if (!output.empty())
+        inside += fmt::format("      <system-out>{}</system-out>\n", base::escapeXml(output));
+    xml += inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n";
+}
+
+/// A suite with one test about the whole run: an error, a failure, or only an output.
+std::string ofRun(std::string_view test, std::string_view element, std::string_view type,
+                  const std::string& text) {
+    const std::string attributes =
+        element == "system-out" ? ""
+                                : fmt::format(" message=\"{}\" type=\"{}\"", base::escapeXml(text), type);
+    return fmt::format(
+        "  <testsuite name=\"glibra\" tests=\"1\" failures=\"{}\" errors=\"{}\" skipped=\"0\" "
+        "time=\"0.000\">\n"
+        "    <testcase name=\"{}\" classname=\"glibra\" time=\"0.000\">\n"
+        "      <{}{}>{}</{}>\n    </testcase>\n  </testsuite>\n",
+        element == "failure" ? 1 : 0, element == "error" ? 1 : 0, test, element, attributes,
+        base::escapeXml(text), element);
+}
+
+}  // namespace
+
+std::string toJunit(const RunResult& run) {
+    std::vector<std::pair<std::string_view, std::vector<const ShotResult*>>> suites;
+    for (const ShotResult& shot : run.shots) {
+        auto suite = std::ranges::find_if(suites, [&](const auto& each) { return each.first == shot.suite; });
+        if (suite == suites.end()) suite = suites.insert(suite, {shot.suite, {}});
+        suite->second.push_back(&shot);
+    }
+    std::string inside;
+    Sums all;
+    for (const auto& [suite, shots] : suites) {
+        const Sums sums = sumsOf(shots);
+        all.tests += sums.tests;
+        all.failures += sums.failures;
+        all.errors += sums.errors;
+        inside += fmt::format(
+            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{}\"",
+            base::escapeXml(suite), sums.tests, sums.failures, sums.errors, sums.skipped,
+            seconds(sums.seconds));
+        if (!run.began.empty()) inside += fmt::format(" timestamp=\"{}\"", base::escapeXml(run.began));
+        inside += ">\n    <properties>\n";
+        for (const auto& [key, value] : {std::pair<const char*, const std::string&>{"driver", run.driver},
+                                         {"machine", run.machine},
+                                         {"shard", run.shard},
+                                         {"command", run.command}})
+            if (!value.empty())
+                inside +=
+                    fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", key, base::escapeXml(value));
+        inside += "    </properties>\n";
+        for (const ShotResult* shot : shots) putShot(inside, *shot);
+        inside += "  </testsuite>\n";
+    }
+    if (const std::string missing = shortfall(run); !missing.empty()) {
+        ++all.tests;
+        ++all.errors;
+        inside += ofRun("every planned shot has a verdict", "error", "incomplete", missing);
+    }
+    if (!run.orphans.empty()) {
+        ++all.tests;
+        all.failures += run.orphansFail ? 1 : 0;
+        constexpr std::size_t kMost = 100;
+        std::string text;
+        for (const std::string& line : orphanLines(run, kMost)) text += (text.empty() ? "" : "\n") + line;
+        inside += ofRun("every golden belongs to a shot", run.orphansFail ? "failure" : "system-out",
+                        "orphans", text);
+    }
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<testsuites name=\"glibra\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
+        "time=\"{}\">\n{}</testsuites>\n",
+        all.tests, all.failures, all.errors, seconds(run.seconds), inside);
 }
 
 }  // namespace glibra::suite

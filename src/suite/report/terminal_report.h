@@ -1,5 +1,5 @@
 #pragma once
-// The report at the end of a run, for a terminal or a log.
+// Reports as text: for a terminal, in Markdown, and for JUnit.
 
 #include <filesystem>
 #include <string>
@@ -7,6 +7,8 @@
 #include "suite/results/results.h"
 
 namespace glibra::suite {
+
+// The report at the end of a run, for a terminal or a log.
 
 struct TextOptions {
     bool color = false;
@@ -19,5 +21,27 @@ struct TextOptions {
 /// shots that do not fail; and one line with the totals. The first `mostDetails` failures are shown in full,
 /// the others with one line each.
 std::string toText(const RunResult& run, const TextOptions& options);
+
+// A run as a short Markdown text: for the summary of a CI job, and for a comment on a change.
+
+struct MarkdownOptions {
+    std::filesystem::path results;  ///< folder of the run
+    /// Where the pictures of the results folder will be found, as "https://host/place"; empty: nowhere, and
+    /// small heat maps of characters stand in their place.
+    std::string picturesAt{};
+};
+
+/// The counts, then a table of the first 30 shots that need a look. No text of a scene can end the table or
+/// add markup.
+std::string toMarkdown(const RunResult& run, const MarkdownOptions& options);
+
+// JUnit XML, which the test reports of Jenkins, GitLab and GitHub show.
+
+/// Returns one <testsuite> per suite and one <testcase> per shot. A shot without a picture (crashed,
+/// timed-out) is an <error>. Other failures are a <failure> whose text has the figures, the paths of the
+/// pictures and the commands. Diagnostics of the scene are in <system-out>. If planned shots have no verdict,
+/// one more test case is an <error>. The text is UTF-8 and valid XML 1.0 for all strings. Schema:
+/// junit-10.xsd of the xUnit plugin of Jenkins.
+std::string toJunit(const RunResult& run);
 
 }  // namespace glibra::suite

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "image/compare/judge.h"
-#include "suite/file/moments.h"
+#include "suite/file/sweep.h"
 #include "suite/run/shot_renderer.h"
 
 namespace glibra::suite {

@@ -1,11 +1,11 @@
 #include "suite/run/run.h"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <csignal>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/memory_limit.h"
 #include "base/workers.h"
@@ -13,15 +13,127 @@
 #include "image/file.h"
 #include "suite/day.h"
 #include "suite/golden/hash.h"
-#include "suite/run/run_messages.h"
-#include "suite/run/run_pieces.h"
+#include "suite/run/run_options.h"
 #include "suite/run/run_worker.h"
-#include "suite/run/shot_clocks.h"
-#include "suite/run/suspicions.h"
 #include "suite/run/verdict.h"
-#include "suite/run/worker_count.h"
 
 namespace glibra::suite {
+
+std::vector<std::vector<std::size_t>> planPieces(std::size_t count, int workers,
+                                                 const std::function<bool(std::size_t)>& joins) {
+    // Guided self-scheduling (Polychronopoulos and Kuck, 1987): each piece is a share of what remains.
+    constexpr std::size_t kLongest = 16;
+    constexpr std::size_t kShares = 3;
+    const std::size_t share = kShares * static_cast<std::size_t>(std::max(1, workers));
+    const bool isShared = workers > 1;
+    std::vector<std::vector<std::size_t>> pieces;
+    for (std::size_t next = 0; next < count;) {
+        const std::size_t size =
+            isShared ? std::clamp<std::size_t>((count - next) / share, 1, kLongest) : count - next;
+        std::vector<std::size_t>& piece = pieces.emplace_back();
+        do piece.push_back(next++);
+        while (next < count && piece.size() < size && joins(next));
+    }
+    return pieces;
+}
+
+bool ShotClocks::mayRestart(const ShotReference& shot) {
+    // A shot begins and is judged, perhaps twice each, and others wait for it and go on with it.
+    constexpr int kMostRestarts = 32;
+    return ++restarts_[shot] <= kMostRestarts;
+}
+
+void ShotClocks::hear(const Begins& begins, Clock::time_point now) {
+    if (mayRestart(begins.shot)) drawing_ = {begins.shot, now};
+}
+
+void ShotClocks::hear(const Phase& phase, Clock::time_point now) {
+    switch (phase.kind) {
+        case Phase::Kind::awaits:
+            if (drawing_ && drawing_->shot == phase.shot) return;
+            if (mayRestart(phase.shot)) drawing_ = {phase.shot, now};
+            return;
+        case Phase::Kind::drawn:
+            if (drawing_ && drawing_->shot == phase.shot) drawing_.reset();
+            return;
+        case Phase::Kind::judges:
+            if (mayRestart(phase.shot)) judging_ = {phase.shot, now};
+            return;
+        case Phase::Kind::recalls:
+            if (judging_ && judging_->shot == phase.shot) judging_.reset();
+            return;
+    }
+}
+
+void ShotClocks::hear(const Done& done) {
+    for (std::optional<Running>* each : {&drawing_, &judging_})
+        if (*each && (*each)->shot == done.shot) each->reset();
+}
+
+std::optional<ShotClocks::Clock::time_point> ShotClocks::endOf(const std::optional<Running>& running) const {
+    if (!running) return std::nullopt;
+    const double seconds = (*limitOf_)(running->shot);
+    if (seconds <= 0) return std::nullopt;
+    return running->since +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+std::optional<double> ShotClocks::left(Clock::time_point now) const {
+    if (!drawing_ && !judging_) return std::nullopt;
+    std::optional<double> least;
+    for (const auto* each : {&drawing_, &judging_})
+        if (const std::optional<Clock::time_point> end = endOf(*each)) {
+            const double seconds = std::max(std::chrono::duration<double>(*end - now).count(), 1e-3);
+            least = std::min(least.value_or(seconds), seconds);
+        }
+    return least.value_or(0);
+}
+
+std::optional<ShotReference> ShotClocks::latest() const {
+    const auto drawn = endOf(drawing_), judged = endOf(judging_);
+    if (judged && (!drawn || *judged < *drawn)) return judging_->shot;
+    if (drawn) return drawing_->shot;
+    return std::nullopt;
+}
+
+std::optional<ShotReference> ShotClocks::judged() const {
+    if (!judging_) return std::nullopt;
+    return judging_->shot;
+}
+
+void Suspicions::add(const ShotReference& drawn, std::vector<ShotReference> prepared, ShotResult ended,
+                     bool isForgiven) {
+    suspicions_.push_back({drawn, std::move(prepared), std::move(ended), std::nullopt, false, isForgiven});
+}
+
+bool Suspicions::concerns(const Suspicion& suspicion, const ShotReference& shot) {
+    return suspicion.drawn == shot || std::ranges::find(suspicion.open, shot) != suspicion.open.end();
+}
+
+bool Suspicions::isUnder(const ShotReference& shot) const {
+    return std::ranges::any_of(suspicions_, [&](const Suspicion& each) { return concerns(each, shot); });
+}
+
+std::vector<ShotResult> Suspicions::settle(const ShotReference& shot, const ShotResult& result) {
+    const auto found =
+        std::ranges::find_if(suspicions_, [&](const Suspicion& each) { return concerns(each, shot); });
+    if (found == suspicions_.end()) return {result};
+    const bool isGuilty = result.verdict == Verdict::crashed || result.verdict == Verdict::timedOut;
+    std::vector<ShotResult> told;
+    if (found->drawn == shot && !isGuilty) {
+        found->result = result;
+    } else {
+        told.push_back(result);
+        if (std::erase(found->open, shot) > 0 && isGuilty) found->isOtherGuilty = true;
+    }
+    if (found->result && found->open.empty()) {
+        if (found->isForgiven && !found->isOtherGuilty && found->result->verdict == Verdict::passed)
+            makeFlaky(*found->result, 2, found->ended);
+        told.push_back(found->isOtherGuilty || found->isForgiven ? *found->result : found->ended);
+    }
+    return told;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

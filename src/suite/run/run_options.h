@@ -9,13 +9,63 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "base/sandbox.h"
 #include "base/workers.h"
+#include "suite/golden/hash_list.h"
+#include "suite/results/results.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {
+
+// Messages of a worker to its parent process during a piece: one line of text each.
+
+/// The driver of the worker; sent once.
+struct DriverIs {
+    std::string words;
+    std::string key{};  ///< driverKey()
+};
+/// The worker begins a shot. Its time limit begins now.
+struct Begins {
+    ShotReference shot;
+};
+/// What a worker does with a shot, besides beginning it. Each of drawing and judging has the time limit of
+/// its shot, so that the parent knows which of the shots of a worker is late.
+struct Phase {
+    enum class Kind : char {
+        awaits = 'w',  ///< the thread that draws now waits until this shot is prepared, or goes on with it
+        drawn = 'e',   ///< it is drawn and waits for its verdict
+        judges = 'j',  ///< the thread that judges begins with it
+        recalls = 'r'  ///< ... has ended without a verdict: the shot is rendered once more
+    };
+    Kind kind{};
+    ShotReference shot;
+};
+/// A shot has a verdict.
+struct Done {
+    ShotReference shot;
+    ShotResult result;
+    std::optional<AcceptedHash> accepted;
+};
+using Message = std::variant<DriverIs, Begins, Phase, Done>;
+
+std::string toText(const Message& message);
+/// The message, or nothing if the text is not a message.
+std::optional<Message> parseMessage(const std::string& text);
+
+// The number of worker processes, and what each of them may take of the processors.
+
+/// `wanted` workers that draw `pieces` scenes or shots; 0: as many as draw them soonest. Where the processor
+/// draws, that is one per processor, because processes are faster than threads on llvmpipe.
+int drawingJobs(int wanted, Driver driver, std::size_t pieces);
+/// `wanted` workers for work without a context; 0: one per processor.
+int readingJobs(int wanted);
+/// Call it in a worker before its context is opened. Divides the processors among the software rasterisers of
+/// `jobs` workers, of which at most `pieces` have work. A value that the user has set stays.
+void shareProcessors(int jobs, std::size_t pieces);
 
 class Orphans;
 

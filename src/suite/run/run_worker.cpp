@@ -10,9 +10,9 @@
 #include "base/contained.h"
 #include "image/write.h"
 #include "render/check/order_check.h"
-#include "suite/golden/hash_key.h"
+#include "suite/golden/hash_list.h"
 #include "suite/run/background.h"
-#include "suite/run/worker_count.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::suite {
 namespace {

@@ -11,7 +11,6 @@
 #include "base/workers.h"
 #include "gpu/context/context.h"
 #include "suite/golden/golden_store.h"
-#include "suite/run/run_messages.h"
 #include "suite/run/run_options.h"
 #include "suite/run/shot_renderer.h"
 #include "suite/run/verdict.h"

@@ -14,7 +14,6 @@
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/vertex_array.h"
 #include "view/debug_view/debug_program.h"
-#include "view/debug_view/debug_view.h"
 #include "view/scene/live_scene.h"
 
 namespace glibra::view {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "gpu/context/context.h"
-#include "render/check/content.h"
+#include "render/check/object_content.h"
 
 namespace glibra::view {
 

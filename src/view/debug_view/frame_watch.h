@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "render/check/content.h"
+#include "render/check/object_content.h"
 #include "view/debug_view/frame_items.h"
 #include "view/scene/live_scene.h"
 

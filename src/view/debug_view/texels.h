@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gpu/object/framebuffer.h"
-#include "render/check/content.h"
+#include "render/check/object_content.h"
 #include "scene/scene.h"
 
 namespace glibra::view {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "source/syntax.h"
 #include "view/scene/live_scene.h"
 
 namespace glibra::view {
@@ -18,5 +19,13 @@ struct SourceFile {
 /// The scene, the shaders in the order of pipeline stages and programs, and the files that they include. Each
 /// file is listed once; missing files are left out.
 std::vector<SourceFile> sourceFiles(const LiveScene& live);
+
+// The names of source/syntax.h that the editor uses.
+
+using source::CodeLanguage;
+using source::SyntaxKind;
+using source::syntaxOf;
+using source::SyntaxPiece;
+using source::SyntaxReader;
 
 }  // namespace glibra::view

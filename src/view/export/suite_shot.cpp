@@ -9,7 +9,7 @@
 #include "image/file.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
-#include "suite/options/option_toml.h"
+#include "suite/options/option_words.h"
 
 namespace glibra::view {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
-#include "plan/buffer_table.h"
+#include "plan/buffers.h"
 #include "plan/loop_rounds.h"
 #include "render/consequences.h"
-#include "render/draw/labels.h"
+#include "render/draw/axes.h"
 #include "render/load/open_loops.h"
 #include "view/scene/live_state.h"
 

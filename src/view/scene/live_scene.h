@@ -22,7 +22,7 @@
 #include "scene/file_lookup.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"
-#include "view/scene/tried_state.h"
+#include "view/scene/live_state.h"
 
 namespace glibra::view {
 

@@ -2,15 +2,20 @@
 // What a LiveScene holds (live_scene.h): the scene as it is now, its plan, its simulation and what was drawn
 // last.
 
+#include <glibra/draw_id.h>
+
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "base/raster_state.h"
+#include "glib/script.h"
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "plan/frame_plan.h"
@@ -18,9 +23,24 @@
 #include "render/stats.h"
 #include "scene/scene.h"
 #include "view/scene/knobs.h"
-#include "view/scene/tried_state.h"
 
 namespace glibra::view {
+
+/// A draw of the frame that is drawn with another state than the scene says, to try that.
+struct TriedState {
+    std::string word;           ///< the command that draws
+    base::RasterState ofScene;  ///< as the scene says
+    base::RasterState wanted;
+    friend bool operator==(const TriedState&, const TriedState&) = default;
+};
+using TriedStates = std::map<DrawId, TriedState>;
+
+// What of a script decides what its Once and Step blocks make, as a text that can be compared.
+
+/// The statements of the scripts without those that only draw the frame, without the text of shaders, and
+/// without values that the window changes: sliders, choices, check boxes, colours. Places and comments do not
+/// count.
+std::string stepText(std::span<const glib::Script* const> scripts);
 
 /// True if the mesh is made with tangents.
 bool hasTangents(const plan::PlannedMesh& mesh);

@@ -1,14 +1,19 @@
 #include "view/session/drawing_service.h"
 
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,10 +22,191 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/readback.h"
+#include "view/edit/external_editor.h"
 #include "view/scene/window_target.h"
-#include "view/session/drawing_messages.h"
 
 namespace glibra::view {
+namespace {
+
+constexpr std::size_t kHead = sizeof(std::uint64_t);
+
+}  // namespace
+
+std::optional<std::string> takeMessage(std::string& received) {
+    std::uint64_t length = 0;
+    if (received.size() < kHead) return std::nullopt;
+    std::memcpy(&length, received.data(), kHead);
+    if (received.size() - kHead < length) return std::nullopt;
+    std::string text = received.substr(kHead, length);
+    received.erase(0, kHead + length);
+    return text;
+}
+
+bool sendMessage(int socket, std::string_view text) {
+    const auto length = static_cast<std::uint64_t>(text.size());
+    std::string bytes(kHead, '\0');
+    std::memcpy(bytes.data(), &length, kHead);
+    bytes += text;
+    for (std::string_view rest = bytes; !rest.empty();) {
+        const ssize_t sent = ::send(socket, rest.data(), rest.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent <= 0) return false;
+        rest.remove_prefix(static_cast<std::size_t>(sent));
+    }
+    return true;
+}
+
+std::optional<std::string> receiveMessage(int socket) {
+    std::string received;
+    for (;;) {
+        if (std::optional<std::string> text = takeMessage(received)) return text;
+        std::array<char, 1 << 16> bytes{};
+        const ssize_t length = ::recv(socket, bytes.data(), bytes.size(), 0);
+        if (length < 0 && errno == EINTR) continue;
+        if (length <= 0) return std::nullopt;
+        received.append(bytes.data(), static_cast<std::size_t>(length));
+    }
+}
+
+std::string answerText(const Diagnostics& diagnostics) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const Diagnostic& each : diagnostics)
+        list.push_back({each.id, each.text, each.place.file, each.place.line, each.place.column});
+    return nlohmann::json{{"diagnostics", list}}.dump(-1, ' ', false,
+                                                      nlohmann::json::error_handler_t::replace);
+}
+
+Diagnostics diagnosticsOf(const nlohmann::json& answer) {
+    Diagnostics diagnostics;
+    for (const nlohmann::json& each : answer.at("diagnostics"))
+        diagnostics.push_back(diagnose(each[0].get<std::string>(), each[1].get<std::string>(),
+                                       {each[2].get<std::string>(), each[3].get<int>(), each[4].get<int>()}));
+    return diagnostics;
+}
+
+namespace {
+
+/// How long a picture is waited for when it is asked for; most are ready then.
+constexpr double kPatience = .1;
+/// Loading makes meshes and compiles programs, which ends.
+constexpr double kLongestLoading = 60;
+
+double secondsSinceTime(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double processorSecondsOf(pid_t process) {
+    clockid_t clock{};
+    timespec used{};
+    if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0;
+    constexpr double kSecondsPerNanosecond = 1e-9;
+    return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * kSecondsPerNanosecond;
+}
+
+}  // namespace
+
+bool DrawingProcess::start() {
+    std::array<int, 2> ends{-1, -1};
+    memory_ = ::memfd_create("glibra picture", MFD_CLOEXEC);
+    if (memory_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
+    socket_ = ends[0];
+    process_ = startAgain({"glibra-view", "--draw-for-window"},
+                          {{ends[1], kDrawingSocket}, {memory_, kDrawingMemory}});
+    ::close(ends[1]);
+    return process_ >= 0;
+}
+
+void DrawingProcess::unmap() {
+    if (!pixels_.empty()) ::munmap(pixels_.data(), pixels_.size());
+    pixels_ = {};
+}
+
+void DrawingProcess::end() {
+    unmap();
+    if (process_ > 0) {
+        ::kill(process_, SIGKILL);
+        int status = 0;
+        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+    }
+    for (int* each : {&socket_, &memory_})
+        if (*each >= 0) ::close(std::exchange(*each, -1));
+    process_ = -1;
+    received_.clear();
+    isWorking_ = hasDrawn_ = false;
+}
+
+bool DrawingProcess::send(const DrawingOrder& order) {
+    const std::size_t size =
+        static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height) * 4;
+    if (pixels_.size() != size) {
+        unmap();
+        if (::ftruncate(memory_, static_cast<off_t>(size)) != 0) return false;
+        void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, memory_, 0);
+        if (memory == MAP_FAILED) return false;
+        pixels_ = {static_cast<std::byte*>(memory), size};
+    }
+    sent_ = order;
+    isWorking_ = isLoading_ = true;
+    begun_ = std::chrono::steady_clock::now();
+    return sendMessage(socket_, order.text);
+}
+
+/// On a busy machine the process may not have had the processor.
+bool DrawingProcess::isLate(double limit) const {
+    constexpr double kMostWaiting = 5;
+    const double passed = secondsSinceTime(begun_);
+    if (isLoading_) return passed > kLongestLoading;
+    return passed > limit &&
+           (passed > kMostWaiting * limit || processorSecondsOf(process_) - processorSeconds_ > limit / 2);
+}
+
+DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
+    const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    for (;;) {
+        while (const std::optional<std::string> text = takeMessage(received_)) {
+            const nlohmann::json answer = nlohmann::json::parse(*text, nullptr, false);
+            if (answer.is_object() && answer.contains("diagnostics")) {
+                diagnostics_ = diagnosticsOf(answer);
+                isWorking_ = false;
+                hasDrawn_ = true;
+                return State::drawn;
+            }
+            isLoading_ = false;
+            begun_ = std::chrono::steady_clock::now();
+            processorSeconds_ = processorSecondsOf(process_);
+        }
+        const int left = static_cast<int>(std::max(0., (seconds - secondsSinceTime(start)) * 1000));
+        pollfd wanted{socket_, POLLIN, 0};
+        if (::poll(&wanted, 1, left) > 0) {
+            std::array<char, 1 << 12> bytes{};
+            const ssize_t length = ::recv(socket_, bytes.data(), bytes.size(), 0);
+            if (length > 0) {
+                received_.append(bytes.data(), static_cast<std::size_t>(length));
+                continue;
+            }
+            const State why = hasDrawn_ || !isLoading_ ? State::ended : State::missing;
+            end();
+            return why;
+        }
+        if (isLate(limit)) {
+            end();
+            return State::late;
+        }
+        if (left == 0) return State::working;
+    }
+}
+
+DrawingProcess::State DrawingProcess::draw(const DrawingOrder& wanted, double limit) {
+    if (isWorking_ && sent_.loading != wanted.loading) end();
+    if (isWorking_) return wait(0, limit);
+    if ((process_ < 0 && !start()) || !send(wanted)) {
+        end();
+        return State::missing;
+    }
+    return wait(kPatience, limit);
+}
+
 namespace {
 
 using Order = nlohmann::json;

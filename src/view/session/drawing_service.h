@@ -1,13 +1,99 @@
 #pragma once
 // The other side of DrawingProcess: what it is asked for, and the process that draws it.
 
+#include <glibra/diagnostic.h>
 #include <glibra/render.h>
 
+#include <sys/types.h>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "view/scene/live_scene.h"
 
 namespace glibra::view {
+
+// What the window and the process that draws for it send each other (drawing_process.h, drawing_service.h).
+
+/// A message is 8 bytes with the length, then the text. False, or nothing, if the other process has ended.
+bool sendMessage(int socket, std::string_view text);
+std::optional<std::string> receiveMessage(int socket);
+/// Removes the first whole message from bytes that were received; nothing if there is none.
+std::optional<std::string> takeMessage(std::string& received);
+
+/// The answer after a picture: what was reported about it.
+std::string answerText(const Diagnostics& diagnostics);
+Diagnostics diagnosticsOf(const nlohmann::json& answer);
+
+/// The descriptors of the process. They are above all that the window has open.
+inline constexpr int kDrawingSocket = 200, kDrawingMemory = 201;
+
+// Draws a scene in a process of its own, which can be ended when a shader of the scene does not end. The
+// window starts its own program again for this. It starts with the first picture that is asked for.
+
+/// A picture that is wanted.
+struct DrawingOrder {
+    std::string text;  ///< JSON, see drawing_service.h
+    int width = 0, height = 0;
+    double time = 0;            ///< of the scene, seconds
+    std::uint64_t loading = 0;  ///< another number: the scene is another one
+    bool watchesLoops = false;  ///< Session::watchLoops()
+    friend bool operator==(const DrawingOrder&, const DrawingOrder&) = default;
+};
+
+class DrawingProcess {
+  public:
+    enum class State {
+        working,  ///< no new picture yet
+        drawn,
+        late,    ///< drawing took longer than the limit; the process was ended
+        ended,   ///< the process has ended by itself: the driver crashed
+        missing  ///< it cannot be started, or it has no driver
+    };
+
+    DrawingProcess() = default;
+    DrawingProcess(const DrawingProcess&) = delete;
+    DrawingProcess& operator=(const DrawingProcess&) = delete;
+    ~DrawingProcess() { end(); }
+
+    /// Asks for that picture, unless it is being drawn already, and waits a moment for it if it was not. A
+    /// picture that is being drawn is finished first if it is of the same loading. `limit`: seconds that
+    /// drawing may take.
+    State draw(const DrawingOrder& wanted, double limit);
+    /// After State::drawn: the order that was carried out, its diagnostics, and its pixels: 4 bytes each,
+    /// bottom row first. They are valid until the next call of draw().
+    [[nodiscard]] const DrawingOrder& order() const { return sent_; }
+    [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+    [[nodiscard]] std::span<const std::byte> pixels() const { return pixels_; }
+    [[nodiscard]] bool isWorking() const { return isWorking_; }
+    /// Ends the process. The next picture starts another one.
+    void end();
+
+  private:
+    bool start();
+    bool send(const DrawingOrder& order);
+    State wait(double seconds, double limit);
+    [[nodiscard]] bool isLate(double limit) const;
+    void unmap();
+
+    pid_t process_ = -1;
+    int socket_ = -1, memory_ = -1;
+    std::string received_;
+    DrawingOrder sent_;
+    Diagnostics diagnostics_;
+    std::span<std::byte> pixels_;
+    bool isWorking_ = false, hasDrawn_ = false;
+    std::chrono::steady_clock::time_point begun_;
+    double processorSeconds_ = 0;  ///< that the process had used then
+    bool isLoading_ = false;
+};
 
 /// What a frame of a live scene depends on, besides the scene's files.
 struct DrawnState {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "suite/file/moments.h"
+#include "suite/file/sweep.h"
 #include "view/session/session.h"
 
 namespace glibra::view {

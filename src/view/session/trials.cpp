@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "view/edit/moved_line.h"
+#include "view/edit/source_lines.h"
 
 namespace glibra::view {
 namespace {

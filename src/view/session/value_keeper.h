@@ -3,11 +3,17 @@
 // window was closed, after the program was ended, and after a crash.
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "view/session/session.h"
 
 namespace glibra::view {
+
+// A session as JSON, for programs that watch or test the window.
+
+/// One object: values, transforms, time, picture size, messages and counts.
+nlohmann::ordered_json stateOf(const Session& session);
 
 class ValueKeeper {
   public:

@@ -10,7 +10,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/written_files.h"
-#include "view/browse/thumbnail_maker.h"
+#include "view/browse/thumbnails.h"
 #include "view/session/drawing_service.h"
 #include "view/window/window.h"
 

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "view/session/state_json.h"
+#include "view/session/value_keeper.h"
 
 namespace glibra::view {
 namespace {

@@ -12,7 +12,7 @@
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "view/scene/file_watch.h"
-#include "view/session/frame_pacer.h"
+#include "view/session/frame_cost.h"
 #include "view/window/input_replay.h"
 #include "view/window/platform/display.h"
 #include "view/window/platform/gui.h"

@@ -11,7 +11,7 @@
 
 #include "editor/scene_check.h"
 #include "glib/text.h"
-#include "view/edit/selected_lines.h"
+#include "view/edit/source_lines.h"
 #include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "view/edit/code_words.h"
-#include "view/edit/syntax.h"
+#include "view/edit/source_files.h"
+#include "view/edit/source_lines.h"
 #include "view/window/panels/code_view.h"
 
 namespace glibra::view {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view/edit/syntax.h"
+#include "view/edit/source_files.h"
 #include "view/window/panels/code_view.h"
 
 namespace glibra::view {

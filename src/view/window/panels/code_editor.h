@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "view/edit/syntax.h"
+#include "view/edit/source_files.h"
 #include "view/window/panels/code_view.h"
 
 namespace glibra::view {

@@ -21,7 +21,6 @@
 #include "glib/text.h"
 #include "image/read.h"
 #include "view/browse/example_scenes.h"
-#include "view/browse/thumbnail_maker.h"
 #include "view/browse/thumbnails.h"
 #include "view/edit/example_folders.h"
 #include "view/window/panels/file_menu.h"

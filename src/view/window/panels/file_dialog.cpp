@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "view/browse/folder_list.h"
+#include "view/browse/example_scenes.h"
 #include "view/window/panels/recent_scenes.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"

@@ -14,7 +14,7 @@
 #include <span>
 #include <utility>
 
-#include "view/edit/moved_line.h"
+#include "view/edit/source_lines.h"
 #include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 #include "view/window/panels/value_slider.h"

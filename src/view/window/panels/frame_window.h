@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gpu/object/texture.h"
-#include "view/debug_view/debug_view.h"
+#include "view/debug_view/debug_program.h"
 #include "view/debug_view/draw_state.h"
 #include "view/debug_view/frame_items.h"
 #include "view/debug_view/frame_watch.h"

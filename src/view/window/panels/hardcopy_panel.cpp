@@ -18,10 +18,9 @@
 #include <utility>
 
 #include "image/video/video_file.h"
-#include "view/edit/detached_process.h"
 #include "view/edit/example_folders.h"
+#include "view/edit/external_editor.h"
 #include "view/export/hardcopy.h"
-#include "view/export/hardcopy_job.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/label_overlay.h"
 #include "view/window/panels/number_field.h"

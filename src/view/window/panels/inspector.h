@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plan/buffer_table.h"
-#include "render/check/content.h"
+#include "plan/buffers.h"
+#include "render/check/object_content.h"
 #include "scene/objects.h"
 #include "view/window/panels/texel_view.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "image/image.h"
-#include "render/draw/labels.h"
+#include "render/draw/axes.h"
 #include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
 

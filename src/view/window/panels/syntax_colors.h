@@ -4,7 +4,7 @@
 #include <glibra/diagnostic.h>
 #include <imgui.h>
 
-#include "view/edit/syntax.h"
+#include "view/edit/source_files.h"
 #include "view/style/palette.h"
 
 namespace glibra::view {

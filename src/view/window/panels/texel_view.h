@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "gpu/object/texture.h"
-#include "render/check/content.h"
+#include "render/check/object_content.h"
 #include "view/debug_view/display_expression.h"
 #include "view/debug_view/texels.h"
 

@@ -1,8 +1,7 @@
-#include "cli/render_scenes.h"
+#include "cli/render_arguments.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -12,27 +11,130 @@
 #include <ranges>
 #include <set>
 #include <span>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "base/memory_limit.h"
 #include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
-#include "cli/film.h"
 #include "cli/interruption.h"
 #include "cli/render_answer.h"
-#include "cli/render_outputs.h"
 #include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
 #include "gpu/context/context.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
+#include "image/png/png_reader.h"
+#include "image/video/video_file.h"
 #include "render/file/animation.h"
 #include "render/file/job.h"
-#include "suite/run/worker_count.h"
+#include "suite/run/run_options.h"
 
 namespace glibra::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// False for a path that cannot be looked up, too: the file there is reported when it is written.
+bool isFolder(const fs::path& path) {
+    std::error_code failed;
+    return fs::is_directory(path, failed);
+}
+
+bool writesIntoFolder(const RenderArguments& arguments) {
+    return arguments.outputIsFolder || isFolder(arguments.output) || arguments.output.back() == '/';
+}
+
+/// The scene itself if there is no current folder any more.
+fs::path absolutePath(const std::string& scene) {
+    std::error_code failed;
+    const fs::path path = fs::absolute(scene, failed);
+    return (failed ? fs::path(scene) : path).lexically_normal();
+}
+
+}  // namespace
+
+image::NamedBy namedBy(const RenderArguments& arguments) {
+    return arguments.output.empty() || arguments.frames > 1 || writesIntoFolder(arguments)
+               ? image::NamedBy::program
+               : image::NamedBy::user;
+}
+
+std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
+    std::vector<fs::path> names;
+    std::set<std::string> distinct;
+    for (const std::string& scene : arguments.scenes) {
+        names.push_back(scene == kStandardInput ? "stdin.png"
+                                                : fs::path(scene).filename().replace_extension(".png"));
+        distinct.insert(names.back().string());
+    }
+    if (distinct.size() < names.size()) {
+        fs::path common = absolutePath(arguments.scenes.front()).parent_path();
+        for (const std::string& scene : arguments.scenes) {
+            const fs::path folder = absolutePath(scene).parent_path();
+            while (!common.empty() && common != common.parent_path() &&
+                   std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first !=
+                       common.end())
+                common = common.parent_path();
+        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            names[i] = absolutePath(arguments.scenes[i]).lexically_relative(common).replace_extension(".png");
+    }
+    if (arguments.output.empty()) return names;
+    const bool goesIntoFolder = writesIntoFolder(arguments);
+    for (fs::path& name : names)
+        name = goesIntoFolder ? fs::path(arguments.output) / name : fs::path(arguments.output);
+    return names;
+}
+
+bool isFilm(const RenderArguments& arguments) {
+    return arguments.frames > 1 && !arguments.outputIsFolder && !isFolder(arguments.output) &&
+           image::holdsAnimation(arguments.output);
+}
+
+fs::path framesOf(fs::path film) {
+    return film.replace_extension(".png");
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads a frame with the PNG reader alone, since a worker that a scene has taken over may have written
+/// something else.
+Result<image::Image> readFrame(const fs::path& file) {
+    const image::FileLabel label{file.filename().string(), {}};
+    const auto bytes = image::readFile(file, label);
+    if (!bytes) return bytes.diagnostics;
+    return image::decodePng(*bytes, label);
+}
+
+}  // namespace
+
+Diagnostics writeFilm(const Film& film, const std::function<std::optional<fs::path>(int)>& frameFile,
+                      const std::function<bool()>& stop) {
+    for (int i = 0; i < film.frames; ++i)
+        if (!frameFile(i)) return {};
+    std::optional<image::VideoFile> video;
+    for (int i = 0; i < film.frames && !stop(); ++i) {
+        const Result<image::Image> frame = readFrame(*frameFile(i));
+        if (!frame) return frame.diagnostics;
+        if (!video) {
+            Result<image::VideoFile> begun = image::VideoFile::create(film.file, frame->width, frame->height,
+                                                                      film.framesPerSecond, "glibra");
+            if (!begun) return begun.diagnostics;
+            video = std::move(begun.value);
+        }
+        if (Diagnostics problems = video->add(*frame); !problems.empty()) return problems;
+    }
+    if (stop() || !video) return {};
+    return video->finish();
+}
+
 namespace {
 
 namespace fs = std::filesystem;
