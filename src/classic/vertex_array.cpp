@@ -56,6 +56,8 @@ class Restored {
     GLint indirect_;
 };
 
+}  // namespace
+
 struct __attribute__((visibility("hidden"))) VertexArray::State {
     /// The indices and commands for programs of one kind: those that tessellate and the others.
     struct Variant {
@@ -160,10 +162,14 @@ void VertexArray::State::drawGroups(const Variant& variant, DrawGroup&& draw) co
     }
 }
 
+namespace {
+
 void upload(const Gl& gl, GLenum target, GLuint buffer, const void* data, std::size_t bytes, GLenum usage) {
     gl.BindBuffer(target, buffer);
     gl.BufferData(target, static_cast<GLsizeiptr>(bytes), data, usage);
 }
+
+}  // namespace
 
 bool VertexArray::State::prepare(const char* call) {
     if (open) {
@@ -313,8 +319,6 @@ void VertexArray::State::draw(const char* call, int count) {
                                      at(lists[i].firstIndex * sizeof(std::uint32_t)), count);
     });
 }
-
-}  // namespace
 
 VertexArray::VertexArray() : state_(std::make_unique<State>()) {}
 VertexArray::~VertexArray() = default;

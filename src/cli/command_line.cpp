@@ -223,6 +223,17 @@ std::string explained(const CLI::ParseError& wrong) {
     return text;
 }
 
+/// The first option that ends with "=", as "--update=$MODE" without MODE. CLI11 would see a flag without a
+/// value.
+std::string_view optionWithoutValue(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--") break;
+        if (word.starts_with("--") && word.find('=') == word.size() - 1) return word;
+    }
+    return {};
+}
+
 /// "a, b or c"
 std::string alternatives(const std::vector<std::string>& words) {
     std::string text = words.front();
@@ -452,6 +463,10 @@ std::vector<CommandDescription> Program::describe() const {
 }
 
 std::optional<int> Program::parse(int argc, char** argv) {
+    if (const std::string_view word = optionWithoutValue(argc, argv); !word.empty()) {
+        printError(fmt::format("{} has no value", base::printableText(word)));
+        return kWrongUsage;
+    }
     try {
         app_->parse(argc, argv);
         return std::nullopt;

@@ -140,6 +140,10 @@ TEST_F(DeletedScene, UpdateOfWhatIsMissingAcceptsNoRegression) {
     const Finished wrong = run("--update=none");
     EXPECT_EQ(wrong.status, 2);
     EXPECT_TRUE(contains(wrong.err, "error: --update: expected all or missing, found 'none'")) << wrong.err;
+    const Finished empty = run("--update=");  // --update=$MODE, where nobody has set MODE
+    EXPECT_EQ(empty.status, 2);
+    EXPECT_TRUE(contains(empty.err, "error: --update= has no value")) << empty.err;
+    EXPECT_TRUE(read("golden/a.png") == golden);
     EXPECT_EQ(run("--update=all").status, 0);
     EXPECT_FALSE(read("golden/a.png") == golden);
 }

@@ -309,7 +309,7 @@ void count(const char* name, GLADapiproc called, int argumentCount, ...) {
     if (active == nullptr) return;
     ++active->calls;
     va_list arguments;
-    if (CallTrace* trace = activeTrace()) {
+    if (trace != nullptr) {
         CallArguments traced;
         va_start(traced.list, argumentCount);
         trace->add(name, argumentCount, traced);
