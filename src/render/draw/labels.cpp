@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "image/text/text.h"
+#include "image/text.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::render {

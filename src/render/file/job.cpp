@@ -17,8 +17,8 @@
 
 #include "gpu/context/call_counter.h"
 #include "gpu/context/call_trace.h"
+#include "image/convert.h"
 #include "image/format.h"
-#include "image/inspect.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/check/nan_search.h"

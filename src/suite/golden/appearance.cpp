@@ -5,7 +5,7 @@
 #include <string>
 
 #include "image/format.h"
-#include "image/png/png_appearance.h"
+#include "image/png/png_reader.h"
 
 namespace glibra::suite {
 

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "gpu/context/family.h"
 #include "image/compare/heat_map.h"
-#include "image/inspect.h"
+#include "image/convert.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
 #include "suite/golden/ignored.h"
