@@ -1,6 +1,7 @@
 #include "image/foreign_headers.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>

@@ -245,7 +245,7 @@ inline Lanes exp2Of(Lanes x) {
     return series * std::bit_cast<Lanes>((__builtin_convertvector(whole, IntLanes) + 127) << 23);
 }
 
-/// x^y for x in 0..10^4 and y in 0..2.4; 0 for x up to 1e-15.
+/// x^y for x in 0..10^4 and y in 0..1; 0 for x up to 1e-15.
 inline Lanes power(Lanes x, Lanes y) {
     const Lanes least = allLanes(1e-15F);
     const Lanes result = exp2Of(y * log2Of(larger(x, least)));
@@ -559,8 +559,7 @@ std::vector<float> errorsOfAlike(const Image& a, const Image& b, const FlipOptio
 
 FlipResult flip(const Image& reference, const Image& test, const FlipOptions& options) {
     FlipResult result;
-    if (reference.width != test.width || reference.height != test.height || !isConsistent(reference) ||
-        !isConsistent(test)) {
+    if (!areComparable(reference, test)) {
         result.mean = result.largest = 1;
         return result;
     }

@@ -68,9 +68,7 @@ void magma(double value, double& red, double& green, double& blue) {
 }
 
 Image differenceHeatMap(const Image& expected, const Image& got) {
-    if (expected.width != got.width || expected.height != got.height || !isConsistent(expected) ||
-        !isConsistent(got))
-        return {};
+    if (!areComparable(expected, got)) return {};
     return withAlike(expected, got, [](const Image& first, const Image& second) {
         const Image a = withType(first, Component::f32), b = withType(second, Component::f32);
         Image map = emptyMap(a.width, a.height);

@@ -1,6 +1,7 @@
 #include "image/compare/judge.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -319,20 +320,15 @@ struct OutOfRange {
 std::optional<OutOfRange> firstOutOfRange(const Image& a, const Image& b, const ExcessLimits& limits) {
     if (a.type != Component::f32) return std::nullopt;
     const auto components = static_cast<std::size_t>(a.components);
-    const auto isInRange = [](double value) { return value >= 0 && value <= 1; };
+    const auto isInRange = [](float value) { return value >= 0 && value <= 1; };
     for (int y = 0; y < a.height; ++y) {
         const std::byte* rowA = a.row(y).data();
         const std::byte* rowB = b.row(y).data();
         if (std::memcmp(rowA, rowB, a.rowBytes()) == 0) continue;
         for (std::size_t i = 0; i < static_cast<std::size_t>(a.width) * components; ++i) {
-            const auto p = static_cast<double>(valueAt<float>(rowA, i)),
-                       q = static_cast<double>(valueAt<float>(rowB, i));
-            if (isInRange(p) && isInRange(q)) continue;
-            if (p == q || (std::isnan(p) && std::isnan(q))) continue;
-            const double allowed =
-                limits.relativeOnly ? limits.absolute + limits.relative * std::max(std::abs(p), std::abs(q))
-                                    : limits.largest / 255;
-            if (!(std::abs(p - q) <= allowed)) return OutOfRange{static_cast<int>(i / components), y};
+            const auto p = valueAt<float>(rowA, i), q = valueAt<float>(rowB, i);
+            if (!(isInRange(p) && isInRange(q)) && isBeyond(p, q, limits.largest / 255, limits))
+                return OutOfRange{static_cast<int>(i / components), y};
         }
     }
     return std::nullopt;
@@ -415,8 +411,7 @@ const char* name(Rung rung) {
 
 Judgement judge(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything) {
     Judgement result;
-    if (expected.width != got.width || expected.height != got.height || !isConsistent(expected) ||
-        !isConsistent(got)) {
+    if (!areComparable(expected, got)) {
         result.decidedBy = Rung::size;
         result.comparison.sameSize = result.comparison.identical = false;
         result.reason = fmt::format("the sizes differ: expected {} x {}, found {} x {}", expected.width,

@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <string_view>
 
 #include "image/bytes.h"
 #include "image/convert.h"
@@ -29,16 +28,16 @@ struct HdrAxis {
 
 struct HdrHeader {
     HdrAxis slow, fast;
-    std::size_t dataOffset = 0;
+    std::size_t dataOffset;
 };
 
 /// The next line without its end, from `at`, which moves behind it; empty if the file has no further one.
 std::optional<std::string_view> lineAt(std::string_view file, std::size_t& at) {
     constexpr std::size_t kLongestLine = 4096;
-    const std::size_t end = file.substr(at, kLongestLine).find('\n');
-    if (end == std::string_view::npos) return std::nullopt;
-    std::string_view line = file.substr(at, end);
-    at += end + 1;
+    std::string_view line = file.substr(at, kLongestLine);
+    if (line.find('\n') == std::string_view::npos) return std::nullopt;
+    line = line.substr(0, line.find('\n'));
+    at += line.size() + 1;
     if (line.ends_with('\r')) line.remove_suffix(1);
     return line;
 }
@@ -62,11 +61,10 @@ std::optional<HdrAxis> axisOf(std::string_view& line) {
 
 Result<HdrHeader> readHdrHeader(std::string_view file, const FileLabel& label) {
     std::size_t at = 0;
-    auto line = lineAt(file, at);
-    for (; line && !line->empty(); line = lineAt(file, at)) {
-        constexpr std::string_view kFormat = "FORMAT=";
-        if (!line->starts_with(kFormat)) continue;
-        std::string_view value = line->substr(kFormat.size());
+    std::optional<std::string_view> line;
+    while ((line = lineAt(file, at)) && !line->empty()) {
+        if (!line->starts_with("FORMAT=")) continue;
+        std::string_view value = line->substr(line->find('=') + 1);
         const std::string_view format = wordOf(value);
         if (format == "32-bit_rle_xyze")
             return damaged(label, "its colours are XYZ, not RGB; 'ra_xyze -r' of Radiance converts them");
@@ -81,10 +79,15 @@ Result<HdrHeader> readHdrHeader(std::string_view file, const FileLabel& label) {
     return HdrHeader{*slow, *fast, at};
 }
 
-/// Run lengths per component, which begin with 2, 2 and the number of pixels. False at their end or at
-/// damage.
-bool readComponents(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
-    for (std::size_t component = 0; component < 4; ++component)
+/// Reads one line of pixels: run lengths per component, which begin with 2, 2 and the number of pixels, or
+/// whole pixels, among which 1 1 1 n repeats the one before n times, and each further one in a row counts 256
+/// times as much. False at the end of the file or at damage.
+bool readLine(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
+    constexpr std::size_t kLeast = 8, kMost = 0x7fff;
+    const bool byComponent = line.size() >= kLeast && line.size() <= kMost && at + 4 <= file.size() &&
+                             big16(file, at) == 0x202 && big16(file, at + 2) == line.size();
+    if (byComponent) at += 4;
+    for (std::size_t component = 0; byComponent && component < 4; ++component)
         for (std::size_t x = 0; x < line.size();) {
             if (at + 2 > file.size()) return false;
             const std::size_t code = octetAt(file, at++);
@@ -95,14 +98,8 @@ bool readComponents(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
                 line[x++][component] = octetAt(file, at + (isRun ? 0 : i));
             at += isRun ? 1 : count;
         }
-    return true;
-}
-
-/// Whole pixels; 1 1 1 n repeats the one before n times, and each further one in a row counts 256 times as
-/// much.
-bool readWholePixels(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
     unsigned shift = 0;
-    for (std::size_t x = 0; x < line.size(); at += 4) {
+    for (std::size_t x = 0; !byComponent && x < line.size(); at += 4) {
         if (at + 4 > file.size()) return false;
         std::memcpy(&line[x], file.data() + at, 4);
         const Rgbe pixel = line[x];
@@ -120,28 +117,19 @@ bool readWholePixels(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
     return true;
 }
 
-bool readLine(ByteSpan file, std::size_t& at, std::span<Rgbe> line) {
-    constexpr std::size_t kLeast = 8, kMost = 0x7fff;
-    const bool byComponent = line.size() >= kLeast && line.size() <= kMost && at + 4 <= file.size() &&
-                             big16(file, at) == 0x202 && big16(file, at + 2) == line.size();
-    if (!byComponent) return readWholePixels(file, at, line);
-    at += 4;
-    return readComponents(file, at, line);
-}
-
 }  // namespace
 
 Result<Image> decodeHdr(ByteSpan file, const FileLabel& label, const Limits& limits) {
     const auto read = readHdrHeader(charactersOf(file), label);
     if (!read) return read.diagnostics;
-    const auto& [slow, fast, dataOffset] = *read;
+    const HdrAxis &slow = read->slow, &fast = read->fast;
     const std::uint64_t width = slow.isX ? slow.size : fast.size, height = slow.isX ? fast.size : slow.size;
     if (auto refused = checkPacked(width, height, 4 * sizeof(float), file.size(), limits, label))
         return *std::move(refused);
 
     Image image = blankImage(width, height, Component::f32);
     std::vector<Rgbe> line(static_cast<std::size_t>(fast.size));
-    std::size_t at = dataOffset;
+    std::size_t at = read->dataOffset;
     for (std::uint64_t i = 0; i < slow.size; ++i) {
         if (!readLine(file, at, line))
             return at + 4 > file.size() ? endsEarly(label, i, slow.size)

@@ -20,8 +20,8 @@
 namespace glibra::image {
 namespace {
 
-constexpr const char* kHeaderEnds = "its header is damaged or ends early";
-constexpr const char* kNoPixels = "the picture has no pixels by its header";
+constexpr const char *kHeaderEnds = "its header is damaged or ends early",
+                     *kNoPixels = "the picture has no pixels by its header";
 
 /// The text part of a file: numbers between blanks and comments, which go from # to the end of the line.
 class PnmText {
@@ -47,24 +47,17 @@ class PnmText {
     }
     /// The one blank before binary pixels, which may be the end of a comment. False if it is missing.
     bool endHeader() {
-        const bool isComment = at_ < text_.size() && text_[at_] == '#';
-        if (isComment) skipComment();
-        return isComment || (at_ < text_.size() && isBlank(text_[at_++]));
+        const bool isComment = text_.substr(at_, 1) == "#";
+        if (isComment) at_ = std::min(text_.find_first_of("\r\n", at_), text_.size() - 1);
+        return at_ < text_.size() && (isBlank(text_[at_++]) || isComment);
     }
-    bool atEnd() {
-        skipBlanks();
-        return at_ >= text_.size();
-    }
+    bool atEnd() { return skipBlanks(), at_ >= text_.size(); }
 
   private:
     static bool isBlank(char each) { return each == ' ' || (each >= '\t' && each <= '\r'); }
-    void skipComment() { at_ = std::min(text_.find_first_of("\r\n", at_), text_.size() - 1) + 1; }
     void skipBlanks() {
-        while (at_ < text_.size() && (text_[at_] == '#' || isBlank(text_[at_])))
-            if (text_[at_] == '#')
-                skipComment();
-            else
-                ++at_;
+        for (; at_ < text_.size() && (text_[at_] == '#' || isBlank(text_[at_])); ++at_)
+            if (text_[at_] == '#') at_ = std::min(text_.find_first_of("\r\n", at_), text_.size() - 1);
     }
 
     std::string_view text_;
@@ -102,11 +95,11 @@ Result<Image> decodePnm(ByteSpan file, const FileLabel& label, const Limits& lim
         return bytes == 2 ? big16(file, row + 2 * i) : octetAt(file, row + i);
     };
     Image image = blankImage(*width, *height, bytes == 2 ? Component::u16 : Component::u8);
-    const std::uint64_t full = bytes == 2 ? 65535 : 255;
+    const std::uint16_t full = bytes == 2 ? 65535 : 255;
     std::byte* to = image.data.data();
     for (std::size_t y = 0; y < *height; ++y)
         for (std::size_t x = 0; x < *width; ++x, to += 4 * bytes) {
-            std::array<std::uint16_t, 4> pixel{0, 0, 0, static_cast<std::uint16_t>(full)};
+            std::array<std::uint16_t, 4> pixel{0, 0, 0, full};
             for (std::size_t c = 0; c < channels; ++c) {
                 const auto sample = sampleOf(y, x * channels + c);
                 if (!sample && text.atEnd()) return endsEarly(label, y, *height);
@@ -116,14 +109,11 @@ Result<Image> decodePnm(ByteSpan file, const FileLabel& label, const Limits& lim
                     return damaged(label, fmt::format("row {} has the value {}, but the largest is {}", y + 1,
                                                       *sample, *most));
                 const std::uint32_t value = isBitmap ? 1 - *sample : *sample;  // 1 is black
-                pixel.at(c) = static_cast<std::uint16_t>((value * full + *most / 2) / *most);
+                pixel.at(c) = static_cast<std::uint16_t>((std::uint64_t{value} * full + *most / 2) / *most);
             }
             if (channels == 1) pixel[1] = pixel[2] = pixel[0];
-            for (std::size_t c = 0; c < 4; ++c)
-                if (bytes == 2)
-                    std::memcpy(to + 2 * c, &pixel[c], 2);
-                else
-                    to[c] = static_cast<std::byte>(pixel[c]);
+            if (bytes == 2) std::memcpy(to, pixel.data(), sizeof pixel);
+            for (std::size_t c = 0; bytes == 1 && c < 4; ++c) to[c] = static_cast<std::byte>(pixel.at(c));
         }
     return image;
 }

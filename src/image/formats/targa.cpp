@@ -18,10 +18,9 @@ namespace {
 
 using TargaPixel = std::array<std::uint8_t, 4>;  // red, green, blue, alpha
 
-constexpr std::size_t kTargaHeader = 18;
-constexpr std::uint32_t kMapped = 1, kTrueColor = 2, kGrey = 3;  // kinds
+constexpr std::uint32_t kTargaHeader = 18, kMapped = 1, kTrueColor = 2, kGrey = 3;  // the last are kinds
 
-/// What the extension area says of alpha (field 24).
+/// What the extension area says of alpha (field 24); other numbers are as `useful`.
 enum class TargaAlpha { none = 0, ignored = 1, kept = 2, useful = 3, premultiplied = 4 };
 
 struct TargaHeader {
@@ -31,10 +30,6 @@ struct TargaHeader {
     std::uint32_t firstEntry = 0, entries = 0, entryBits = 0;
     std::size_t mapOffset = 0, dataOffset = 0;
 };
-
-std::uint32_t bytesFor(std::uint32_t bits) {
-    return (bits + 7) / 8;
-}
 
 bool isColorDepth(std::uint32_t bits) {
     return bits == 15 || bits == 16 || bits == 24 || bits == 32;
@@ -49,8 +44,7 @@ TargaAlpha alphaOfExtension(ByteSpan file) {
     const std::size_t at = little32(file, footer);
     if (at < kTargaHeader || at + kExtension > footer || little16(file, at) != kExtension)
         return TargaAlpha::useful;
-    const std::uint8_t type = octetAt(file, at + kAttributes);
-    return type <= 4 ? static_cast<TargaAlpha>(type) : TargaAlpha::useful;
+    return static_cast<TargaAlpha>(octetAt(file, at + kAttributes));
 }
 
 Result<TargaHeader> readTargaHeader(ByteSpan file, const FileLabel& label) {
@@ -79,7 +73,7 @@ Result<TargaHeader> readTargaHeader(ByteSpan file, const FileLabel& label) {
         return damaged(
             label, fmt::format("its colour map has {} entries of {} bits", header.entries, header.entryBits));
     header.mapOffset = kTargaHeader + octetAt(file, 0);
-    header.dataOffset = header.mapOffset + std::size_t{header.entries} * bytesFor(header.entryBits);
+    header.dataOffset = header.mapOffset + std::size_t{header.entries} * ((header.entryBits + 7) / 8);
     if (header.dataOffset >= file.size()) return damaged(label, "the file ends before its pixels");
     return header;
 }
@@ -119,7 +113,7 @@ Result<Image> decodeTarga(ByteSpan file, const FileLabel& label, const Limits& l
     const TargaHeader& header = *read;
     if (auto refused = checkPacked(header.width, header.height, 4, file.size(), limits, label))
         return *std::move(refused);
-    const std::size_t width = header.width, height = header.height, bytes = bytesFor(header.bits);
+    const std::size_t width = header.width, height = header.height, bytes = (header.bits + 7) / 8;
     const std::vector<std::byte> plain =
         header.packed ? withoutRuns(file, header.dataOffset, bytes, width * height * bytes)
                       : std::vector<std::byte>();
@@ -141,7 +135,7 @@ Result<Image> decodeTarga(ByteSpan file, const FileLabel& label, const Limits& l
                 return damaged(
                     label, fmt::format("a pixel has the colour {}, but the colour map has {} to {}", index,
                                        header.firstEntry, header.firstEntry + header.entries - 1));
-            const std::size_t entry = std::size_t{index - header.firstEntry} * bytesFor(header.entryBits);
+            const std::size_t entry = std::size_t{index - header.firstEntry} * ((header.entryBits + 7) / 8);
             pixel = colorAt(file, header.mapOffset + entry, header.entryBits, false);
         }
         if (alpha == TargaAlpha::none || alpha == TargaAlpha::ignored) pixel[3] = 255;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <libdeflate.h>
 #include <spng.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>

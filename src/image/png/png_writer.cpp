@@ -1,6 +1,7 @@
 #include "image/png/png_writer.h"
 
 #include <libdeflate.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
