@@ -19,11 +19,10 @@
 #include "cli/written_files.h"
 #include "image/compare/heat_map.h"
 #include "image/compare/judge.h"
-#include "image/exr/exr_header.h"
 #include "image/file.h"
+#include "image/foreign_headers.h"
 #include "image/format.h"
-#include "image/png/png_appearance.h"
-#include "image/png/png_chunks.h"
+#include "image/png/png_reader.h"
 #include "image/read.h"
 #include "image/write.h"
 

@@ -14,8 +14,8 @@
 #include "base/workers.h"
 #include "gallery/describe.h"
 #include "gallery/gallery_page.h"
-#include "image/png/animated_png.h"
 #include "image/png/png_reader.h"
+#include "image/png/png_writer.h"
 #include "suite/run/run.h"
 #include "suite/write_below.h"
 

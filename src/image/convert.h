@@ -1,7 +1,12 @@
 #pragma once
-// Converts an image to other components, another type, or reversed rows. u8 and u16 stand for 0..1.
+// The pixels of an image in another form: other components, another type, turned, without alpha; and checks
+// of them. u8 and u16 stand for 0..1.
 
+#include <cmath>
+#include <concepts>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 #include "image/image.h"
 
@@ -32,8 +37,69 @@ auto withZeroOf(Component type, const Use& use) {
     return use(float{});
 }
 
+/// What stands for 1 in a type of components.
+template <class Value>
+inline constexpr Value kOne = std::is_integral_v<Value> ? std::numeric_limits<Value>::max() : Value{1};
+
+/// The curve of sRGB (IEC 61966-2-1): the linear value of an encoded one, and its inverse.
+template <std::floating_point Number>
+Number linearOfSrgb(Number encoded) {
+    return encoded <= Number(.04045) ? encoded / Number(12.92)
+                                     : std::pow((encoded + Number(.055)) / Number(1.055), Number(2.4));
+}
+template <std::floating_point Number>
+Number srgbOfLinear(Number linear) {
+    return linear <= Number(.0031308) ? Number(12.92) * linear
+                                      : Number(1.055) * std::pow(linear, 1 / Number(2.4)) - Number(.055);
+}
+
 /// True if the data have the length that width, height, components and type require, and there is at least
 /// one pixel.
 bool isConsistent(const Image& image);
+
+/// Divides the colours of an RGBA picture by alpha, since those of an Image are not multiplied by it.
+/// Integers are limited to their range and rounded; colours with alpha 0 stay.
+void unassociateAlpha(Image& image);
+
+/// Turns red, green and blue of an RGBA picture over: 1 becomes 0.
+void invertColors(Image& image);
+
+/// True if the picture has alpha that is not 1 somewhere.
+bool isTransparent(const Image& image);
+
+/// A picture upright whose file says that its first row is not the top one. `orientation` is the number of
+/// TIFF 6.0 and EXIF: where the first row and the first column of the file lie. 1: top and left; 2: top,
+/// right; 3: bottom, right; 4: bottom, left; 5: left, top; 6: right, top; 7: right, bottom; 8: left, bottom.
+Image upright(Image image, unsigned orientation);
+
+/// True if all pixels have the same bits (also for a picture of one pixel or none).
+bool isOneColor(const Image& image);
+
+/// The number of components that are NaN or infinite; always 0 for u8 and u16.
+struct NonFinite {
+    std::uint64_t nan = 0;
+    std::uint64_t infinite = 0;
+    int x = 0, y = 0;  ///< of the first one, counted from the top left
+};
+NonFinite countNonFinite(const Image& image);
+
+/// A rectangle of pixels, such as the part of a frame of an animation that is stored; `right` and `bottom`
+/// are outside.
+struct Bounds {
+    int left = 0, top = 0, right = 0, bottom = 0;
+    [[nodiscard]] bool isEmpty() const { return right <= left || bottom <= top; }
+};
+
+/// Where two RGB pictures (u8) of one size differ; empty if they are equal.
+Bounds differenceOf(const Image& a, const Image& b);
+
+/// That rectangle of an RGB picture (u8).
+Image partOf(const Image& image, const Bounds& bounds);
+
+/// Reverses the order of the rows of each slice or face.
+void flipRows(TexelBlock& block);
+
+/// Decodes red, green and blue from sRGB (IEC 61966-2-1); the texels become floats. Alpha stays.
+void decodeSrgb(TexelBlock& block);
 
 }  // namespace glibra::image

@@ -13,8 +13,8 @@
 namespace glibra::image {
 
 /// The picture as RGBA, top row first: u8, u16 (16-bit PNG and similar) or f32 (EXR, HDR and similar). PNG,
-/// BMP, TGA, HDR, GIF, PNM, PFM, SGI and DDS without compression are read here, all other formats by the
-/// image module. `place` is the place in the scene that names the file. file-W03 if the suffix stands for
+/// BMP, TGA, HDR, PNM, PFM and DDS without compression are read here, all other formats by the image module.
+/// `place` is the place in the scene that names the file. file-W03 if the suffix stands for
 /// another format. Errors: file-E01 and E02 missing or unreadable; file-E03 not a picture, or one that needs
 /// the module, which is not installed; file-E04 damaged or short; file-E09 exceeds the limits; file-E11 its
 /// decoder crashed or took too long; draw-E08 exceeds what the textures of a scene may have together.

@@ -1,18 +1,153 @@
 #include "image/texture_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
 #include <iterator>
 #include <new>
+#include <numbers>
+#include <optional>
+#include <string>
 
+#include "image/bytes.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
-#include "image/raw_texture.h"
-#include "image/texel_block.h"
 
 namespace glibra::image {
+namespace {
+
+std::size_t headerBytes(int dimensions) {
+    return 4 * static_cast<std::size_t>(dimensions);
+}
+
+/// The sizes at the start of the file for a texture of d dimensions; empty if the file is too short.
+std::optional<RawShape> shapeFor(ByteSpan file, int dimensions, Component type) {
+    if (file.size() < headerBytes(dimensions)) return std::nullopt;
+    RawShape shape{dimensions, {1, 1, 1}, type};
+    for (int i = 0; i < dimensions; ++i)
+        shape.sizes.at(static_cast<std::size_t>(i)) = little32(file, headerBytes(i));
+    return shape;
+}
+
+/// The file length of a shape; empty if a size is 0 or the length exceeds 2^62.
+std::optional<std::uint64_t> lengthOf(const RawShape& shape) {
+    std::uint64_t texels = 1;
+    for (const std::uint32_t size : shape.sizes) {
+        if (size == 0 || texels > (std::uint64_t{1} << 57) / size) return std::nullopt;
+        texels *= size;
+    }
+    return headerBytes(shape.dimensions) + 4 * bytesOf(shape.type) * texels;
+}
+
+/// "2 x 1 x 3".
+std::string sizesOf(const RawShape& shape) {
+    return fmt::format(
+        "{}", fmt::join(std::span(shape.sizes).first(static_cast<std::size_t>(shape.dimensions)), " x "));
+}
+
+/// "2 float texels (1D)", "2 x 1 x 3 byte texels (3D)".
+std::string describeShape(const RawShape& shape) {
+    return fmt::format("{} {} texels ({}D)", sizesOf(shape), shape.type == Component::u8 ? "byte" : "float",
+                       shape.dimensions);
+}
+
+bool withinSides(const RawShape& shape, const Limits& limits) {
+    const int side = shape.dimensions == 3 ? limits.side3D : limits.side;
+    return std::all_of(shape.sizes.begin(), shape.sizes.end(), [&](std::uint32_t size) {
+        return size >= 1 && size <= static_cast<std::uint32_t>(side);
+    });
+}
+
+/// file-E05 with the lengths that the sizes at the start of the file require.
+Diagnostic fitsNothing(ByteSpan file, int dimensions, const FileLabel& label, const Limits& limits) {
+    std::string would;
+    for (int d = 1; d <= 3; ++d) {
+        if (dimensions != 0 && dimensions != d) continue;
+        const auto bytes = shapeFor(file, d, Component::u8);
+        if (!bytes || !withinSides(*bytes, limits)) continue;
+        std::string sizes = sizesOf(*bytes);
+        if (d == 1) sizes += " (1D)";
+        const std::uint64_t texels = *lengthOf(*bytes) - headerBytes(d);
+        would += fmt::format("{} {} would need {} or {}", would.empty() ? ";" : ",", sizes,
+                             headerBytes(d) + texels, headerBytes(d) + 4 * texels);
+    }
+    if (would.empty()) would = "; it does not start with sizes";
+    const std::string kind = dimensions == 0 ? "raw texture" : fmt::format("raw {}D texture", dimensions);
+    return diagnose("file-E05",
+                    fmt::format("'{}': {} bytes match no {}{}", label.name, file.size(), kind, would),
+                    label.place);
+}
+
+void toMachineOrder(std::vector<std::byte>& floats) {
+    if constexpr (std::endian::native == std::endian::big)
+        for (std::size_t at = 0; at + 4 <= floats.size(); at += 4)
+            std::reverse(floats.begin() + static_cast<std::ptrdiff_t>(at),
+                         floats.begin() + static_cast<std::ptrdiff_t>(at + 4));
+}
+
+}  // namespace
+
+std::vector<RawShape> rawShapes(ByteSpan file, int dimensions) {
+    std::vector<RawShape> fitting;
+    for (int d = 1; d <= 3; ++d)
+        for (const Component type : {Component::u8, Component::f32}) {
+            if (dimensions != 0 && dimensions != d) continue;
+            const auto shape = shapeFor(file, d, type);
+            if (shape && lengthOf(*shape) == file.size()) fitting.push_back(*shape);
+        }
+    return fitting;
+}
+
+bool looksRaw(ByteSpan file, int dimensions, const Limits& limits) {
+    for (int d = 1; d <= 3; ++d) {
+        if (dimensions != 0 && dimensions != d) continue;
+        const auto shape = shapeFor(file, d, Component::u8);
+        if (shape && withinSides(*shape, limits)) return true;
+    }
+    return false;
+}
+
+Result<TexelBlock> decodeRawTexture(ByteSpan file, int dimensions, const FileLabel& label,
+                                    const Limits& limits) {
+    const std::vector<RawShape> shapes = rawShapes(file, dimensions);
+    if (shapes.empty()) return fitsNothing(file, dimensions, label, limits);
+    const RawShape& shape = shapes.front();
+    const std::size_t offset = headerBytes(shape.dimensions);
+    if (!withinSides(shape, limits) || file.size() - offset > limits.texelBytes)
+        return diagnose("file-E09",
+                        fmt::format("'{}' has {}, the limits are {} per side and {}", label.name,
+                                    describeShape(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
+                                    readableBytes(limits.texelBytes)),
+                        label.place);
+    if (auto over =
+            checkSceneBytes(file.size() - offset, limits, fmt::format("'{}'", label.name), label.place))
+        return *std::move(over);
+
+    TexelBlock block;
+    block.dimensions = shape.dimensions;
+    block.width = static_cast<int>(shape.sizes[0]);
+    block.height = static_cast<int>(shape.sizes[1]);
+    block.depth = static_cast<int>(shape.sizes[2]);
+    block.type = shape.type;
+    block.data.assign(file.begin() + static_cast<std::ptrdiff_t>(offset), file.end());
+    if (shape.type == Component::f32) toMachineOrder(block.data);
+
+    Result<TexelBlock> result(std::move(block));
+    if (shapes.size() > 1) {
+        std::string all;
+        for (const RawShape& each : shapes) all += (all.empty() ? "" : " and ") + describeShape(each);
+        result.diagnostics.push_back(diagnose(
+            "file-W07", fmt::format("{} bytes match {}; read as {}D", file.size(), all, shape.dimensions),
+            label.place));
+    }
+    return result;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,6 +326,137 @@ Result<TexelBlock> readLayers(std::span<const base::FileSource> files, int dimen
     block.depth = static_cast<int>(files.size());
     join(layers, false, block);
     return {std::move(block), std::move(layers.remarks)};
+}
+
+namespace {
+
+using Color = std::array<double, 4>;
+
+TexelBlock emptyCube(int side, Component type) {
+    TexelBlock cube;
+    cube.faces = 6;
+    cube.width = cube.height = side;
+    cube.type = type;
+    const auto texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 6;
+    cube.data.resize(texels * 4 * bytesOf(type));
+    return cube;
+}
+
+TexelBlock cubeOfCross(const Image& cross) {
+    struct Cell {
+        int column, row;
+    };
+    constexpr std::array<Cell, 6> kCells{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
+    const int side = cross.width / 4;
+    TexelBlock cube = emptyCube(side, cross.type);
+    const std::size_t rowBytes = static_cast<std::size_t>(side) * 4 * bytesOf(cross.type);
+    std::byte* to = cube.data.data();
+    for (const Cell& cell : kCells)
+        for (int y = 0; y < side; ++y, to += rowBytes)
+            std::memcpy(
+                to, cross.row(cell.row * side + y).data() + static_cast<std::size_t>(cell.column) * rowBytes,
+                rowBytes);
+    return cube;
+}
+
+/// A picture of RGBA floats around the viewer.
+class Panorama {
+  public:
+    explicit Panorama(const Image& floats) : image_(floats) {}
+
+    /// `direction` need not be normalised.
+    [[nodiscard]] Color at(const std::array<double, 3>& direction) const {
+        const auto [x, y, z] = direction;
+        const double length = std::sqrt(x * x + y * y + z * z);
+        const double u = .5 + std::atan2(x, -z) / (2 * std::numbers::pi);
+        const double v = std::acos(std::clamp(y / length, -1., 1.)) / std::numbers::pi;
+        return bilinear(u * image_.width - .5, v * image_.height - .5);
+    }
+
+  private:
+    [[nodiscard]] Color texel(long x, long y) const {
+        const long width = image_.width;
+        x = (x % width + width) % width;
+        y = std::clamp(y, 0L, static_cast<long>(image_.height) - 1);
+        std::array<float, 4> value{};
+        std::memcpy(value.data(),
+                    image_.row(static_cast<int>(y)).data() + static_cast<std::size_t>(x) * sizeof value,
+                    sizeof value);
+        return {value[0], value[1], value[2], value[3]};
+    }
+    [[nodiscard]] Color bilinear(double x, double y) const {
+        const double left = std::floor(x), top = std::floor(y);
+        Color sum{};
+        for (int i = 0; i < 4; ++i) {
+            const double weight =
+                (i % 2 == 1 ? x - left : 1 - (x - left)) * (i / 2 == 1 ? y - top : 1 - (y - top));
+            const Color one = texel(static_cast<long>(left) + i % 2, static_cast<long>(top) + i / 2);
+            for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * one[c];
+        }
+        return sum;
+    }
+    const Image& image_;
+};
+
+TexelBlock cubeOfPanorama(const Image& picture) {
+    const Image floats = withType(picture, Component::f32);
+    const Panorama panorama(floats);
+    const int side = std::max(1, picture.width / 4);
+    Image faces{side, side * 6, 4, Component::f32, emptyCube(side, Component::f32).data};
+    std::byte* to = faces.data.data();
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x, to += 4 * sizeof(float)) {
+                Color mean{};
+                for (int i = 0; i < 4; ++i) {
+                    const Color one = panorama.at(cubeDirection(face, (x + .25 + .5 * (i % 2)) / side,
+                                                                (y + .25 + .5 * (i / 2)) / side));
+                    for (std::size_t c = 0; c < 4; ++c) mean[c] += one[c] / 4;
+                }
+                std::array<float, 4> value{};
+                std::transform(mean.begin(), mean.end(), value.begin(),
+                               [](double each) { return static_cast<float>(each); });
+                std::memcpy(to, value.data(), sizeof value);
+            }
+    TexelBlock cube = emptyCube(side, picture.type);
+    cube.data = withType(faces, picture.type).data;
+    return cube;
+}
+
+}  // namespace
+
+std::array<double, 3> cubeDirection(int face, double s, double t) {
+    const double a = 2 * s - 1, b = 2 * t - 1;
+    switch (face) {
+        case 0:
+            return {1, -b, -a};
+        case 1:
+            return {-1, -b, a};
+        case 2:
+            return {a, 1, b};
+        case 3:
+            return {a, -1, -b};
+        case 4:
+            return {a, -b, 1};
+        default:
+            return {-a, -b, -1};
+    }
+}
+
+Result<TexelBlock> readCubePicture(const base::FileSource& source, const Place& place,
+                                   const ReadOptions& options) {
+    Result<Image> read = readImage(source, place, options);
+    if (!read) return std::move(read.diagnostics);
+    const Image picture = withComponents(*read, 4);
+    if (picture.width == 2 * picture.height) return {cubeOfPanorama(picture), std::move(read.diagnostics)};
+    if (3 * picture.width == 4 * picture.height && picture.width % 4 == 0)
+        return {cubeOfCross(picture), std::move(read.diagnostics)};
+    read.diagnostics.push_back(diagnose(
+        "file-E06",
+        fmt::format("CubeMap: '{}' is {} x {}; one picture must be a panorama (2:1) or a cross (4:3)",
+                    source.path.filename().string(), picture.width, picture.height),
+        place));
+    return std::move(read.diagnostics);
 }
 
 }  // namespace glibra::image

@@ -12,12 +12,10 @@
 #include <system_error>
 #include <vector>
 
-#include "image/alpha.h"
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
-#include "image/gif/gif_writer.h"
-#include "image/sgi/sgi_writer.h"
+#include "image/video/gif_writer.h"
 
 namespace glibra::image {
 namespace {
@@ -59,12 +57,6 @@ Diagnostics writeGif(const Image& image, const fs::path& path, NamedBy named) {
     return tooLong.empty() ? writeFileAtomically(path, encodeGif(image), named) : tooLong;
 }
 
-/// OpenImageIO leaves the name of the picture in the header as it finds it in memory.
-Diagnostics writeSgi(const Image& image, const fs::path& path, NamedBy named) {
-    const Diagnostics tooLong = tooLongFor("SGI", kLargestSgiSide, image, path);
-    return tooLong.empty() ? writeFileAtomically(path, encodeSgi(image), named) : tooLong;
-}
-
 Diagnostics writeOther(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
     std::error_code failed;
     if (fs::is_directory(path, failed) &&
@@ -91,7 +83,12 @@ Diagnostics writeAs(const Image& image, Format format, const fs::path& path, con
     if (format == Format::png) return writePng(image, path, options.png, options.named);
     if (format == Format::pfm) return writePfm(image, path, options.named);
     if (format == Format::gif) return writeGif(image, path, options.named);
-    if (format == Format::sgi) return writeSgi(image, path, options.named);
+    if (format == Format::sgi) {
+        constexpr int kLargestSgiSide = 65'535;
+        if (auto tooLong = tooLongFor("SGI", kLargestSgiSide, image, path); !tooLong.empty()) return tooLong;
+        if (image.type == Component::f32)
+            return writeOther(withType(image, Component::u16), format, path, options);
+    }
     return writeOther(image, format, path, options);
 }
 

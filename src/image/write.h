@@ -30,9 +30,9 @@ inline WriteOptions writtenAs(NamedBy named) {
 }
 
 /// Writes .png with png_writer (float pictures as 16 bits, limited to 0..1), .pfm as floats without alpha,
-/// .gif and .sgi with their writers, and every other suffix with the image module: .jpg, .bmp, .tif, .exr,
-/// .hdr, .tga and others. The file appears when it is complete. No error on success, but file-W14 if alpha is
-/// lost; otherwise file-E03 (the module is not installed) or file-E10 (unknown suffix, or the file cannot be
+/// .gif with its writer, and every other suffix with the image module: .jpg, .bmp, .tif, .exr, .hdr, .tga,
+/// .sgi and others. The file appears when it is complete. No error on success, but file-W14 if alpha is lost;
+/// otherwise file-E03 (the module is not installed) or file-E10 (unknown suffix, or the file cannot be
 /// written). Colours are never multiplied by alpha.
 Diagnostics writeImage(const Image& image, const std::filesystem::path& path,
                        const WriteOptions& options = {});

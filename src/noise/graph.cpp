@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/mix.h"
+#include "image/convert.h"
 
 namespace glibra::noise {
 namespace {
@@ -155,10 +156,8 @@ std::array<double, 3> screenColor(double lightness, double a, double b) {
                                        -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
                                        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
     std::array<double, 3> color{};
-    std::ranges::transform(linear, color.begin(), [](double each) {
-        const double c = std::clamp(each, 0.0, 1.0);
-        return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-    });
+    std::ranges::transform(linear, color.begin(),
+                           [](double each) { return image::srgbOfLinear(std::clamp(each, 0.0, 1.0)); });
     return color;
 }
 

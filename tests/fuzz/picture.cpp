@@ -8,8 +8,8 @@
 #include "check.h"
 #include "image/png/png_reader.h"
 #include "image/png/png_writer.h"
-#include "image/raw_texture.h"
 #include "image/read.h"
+#include "image/texture_file.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace glibra;

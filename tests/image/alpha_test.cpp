@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "bmp_maker.h"
-#include "image/alpha.h"
 #include "image/compare/compare.h"
-#include "image/orientation.h"
+#include "image/convert.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "support.h"

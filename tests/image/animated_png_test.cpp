@@ -1,6 +1,6 @@
 // Animated PNG files: their chunks, and the pictures that a reader puts together from the parts.
 
-#include "image/png/animated_png.h"
+#include "image/png/png_writer.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>
@@ -11,7 +11,6 @@
 
 #include "image/bytes.h"
 #include "image/png/png_reader.h"
-#include "image/png/png_writer.h"
 
 namespace glibra::image::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "bmp_maker.h"
-#include "image/bmp/bmp_reader.h"
 #include "image/compare/compare.h"
+#include "image/formats/readers.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
 #include "image/write.h"

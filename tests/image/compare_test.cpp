@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "image/convert.h"
-#include "image/inspect.h"
 #include "support.h"
 
 namespace glibra::image {

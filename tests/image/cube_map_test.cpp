@@ -1,6 +1,6 @@
 // One picture as the faces of a cube map.
 
-#include "image/cube_map.h"
+#include "image/texture_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "image/texel_block.h"
+#include "image/convert.h"
 #include "image/write.h"
 
 namespace glibra::image {

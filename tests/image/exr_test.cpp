@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "exr_maker.h"
-#include "image/exr/exr_header.h"
+#include "image/foreign_headers.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "support.h"

@@ -7,8 +7,12 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <string_view>
 
+#include "image/file.h"
 #include "image/read.h"
+#include "image/write.h"
 #include "support.h"
 #include "variant_maker.h"
 
@@ -46,7 +50,8 @@ class Foreign : public testing::InFolder {};
 TEST_F(Foreign, VariantsGiveTheirPixelsOrAMessage) {
     GLIBRA_NEED_MODULE();
     std::map<std::string, int> right;  // by the kind before the first number
-    for (const Maker make : {testing::tiffVariants, testing::photoshopVariants, testing::iconVariants})
+    for (const Maker make :
+         {testing::tiffVariants, testing::photoshopVariants, testing::iconVariants, testing::gifVariants})
         for (const Variant& each : make()) {
             const auto read = readImage(put(each.name, each.file), {}, testing::withModule());
             if (!read) {
@@ -60,6 +65,41 @@ TEST_F(Foreign, VariantsGiveTheirPixelsOrAMessage) {
     for (const char* kind : {"tiff-white-u", "tiff-black-u", "tiff-black-i", "tiff-black-f", "tiff-rgb-u",
                              "tiff-rgb-i", "tiff-rgb-f", "tiff-inks-u", "tiff-palette-u", "psd-", "ico-"})
         EXPECT_GE(right[kind], 6) << kind;
+    EXPECT_EQ(right["gif-"], static_cast<int>(testing::gifVariants().size())) << "none is refused";
+}
+
+TEST_F(Foreign, CutGifFilesAreErrors) {
+    GLIBRA_NEED_MODULE();
+    int number = 0;
+    for (const Variant& each : testing::gifVariants()) {
+        if (number++ % 7 != 0) continue;
+        for (std::size_t length = 6; length + 20 < each.file.size(); length += 1 + length / 4) {
+            const auto read =
+                decodeImage(std::span(each.file).first(length), each.name, {}, testing::withModule());
+            ASSERT_EQ(testing::idsOf(read.diagnostics), "file-E04") << each.name << " " << length;
+        }
+    }
+}
+
+/// Some formats are read by OpenImageIO from files only, and this one has no name on the disk.
+TEST_F(Foreign, PicturesWithoutAFileAreReadFromMemory) {
+    GLIBRA_NEED_MODULE();
+    const Image image = testing::noisyImage(19, 11, 3, Component::u8);
+    for (const char* suffix : {".tif", ".sgi", ".gif", ".ico"}) {
+        const std::filesystem::path path = folder / (std::string("a") + suffix);
+        const bool isIcon = std::string_view(suffix) == ".ico";
+        const Image written = isIcon ? testing::noisyImage(16, 16, 4, Component::u8) : image;
+        ASSERT_TRUE(writeImage(written, path, {{}, testing::moduleFolders()}).empty()) << suffix;
+        const auto onDisk = readImage(path, {}, testing::withModule());
+        const auto bytes = readFile(path, {"a", {}});
+        ASSERT_TRUE(onDisk && bytes) << suffix;
+        std::filesystem::remove(path);
+        const auto content =
+            std::make_shared<const std::string>(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+        const auto inMemory = readImage({path, content}, {}, testing::withModule());
+        ASSERT_TRUE(inMemory) << suffix << ": " << inMemory.diagnostics[0].text;
+        EXPECT_EQ(inMemory->data, onDisk->data) << suffix;
+    }
 }
 
 /// A DDS file with one block of BC4S or BC4U.

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "bmp_maker.h"
-#include "image/foreign.h"
+#include "image/foreign_headers.h"
 #include "image/png/png_writer.h"
+#include "image/read.h"
 #include "image/texture_file.h"
-#include "image/tiff/tiff_header.h"
 #include "image/write.h"
 #include "support.h"
 
@@ -69,7 +69,7 @@ TEST_F(Hostile, AJpegPictureWithoutAHeaderSaysSo) {
         {{0xff, 0xd8, 0xff, 0xe0, 0, 4, 0, 0, 0xff, 0xd9}, "its JPEG header is missing or damaged"},
     };
     for (const auto& [bytes, message] : files) {
-        const auto read = decodeForeign(Format::jpeg, testing::bytesOf(bytes), "a.jpg", {"a.jpg", {}}, {});
+        const auto read = decodeImage(testing::bytesOf(bytes), "a.jpg");
         ASSERT_FALSE(read);
         EXPECT_NE(read.message().find(message), std::string::npos) << read.message();
     }

@@ -1,6 +1,6 @@
 // A PNG file that browsers may show as another picture than the one that is decoded.
 
-#include "image/png/png_appearance.h"
+#include "image/png/png_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 
 #include "image/bytes.h"
 #include "image/image.h"
-#include "image/png/animated_png.h"
 #include "image/png/png_writer.h"
 
 namespace glibra::image {

@@ -1,7 +1,7 @@
 // The fast reader of the most common PNG files: files of libspng's encoder with every filter, and files that
 // it must leave to the general reader.
 
-#include "image/png/png_quick_reader.h"
+#include "image/png/png_reader.h"
 
 #include <gtest/gtest.h>
 #include <spng.h>
@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "image/compare/compare.h"
-#include "image/png/png_chunks.h"
 #include "image/png/png_writer.h"
 #include "support.h"
 

@@ -7,8 +7,8 @@
 
 #include "image/compare/compare.h"
 #include "image/file.h"
+#include "image/foreign_headers.h"
 #include "image/format.h"
-#include "image/jpeg_segments.h"
 #include "image/write.h"
 #include "support.h"
 

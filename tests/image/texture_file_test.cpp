@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 
-#include "image/raw_texture.h"
 #include "image/write.h"
 #include "support.h"
 

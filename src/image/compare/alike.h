@@ -11,6 +11,11 @@
 
 namespace glibra::image {
 
+/// True for pictures of equal size that have pixels.
+inline bool areComparable(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height && isConsistent(a) && isConsistent(b);
+}
+
 /// Calls use(a, b) with pictures of equal component count and type: RGBA if the counts differ, the wider type
 /// if the types differ. Both must be consistent.
 template <class Use>

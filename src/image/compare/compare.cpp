@@ -116,8 +116,7 @@ std::uint64_t countNonFiniteOfBoth(const Image& a, const Image& b) {
 
 Comparison compare(const Image& first, const Image& second) {
     Comparison result;
-    if (first.width != second.width || first.height != second.height || !isConsistent(first) ||
-        !isConsistent(second)) {
+    if (!areComparable(first, second)) {
         result.sameSize = first.width == second.width && first.height == second.height;
         result.identical = result.sameSize && first.data == second.data;
         return result;

@@ -27,7 +27,7 @@ constexpr double kMagma[7][3] = {
 using HeatColor = std::array<std::byte, 3>;
 
 /// 256 colours, so that a pixel costs one look-up.
-const std::array<HeatColor, 256>& palette() {
+const std::array<HeatColor, 256>& heatColors() {
     static const std::array<HeatColor, 256> colors = [] {
         std::array<HeatColor, 256> all{};
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -50,7 +50,7 @@ Image emptyMap(int width, int height) {
 /// `value` is in 0..1; values above 0 are never black.
 void paint(Image& map, std::size_t pixel, double value) {
     const auto index = value > 0 ? std::max<long>(1, std::lround(std::min(value, 1.) * 255)) : 0;
-    std::memcpy(map.data.data() + 3 * pixel, palette()[static_cast<std::size_t>(index)].data(), 3);
+    std::memcpy(map.data.data() + 3 * pixel, heatColors()[static_cast<std::size_t>(index)].data(), 3);
 }
 
 }  // namespace
@@ -68,9 +68,7 @@ void magma(double value, double& red, double& green, double& blue) {
 }
 
 Image differenceHeatMap(const Image& expected, const Image& got) {
-    if (expected.width != got.width || expected.height != got.height || !isConsistent(expected) ||
-        !isConsistent(got))
-        return {};
+    if (!areComparable(expected, got)) return {};
     return withAlike(expected, got, [](const Image& first, const Image& second) {
         const Image a = withType(first, Component::f32), b = withType(second, Component::f32);
         Image map = emptyMap(a.width, a.height);

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <type_traits>
+#include <vector>
 
 #include "base/text.h"
 #include "image/bytes.h"
@@ -12,10 +15,241 @@
 #include "image/compare/flip.h"
 #include "image/compare/structure.h"
 #include "image/convert.h"
-#include "image/inspect.h"
 
 namespace glibra::image {
 namespace {
+
+struct ExcessLimits {
+    double largest = 0;         ///< 255ths of the range
+    bool relativeOnly = false;  ///< float pictures: a value may differ by absolute + relative max(|a|, |b|)
+    double relative = 0, absolute = 0;
+    std::uint64_t allowed = 0;  ///< pixels that may differ by more; if more do, clusters are not searched
+    int block = 16;             ///< side of the blocks in pixels, at most 64
+};
+
+/// Signed differences and limits of integers are in steps of their type, those of floats in units of 1.
+template <class Value>
+using Step = std::conditional_t<std::is_same_v<Value, std::uint8_t>, std::int16_t,
+                                std::conditional_t<std::is_integral_v<Value>, std::int32_t, double>>;
+
+template <class Value>
+constexpr double kFull =
+    std::is_integral_v<Value> ? static_cast<double>(std::numeric_limits<Value>::max()) : 1;
+
+template <class Value>
+Step<Value> limitOf(const ExcessLimits& limits) {
+    const double limit = std::clamp(limits.largest, 0., 255.) / 255 * kFull<Value>;
+    // A limit such as 3/255 of 65535 must not become 770.99...
+    return static_cast<Step<Value>>(std::is_integral_v<Value> ? std::floor(limit + 1e-9) : limit);
+}
+
+/// Adds the differences of a row, each limited to +-limit, to `sums`; true if any exceeds the limit.
+template <class Value>
+bool addRow(const std::byte* a, const std::byte* b, std::size_t count, Step<Value> limit, Step<Value>* sums) {
+    int beyond = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto d = static_cast<Step<Value>>(valueAt<Value>(a, i) - valueAt<Value>(b, i));
+        const Step<Value> low = d < limit ? d : limit;
+        const Step<Value> limited = low > -limit ? low : static_cast<Step<Value>>(-limit);
+        beyond |= limited != d ? 1 : 0;
+        sums[i] = static_cast<Step<Value>>(sums[i] + limited);
+    }
+    return beyond != 0;
+}
+
+/// The same for floats: equal infinities and NaN against NaN are no difference; NaN against a number is a
+/// difference of `limit`.
+template <>
+bool addRow<float>(const std::byte* a, const std::byte* b, std::size_t count, double limit, double* sums) {
+    bool beyond = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto p = static_cast<double>(valueAt<float>(a, i)),
+                   q = static_cast<double>(valueAt<float>(b, i));
+        if (p == q || (std::isnan(p) && std::isnan(q))) continue;
+        const double d = p - q;
+        beyond |= !(std::abs(d) <= limit);
+        sums[i] += std::isnan(d) ? limit : std::clamp(d, -limit, limit);
+    }
+    return beyond;
+}
+
+/// True if the values differ by more than allowed.
+template <class Value>
+bool isBeyond(Value a, Value b, Step<Value> limit, const ExcessLimits& limits) {
+    if constexpr (std::is_integral_v<Value>) {
+        return std::abs(static_cast<std::int32_t>(a) - static_cast<std::int32_t>(b)) > limit;
+    } else {
+        if (a == b || (std::isnan(a) && std::isnan(b))) return false;
+        const auto p = static_cast<double>(a), q = static_cast<double>(b);
+        if (!std::isfinite(p) || !std::isfinite(q)) return true;
+        const double allowed = limits.relativeOnly
+                                   ? limits.absolute + limits.relative * std::max(std::abs(p), std::abs(q))
+                                   : limit;
+        return std::abs(p - q) > allowed;
+    }
+}
+
+/// Turns sums over a row of blocks into means and keeps the largest.
+class BlockMeans {
+  public:
+    BlockMeans(int block, int width, int height, std::size_t components)
+        : block_(block),
+          columns_(std::max(width / block, 1)),
+          rows_(std::max(height / block, 1)),
+          width_(width),
+          height_(height),
+          components_(components) {}
+
+    /// True if a row of blocks ends with this row of pixels.
+    [[nodiscard]] bool endsWith(int y) const {
+        return y + 1 == height_ || ((y + 1) % block_ == 0 && (y + 1) / block_ < rows_);
+    }
+
+    /// `sums` are the sums of the columns of a row of blocks that ends with row y of pixels; they are reset.
+    template <class Sum>
+    void add(std::vector<Sum>& sums, int y, double unit, Excess& excess) const {
+        const int row = std::min(y / block_, rows_ - 1), top = row * block_;
+        for (int column = 0; column < columns_; ++column) {
+            const int left = column * block_, right = column + 1 == columns_ ? width_ : left + block_;
+            const double count = static_cast<double>(right - left) * (y + 1 - top);
+            for (std::size_t c = 0; c < components_; ++c) {
+                double sum = 0;
+                for (int x = left; x < right; ++x)
+                    sum += static_cast<double>(sums[static_cast<std::size_t>(x) * components_ + c]);
+                const double mean = std::abs(sum) / count * unit;
+                if (mean <= excess.bias) continue;
+                excess.bias = mean;
+                excess.biasX = left;
+                excess.biasY = top;
+            }
+        }
+        std::fill(sums.begin(), sums.end(), Sum{});
+    }
+
+  private:
+    int block_, columns_, rows_, width_, height_;
+    std::size_t components_;
+};
+
+/// The pixels beyond the limit; needs memory only if there is one.
+class BeyondMap {
+  public:
+    BeyondMap(int width, int height)
+        : width_(static_cast<std::size_t>(width)), height_(static_cast<std::size_t>(height)) {}
+
+    void add(std::size_t x, int y) {
+        if (pixels_.empty()) {
+            pixels_.resize(width_ * height_);
+            firstRow_ = static_cast<std::size_t>(y);
+        }
+        lastRow_ = static_cast<std::size_t>(y);
+        pixels_[lastRow_ * width_ + x] = true;
+    }
+
+    /// The row or column with the most pixels.
+    void findLine(Excess& excess) const {
+        if (pixels_.empty()) return;
+        std::vector<std::uint64_t> inColumn(width_);
+        for (std::size_t y = firstRow_; y <= lastRow_; ++y) {
+            std::uint64_t inRow = 0;
+            for (std::size_t x = 0; x < width_; ++x) {
+                if (!pixels_[y * width_ + x]) continue;
+                ++inRow;
+                ++inColumn[x];
+            }
+            if (inRow <= excess.line) continue;
+            excess.line = inRow;
+            excess.lineY = static_cast<int>(y);
+        }
+        const auto most = std::max_element(inColumn.begin(), inColumn.end());
+        if (*most <= excess.line) return;
+        excess.line = *most;
+        excess.lineX = static_cast<int>(most - inColumn.begin());
+        excess.lineY = -1;
+    }
+
+    /// The largest group of touching pixels, by flood fill; empties the map.
+    void findCluster(Excess& excess) {
+        if (pixels_.empty()) return;
+        for (std::size_t first = firstRow_ * width_; first < (lastRow_ + 1) * width_; ++first) {
+            const std::uint64_t size = take(first);
+            if (size <= excess.cluster) continue;
+            excess.cluster = size;
+            excess.clusterX = static_cast<int>(first % width_);
+            excess.clusterY = static_cast<int>(first / width_);
+        }
+    }
+
+  private:
+    /// The size of the group that a pixel belongs to; removes the group from the map.
+    std::uint64_t take(std::size_t first) {
+        if (!pixels_[first]) return 0;
+        std::uint64_t size = 0;
+        open_.assign(1, first);
+        pixels_[first] = false;
+        while (!open_.empty()) {
+            const std::size_t x = open_.back() % width_, y = open_.back() / width_;
+            open_.pop_back();
+            ++size;
+            for (std::size_t row = y == 0 ? 0 : y - 1; row <= std::min(y + 1, height_ - 1); ++row)
+                for (std::size_t column = x == 0 ? 0 : x - 1; column <= std::min(x + 1, width_ - 1);
+                     ++column) {
+                    const std::size_t near = row * width_ + column;
+                    if (!pixels_[near]) continue;
+                    pixels_[near] = false;
+                    open_.push_back(near);
+                }
+        }
+        return size;
+    }
+
+    std::size_t width_, height_, firstRow_ = 0, lastRow_ = 0;
+    std::vector<bool> pixels_;
+    std::vector<std::size_t> open_;
+};
+
+template <class Value>
+Excess measure(const Image& a, const Image& b, const ExcessLimits& limits) {
+    Excess excess;
+    const auto components = static_cast<std::size_t>(a.components);
+    const auto width = static_cast<std::size_t>(a.width);
+    const Step<Value> limit = limitOf<Value>(limits);
+    const double unit = 255 / kFull<Value>;
+    const BlockMeans means(limits.block, a.width, a.height, components);
+    std::vector<Step<Value>> sums(width * components);
+    BeyondMap map(a.width, a.height);
+    bool anySum = false;
+    for (int y = 0; y < a.height; ++y) {
+        const std::byte* rowA = a.row(y).data();
+        const std::byte* rowB = b.row(y).data();
+        if (std::memcmp(rowA, rowB, a.rowBytes()) != 0) {
+            anySum = true;
+            if (addRow<Value>(rowA, rowB, width * components, limit, sums.data()) || limits.relativeOnly)
+                for (std::size_t x = 0; x < width; ++x) {
+                    bool beyond = false;
+                    for (std::size_t c = x * components; c < (x + 1) * components; ++c)
+                        beyond |= isBeyond(valueAt<Value>(rowA, c), valueAt<Value>(rowB, c), limit, limits);
+                    if (!beyond) continue;
+                    ++excess.beyond;
+                    if (excess.beyond <= limits.allowed) map.add(x, y);
+                }
+        }
+        if (!anySum || limits.relativeOnly || !means.endsWith(y)) continue;
+        means.add(sums, y, unit, excess);
+        anySum = false;
+    }
+    if (excess.beyond <= limits.allowed) {
+        map.findLine(excess);
+        map.findCluster(excess);
+    }
+    return excess;
+}
+
+/// For two pictures of equal size, component count and type. NaN against a number exceeds any limit and
+/// counts as `largest` in the means. With `relativeOnly` there are no means: bias is 0.
+Excess measureExcess(const Image& a, const Image& b, const ExcessLimits& limits) {
+    return withZeroOf(a.type, [&](auto zero) { return measure<decltype(zero)>(a, b, limits); });
+}
 
 /// "1 pixel differs", "2 pixels in row 7 differ".
 std::string differ(std::uint64_t pixels, std::string_view which = "") {
@@ -86,20 +320,15 @@ struct OutOfRange {
 std::optional<OutOfRange> firstOutOfRange(const Image& a, const Image& b, const ExcessLimits& limits) {
     if (a.type != Component::f32) return std::nullopt;
     const auto components = static_cast<std::size_t>(a.components);
-    const auto isInRange = [](double value) { return value >= 0 && value <= 1; };
+    const auto isInRange = [](float value) { return value >= 0 && value <= 1; };
     for (int y = 0; y < a.height; ++y) {
         const std::byte* rowA = a.row(y).data();
         const std::byte* rowB = b.row(y).data();
         if (std::memcmp(rowA, rowB, a.rowBytes()) == 0) continue;
         for (std::size_t i = 0; i < static_cast<std::size_t>(a.width) * components; ++i) {
-            const auto p = static_cast<double>(valueAt<float>(rowA, i)),
-                       q = static_cast<double>(valueAt<float>(rowB, i));
-            if (isInRange(p) && isInRange(q)) continue;
-            if (p == q || (std::isnan(p) && std::isnan(q))) continue;
-            const double allowed =
-                limits.relativeOnly ? limits.absolute + limits.relative * std::max(std::abs(p), std::abs(q))
-                                    : limits.largest / 255;
-            if (!(std::abs(p - q) <= allowed)) return OutOfRange{static_cast<int>(i / components), y};
+            const auto p = valueAt<float>(rowA, i), q = valueAt<float>(rowB, i);
+            if (!(isInRange(p) && isInRange(q)) && isBeyond(p, q, limits.largest / 255, limits))
+                return OutOfRange{static_cast<int>(i / components), y};
         }
     }
     return std::nullopt;
@@ -182,8 +411,7 @@ const char* name(Rung rung) {
 
 Judgement judge(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything) {
     Judgement result;
-    if (expected.width != got.width || expected.height != got.height || !isConsistent(expected) ||
-        !isConsistent(got)) {
+    if (!areComparable(expected, got)) {
         result.decidedBy = Rung::size;
         result.comparison.sameSize = result.comparison.identical = false;
         result.reason = fmt::format("the sizes differ: expected {} x {}, found {} x {}", expected.width,

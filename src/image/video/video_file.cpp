@@ -22,8 +22,8 @@
 #include "base/text.h"
 #include "image/convert.h"
 #include "image/file.h"
-#include "image/gif/gif_writer.h"
-#include "image/png/animated_png.h"
+#include "image/png/png_writer.h"
+#include "image/video/gif_writer.h"
 
 namespace glibra::image {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "image/text/text.h"
+#include "image/text.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::render {

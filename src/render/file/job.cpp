@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "gpu/context/call_counter.h"
+#include "image/convert.h"
 #include "image/format.h"
-#include "image/inspect.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/check/nan_search.h"

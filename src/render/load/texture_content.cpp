@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "image/cube_map.h"
-#include "image/texel_block.h"
+#include "image/convert.h"
 #include "image/texture_file.h"
 #include "noise/noise.h"
 #include "render/load/device_textures.h"

@@ -9,7 +9,7 @@
 #include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
-#include "image/png/png_appearance.h"
+#include "image/png/png_reader.h"
 #include "image/read.h"
 #include "suite/day.h"
 #include "suite/golden/hash.h"

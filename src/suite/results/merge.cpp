@@ -16,7 +16,7 @@
 #include "base/contained.h"
 #include "base/text.h"
 #include "image/format.h"
-#include "image/png/png_appearance.h"
+#include "image/png/png_reader.h"
 #include "suite/golden/hash.h"
 #include "suite/number_of.h"
 #include "suite/results/results_file.h"

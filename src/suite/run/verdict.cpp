@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "gpu/context/family.h"
 #include "image/compare/heat_map.h"
-#include "image/inspect.h"
+#include "image/convert.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
@@ -30,7 +30,7 @@ std::string firstError(const Diagnostics& diagnostics) {
     return "nothing was drawn";
 }
 
-bool isTransparent(const image::Image& picture) {
+bool isWhollyTransparent(const image::Image& picture) {
     if (picture.type != image::Component::u8 || picture.components != 4) return false;
     for (std::size_t i = 3; i < picture.data.size(); i += 4)
         if (picture.data[i] != std::byte{0}) return false;
@@ -45,7 +45,7 @@ std::string whyNoGolden(const image::Image& picture) {
         return fmt::format("{} of its values are NaN, {} infinite; the first at pixel {}, {}", bad.nan,
                            bad.infinite, bad.x, bad.y);
     if (image::isOneColor(picture)) return "it has only one colour";
-    if (isTransparent(picture)) return "it is transparent everywhere";
+    if (isWhollyTransparent(picture)) return "it is transparent everywhere";
     return {};
 }
 

@@ -1,4 +1,4 @@
-#include "image/text/text.h"
+#include "image/text.h"
 
 #include <array>
 #include <bit>
