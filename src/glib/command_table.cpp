@@ -137,6 +137,12 @@ constexpr TextureFormat kFormats[] = {{"RGBA8", 4}, {"RGBA16F", 8}, {"RGBA32F", 
 using Id = CommandId;
 using Form = ArgumentForm;
 
+/// A row of what acts on the frame alone.
+constexpr CommandRow ofFrame(CommandRow row) {
+    row.restartsSimulation = false;
+    return row;
+}
+
 /// The primitives' rows come between these two.
 constexpr CommandRow kRowsBefore[] = {
     // Window, view, colour (3.1)
@@ -145,44 +151,44 @@ constexpr CommandRow kRowsBefore[] = {
     {Id::ortho, {"Ortho"}, kOrtho, "orthographic box, shown whole and undistorted"},
     {Id::lookAt, {"LookAt"}, kLookAt, "replaces ModelView by the view from eye to centre with up"},
     {Id::color, {"Color", "Colour"}, kColor, "sets the current colour", Form::numbers, LoneNumber::grey},
-    {Id::background,
-     {"Background"},
-     kBackground,
-     "sets the clear colour",
-     Form::numbers,
-     LoneNumber::firstThree},
+    ofFrame({Id::background,
+             {"Background"},
+             kBackground,
+             "sets the clear colour",
+             Form::numbers,
+             LoneNumber::firstThree}),
     {Id::clear, {"Clear"}, {}, "clears colour and depth of the current target"},
     // Transforms (3.2)
-    {Id::translate, {"Translate"}, kTranslate, "moves what follows"},
-    {Id::rotate, {"Rotate"}, kRotate, "turns what follows about an axis through the origin"},
-    {Id::scale,
-     {"Scale"},
-     kScale,
-     "scales what follows, by one factor or by one per axis",
-     Form::numbers,
-     LoneNumber::firstThree},
-    {Id::pushMatrix, {"PushMatrix", "TransformBegin"}, {}, "saves ModelView"},
-    {Id::popMatrix, {"PopMatrix", "TransformEnd"}, {}, "restores ModelView"},
+    ofFrame({Id::translate, {"Translate"}, kTranslate, "moves what follows"}),
+    ofFrame({Id::rotate, {"Rotate"}, kRotate, "turns what follows about an axis through the origin"}),
+    ofFrame({Id::scale,
+             {"Scale"},
+             kScale,
+             "scales what follows, by one factor or by one per axis",
+             Form::numbers,
+             LoneNumber::firstThree}),
+    ofFrame({Id::pushMatrix, {"PushMatrix", "TransformBegin"}, {}, "saves ModelView"}),
+    ofFrame({Id::popMatrix, {"PopMatrix", "TransformEnd"}, {}, "restores ModelView"}),
 };
 constexpr CommandRow kRowsAfter[] = {
     // Geometry (3.3) that is not a primitive
-    {Id::obj, {"Obj"}, kFile, "OBJ model as triangles", Form::file},
-    {Id::wireObj, {"WireObj"}, kFile, "edges of an OBJ model", Form::file},
-    {Id::objAdj, {"ObjAdj"}, kFile, "OBJ model as triangles with adjacency", Form::file},
-    {Id::objPatch, {"ObjPatch"}, kFile, "OBJ model as patches of three vertices", Form::file},
-    {Id::shp, {"Shp"}, kFile, "lines of an ESRI shapefile", Form::file},
-    {.id = Id::linesAdjacency,
-     .names = {"LinesAdjacency"},
-     .arguments = kGroups,
-     .summary = "lines with adjacency, four points each",
-     .form = Form::pointGroups,
-     .groupMultiple = 4},
-    {.id = Id::triangles,
-     .names = {"Triangles"},
-     .arguments = kGroups,
-     .summary = "triangles, three points each",
-     .form = Form::pointGroups,
-     .groupMultiple = 3},
+    ofFrame({Id::obj, {"Obj"}, kFile, "OBJ model as triangles", Form::file}),
+    ofFrame({Id::wireObj, {"WireObj"}, kFile, "edges of an OBJ model", Form::file}),
+    ofFrame({Id::objAdj, {"ObjAdj"}, kFile, "OBJ model as triangles with adjacency", Form::file}),
+    ofFrame({Id::objPatch, {"ObjPatch"}, kFile, "OBJ model as patches of three vertices", Form::file}),
+    ofFrame({Id::shp, {"Shp"}, kFile, "lines of an ESRI shapefile", Form::file}),
+    ofFrame({.id = Id::linesAdjacency,
+             .names = {"LinesAdjacency"},
+             .arguments = kGroups,
+             .summary = "lines with adjacency, four points each",
+             .form = Form::pointGroups,
+             .groupMultiple = 4}),
+    ofFrame({.id = Id::triangles,
+             .names = {"Triangles"},
+             .arguments = kGroups,
+             .summary = "triangles, three points each",
+             .form = Form::pointGroups,
+             .groupMultiple = 3}),
     {.id = Id::glBegin,
      .names = {"glBegin"},
      .arguments = kTopology,
@@ -248,8 +254,8 @@ constexpr CommandRow kRowsAfter[] = {
     {Id::noise2D, {"Noise2D"}, kNoise2D, "size of the 2D noise texture"},
     {Id::noise3D, {"Noise3D"}, kNoise3D, "size of the 3D noise texture"},
     {Id::timer, {"Timer"}, kTimer, "period of the uniform variable Timer"},
-    {Id::messageBox, {"MessageBox"}, kMessage, "shows a message once", Form::message},
-    {Id::verbose, {"Verbose"}, {}, "prints each command as it is carried out"},
+    ofFrame({Id::messageBox, {"MessageBox"}, kMessage, "shows a message once", Form::message}),
+    ofFrame({Id::verbose, {"Verbose"}, {}, "prints each command as it is carried out"}),
 };
 
 // ---- Primitives.
@@ -293,7 +299,8 @@ struct Table {
                             .names = each->names,
                             .arguments = rest.first(stated),
                             .summary = each->summary,
-                            .loneNumber = each->oneSizeForAll ? LoneNumber::firstThree : LoneNumber::first});
+                            .loneNumber = each->oneSizeForAll ? LoneNumber::firstThree : LoneNumber::first,
+                            .restartsSimulation = false});
             rest = rest.subspan(stated);
         }
         rows.insert(rows.end(), std::begin(kRowsAfter), std::end(kRowsAfter));

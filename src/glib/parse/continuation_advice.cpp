@@ -82,7 +82,9 @@ bool ContinuationAdvice::report(const Statement& statement, MessageLog& log) {
     if (name_.empty() || word.position.line != lastLine_ + 1) return false;
     const bool isValue = word.beginsValue();
     const bool isKey = row_ != nullptr && word.kind == TokenKind::word && isKeyOf(*row_, word.text);
-    const bool takesTags = row_ != nullptr && row_->syntax.find("pairs") != std::string_view::npos;
+    const bool takesTags = row_ != nullptr && hasNode(*row_, [](const SyntaxNode& each) {
+                               return each.kind == SyntaxNode::Kind::pairs;
+                           });
     const bool isTag = takesTags && word.kind == TokenKind::word && !word.text.empty() &&
                        lower(word.text.front()) == word.text.front() && !statement.arguments.empty() &&
                        (statement.arguments.front().beginsValue() || statement.arguments.size() == 1);

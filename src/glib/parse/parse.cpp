@@ -84,7 +84,7 @@ class Parser {
         if (word.kind == TokenKind::word && sameWord(word.text.substr(0, kEnd.size()), kEnd)) {
             const StatementRow* stage = modernFormOf(word.text.substr(kEnd.size()));
             if (!stage) stage = findStatement(word.text.substr(kEnd.size()));
-            if (stage && stage->syntax.find("inline") != std::string_view::npos)
+            if (stage && stage->takesBody)
                 return log_.report("glib-E21", fmt::format("{} without '{} inline'", word.text, stage->name),
                                    word.position);
         }
@@ -188,8 +188,7 @@ class Parser {
         finishModern(row, command);
         const bool hasStages = !losesStage(row.id);
         const bool faulty = statement.faulty || log_.errorCount() > errors || !hasStages;
-        if (row.id == CommandId::compute || (statement.faulty && statement.row != nullptr &&
-                                             row.syntax.find("inline") != std::string_view::npos))
+        if (row.id == CommandId::compute || (statement.faulty && statement.row != nullptr && row.takesBody))
             isStageLost_ = faulty;
         if (!faulty)
             commands_.push_back(std::move(command));
@@ -430,7 +429,7 @@ Script parse(std::string_view text, std::string path) {
             script.isModern = read(text, script, log);
     } catch (const std::exception& problem) {
         script.commands.clear();
-        log.report("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});
+        log.report("glib-E14", fmt::format("the scene cannot be read: {}", problem.what()), {});
     }
     script.diagnostics = log.take();
     nameForeignFile(text, script);

@@ -15,7 +15,7 @@ constexpr std::string_view kBlanks = " \t\v\f";
 constexpr std::string_view kEndPrefix = "End";
 
 bool isStageRow(const StatementRow* row) {
-    return row != nullptr && row->syntax.find("inline") != std::string_view::npos;
+    return row != nullptr && row->takesBody;
 }
 
 const StatementRow* anyRowOf(std::string_view word) {

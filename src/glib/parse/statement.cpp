@@ -200,8 +200,7 @@ void StatementReader::joinModernLines(Statement& statement, bool pending, Positi
     const bool isInline = statement.arguments.size() > at &&
                           statement.arguments[at].kind == TokenKind::word &&
                           sameWord(statement.arguments[at].text, "inline");
-    if (isInline && (statement.row || id == CommandId::compute || id == CommandId::glslText))
-        readBody(statement);
+    if (isInline && statement.modern->takesBody) readBody(statement);
     // The lines up to its end are GLSL, whatever is wrong with the statement.
     LineSplitter rest = lines_;
     if (!isInline && id == CommandId::glslText &&
