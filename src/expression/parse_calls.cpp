@@ -52,7 +52,7 @@ Parser::Parsed Parser::moving(std::vector<Operand> arguments, const Call& call, 
 
 std::nullopt_t Parser::unknownFunction(const Token& function) {
     if (names_.find(function.text))
-        return problem(function.range, "expr-E02",
+        return problem(function.range, "expr-E08",
                        fmt::format("'{}' is a value, not a function; write '*' to multiply", function.text));
     std::vector<std::string_view> candidates;
     for (const FunctionRow& each : functionTable())

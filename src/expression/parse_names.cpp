@@ -100,11 +100,11 @@ Parser::Parsed Parser::named(const Token& first) {
 
 std::nullopt_t Parser::noValue(const std::string& path, const Symbol& symbol, Range range) {
     if (symbol.count > 0 && symbol.type.kind != Kind::record)
-        return problem(range, "expr-E03",
+        return problem(range, "expr-E08",
                        fmt::format("'{}' is an array; use an element, {}[0] to {}[{}], or {}.count", path,
                                    path, path, symbol.count - 1, path));
     const std::vector<std::string> fields = names_.known(path);
-    return problem(range, "expr-E03",
+    return problem(range, "expr-E08",
                    fmt::format("'{}' is {} {}, not a value{}{}", path, article(symbol.what), symbol.what,
                                fields.empty() ? "" : "; use one of its fields ", joined(fields, " and ")));
 }
@@ -122,7 +122,7 @@ std::nullopt_t Parser::noSuchField(const std::string& path, const Symbol& symbol
 Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Parsed& index, Range range) {
     if ((symbol.count > 0 && !index) || symbol.type.kind == Kind::record) return noValue(path, symbol, range);
     if (index && symbol.count == 0)
-        return problem(range, "expr-E03", fmt::format("'{}' is not an array", path));
+        return problem(range, "expr-E08", fmt::format("'{}' is not an array", path));
     const bool isChoice = !symbol.words.empty() && symbol.type.isNumber();
     Operand result{.type = symbol.type, .range = range, .begin = index ? index->begin : build_.end()};
     Instruction load;

@@ -265,7 +265,7 @@ ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint
                                inQuotes(token.text.substr(number->length))),
                    token.position);
     if (!number->finite)
-        log.report("glib-E05", fmt::format("{} is too large for a 32-bit float", inQuotes(text)),
+        log.report("glib-E31", fmt::format("{} is too large for a 32-bit float", inQuotes(text)),
                    token.position);
     return {number->finite ? number->value : 0, text};
 }

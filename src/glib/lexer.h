@@ -77,7 +77,7 @@ struct ReadNumber {
     std::string_view text;
 };
 
-/// Reads any token as a number. Reports glib-W04, W05, E05; `hint` follows glib-W05 about a name.
+/// Reads any token as a number. Reports glib-W04, W05, E31; `hint` follows glib-W05 about a name.
 ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint = {});
 
 /// How a line that begins with MessageBox is read.

@@ -13,7 +13,7 @@
 namespace glibra::glib {
 
 /// Fills `values`, `keys` and `tags` of the command from the tokens. `text` is the whole scene. Reports at
-/// most one error: glib-E05, E15 to E20, E24.
+/// most one error: glib-E15 to E20, E24, E31, E37.
 void readStatement(const StatementRow& row, std::string_view text, std::span<const Token> tokens,
                    const DeclaredNames& names, Command& command, MessageLog& log);
 

@@ -84,7 +84,7 @@ class PieceReader {
         value.number = numberPrefix(token.text)->value;
         value.text.clear();
         if (std::isfinite(value.number)) return value;
-        return refuse("glib-E05", fmt::format("{} is too large", inQuotes(token.text)), token.position);
+        return refuse("glib-E31", fmt::format("{} is too large", inQuotes(token.text)), token.position);
     }
 
     std::optional<Value> readExpression(const Token& token) {
@@ -100,7 +100,7 @@ class PieceReader {
                                       kDeepestParentheses),
                           token.position);
         if (token.text.find_first_not_of(" \t") == std::string_view::npos)
-            return refuse("glib-E20", "an expression is missing between '(' and ')'", token.position);
+            return refuse("glib-E37", "an expression is missing between '(' and ')'", token.position);
         return valueOf(token, Value::Kind::expression);
     }
 
@@ -159,9 +159,9 @@ class PieceReader {
     std::optional<Value> checked(Value group) {
         for (const Value& each : group.items)
             if (each.kind == Value::Kind::text)
-                return refuse("glib-E20", "a text in quotes cannot stand in brackets", each.position);
+                return refuse("glib-E37", "a text in quotes cannot stand in brackets", each.position);
         if (group.items.empty())
-            return refuse("glib-E20", "a value is missing between the brackets", group.position);
+            return refuse("glib-E37", "a value is missing between the brackets", group.position);
         switch (group.kind) {
             case Value::Kind::range:
                 return checkedRange(std::move(group));
@@ -184,7 +184,7 @@ class PieceReader {
         if (isChoice || (allNumericOrWords(range) && range.items.size() >= 3 && range.items.size() <= 6))
             return range;
         return refuse(
-            "glib-E20",
+            "glib-E37",
             "< > needs three numbers (min cur max), up to six for a vector (min x y z w max), or words, "
             "or true or false",
             range.position);
@@ -194,7 +194,7 @@ class PieceReader {
         const std::size_t count = color.items.size();
         const bool fits = count == 1 || count == 3 || count == 4 || (hasComputed(color) && count < 3);
         if (fits && allNumericOrWords(color)) return color;
-        return refuse("glib-E20", "{ } needs 3 or 4 numbers, or one for all components", color.position);
+        return refuse("glib-E37", "{ } needs 3 or 4 numbers, or one for all components", color.position);
     }
 
     /// `[6 of (...)]` becomes a count and one item.
@@ -203,7 +203,7 @@ class PieceReader {
             !sameWord(list.items[1].text, "of"))
             return list;
         if (list.items.size() != 3 || !isNumeric(list.items[0]) || !isNumeric(list.items[2]))
-            return refuse("glib-E20", "expected [COUNT of (EXPRESSION)]", list.position);
+            return refuse("glib-E37", "expected [COUNT of (EXPRESSION)]", list.position);
         list.count = {std::move(list.items[0])};
         list.items = {std::move(list.items[2])};
         return list;

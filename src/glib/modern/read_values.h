@@ -17,7 +17,7 @@ struct Piece {
     bool isJoined = false;
 };
 
-/// Reads all tokens. Nothing if an error was reported: glib-E05, E15, E20.
+/// Reads all tokens. Nothing if an error was reported: glib-E15, E20, E31, E37.
 std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log);
 
 }  // namespace glibra::glib

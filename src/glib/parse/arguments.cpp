@@ -60,7 +60,7 @@ double absolute(const Candidate& c, MessageLog& log) {
 
 double applySize(const Candidate& c, MessageLog& log) {
     if (c.value == 0)
-        log.report("glib-W28", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name), c.position);
+        log.report("glib-W42", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name), c.position);
     return absolute(c, log);
 }
 
@@ -311,7 +311,7 @@ void evaluateNumbers(const CommandRow& row, Command& command, std::span<const Ev
             value = checkArgument({row.arguments[i], i, row.name(), number.value, text, number.position},
                                   number.reportsCut, log);
         else
-            log.report("glib-E05",
+            log.report("glib-E31",
                        fmt::format("{}: {} {} is not finite as a 32-bit float", row.name(),
                                    row.arguments[i].name, text),
                        number.position);

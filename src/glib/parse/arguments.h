@@ -19,7 +19,7 @@ namespace glibra::glib {
 std::vector<Token> plainArguments(const Statement& statement, MessageLog& log);
 
 /// Reads one token as this argument and checks it against the argument's rule. `command` is the command's
-/// name for messages. Reports what readNumber reports, and glib-W26, W27, W28, E05, E12, E15.
+/// name for messages. Reports what readNumber reports, and glib-W26, W27, W28, W42, E05, E12, E15.
 double readArgument(const Argument& argument, std::size_t index, const Token& token, std::string_view command,
                     MessageLog& log);
 
@@ -36,7 +36,7 @@ struct EvaluatedNumber {
 };
 
 /// Fills `numbers` of a command that is evaluated later, by the rules of its row, as if the file stated the
-/// numbers. Reports what readNumbers reports about them, and glib-E05 for values that are not finite.
+/// numbers. Reports what readNumbers reports about them, and glib-E31 for values that are not finite.
 void evaluateNumbers(const CommandRow& row, Command& command, std::span<const EvaluatedNumber> numbers,
                      MessageLog& log);
 
@@ -53,7 +53,7 @@ void readSwitch(const Statement& statement, Command& command, MessageLog& log); 
 void readPointGroups(const Statement& statement, Command& command, MessageLog& log);  // pointGroups
 
 /// Checks the numbers of Perspective, Ortho, Rotate and Scale together. `places` are the places of the
-/// numbers that stand in the file. Reports glib-E05, W06 (Ortho), W28, W29.
+/// numbers that stand in the file. Reports glib-E05, E29, W06 (Ortho), W29, W42.
 void applyCommandRules(Command& command, std::span<const Position> places, MessageLog& log);
 
 }  // namespace glibra::glib

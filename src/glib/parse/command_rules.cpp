@@ -23,7 +23,7 @@ void checkPerspective(const Command& command, std::span<const Position> places, 
         log.report("glib-E05", fmt::format("Perspective: near {} is not above 0", numberText(near)),
                    placeOf(command, places, 1));
     else if (far <= near)
-        log.report("glib-E05",
+        log.report("glib-E29",
                    fmt::format("Perspective: near {} is not below far {}", numberText(near), numberText(far)),
                    placeOf(command, places, places.size() > 2 ? 2 : 1));
 }
@@ -46,19 +46,19 @@ void checkOrtho(Command& command, std::span<const Position> places, MessageLog& 
                    placeOf(command, places, 2 * axis));
     }
     if (command.numbers[4] == command.numbers[5])
-        log.report("glib-E05", fmt::format("Ortho: near and far are both {}", numberText(command.numbers[4])),
+        log.report("glib-E29", fmt::format("Ortho: near and far are both {}", numberText(command.numbers[4])),
                    placeOf(command, places, places.size() > 5 ? 5 : 4));
 }
 
 void checkRotate(const Command& command, std::span<const Position> places, MessageLog& log) {
     if (command.numbers[1] == 0 && command.numbers[2] == 0 && command.numbers[3] == 0)
-        log.report("glib-W28", "Rotate: the axis is 0 0 0, no rotation", placeOf(command, places, 1));
+        log.report("glib-W42", "Rotate: the axis is 0 0 0, no rotation", placeOf(command, places, 1));
 }
 
 void checkScale(const Command& command, std::span<const Position> places, MessageLog& log) {
     for (std::size_t i = 0; i < command.numbers.size(); ++i) {
         if (command.numbers[i] != 0) continue;
-        log.report("glib-W28", "Scale: factor 0 kept", placeOf(command, places, i));
+        log.report("glib-W42", "Scale: factor 0 kept", placeOf(command, places, i));
         return;
     }
 }

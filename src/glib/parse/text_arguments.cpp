@@ -131,7 +131,7 @@ void readTexture(const Statement& statement, Command& command, MessageLog& log) 
         readSizes(statement, tokens, sizes, format, command, log);
     } else if (rest == 1 && sizes >= 2 && tokens.back().kind == TokenKind::word) {
         // A size stands before the word, so the word is not a file name: it was meant as a format.
-        log.report("glib-E05",
+        log.report("glib-E16",
                    fmt::format("{}: {} is not one of the formats RGBA8, RGBA16F, RGBA32F, R32F", row.name(),
                                inQuotes(tokens.back().text)),
                    tokens.back().position);
@@ -187,7 +187,7 @@ void readSwitch(const Statement& statement, Command& command, MessageLog& log) {
         command.numbers = {sameWord(token.text, "on") ? 1. : 0.};
         return;
     }
-    log.report("glib-E05",
+    log.report("glib-E16",
                fmt::format("{}: {} is not one of on, off, 1, 0, true, false", statement.row->name(),
                            inQuotes(token.text)),
                token.position);

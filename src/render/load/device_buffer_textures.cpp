@@ -34,7 +34,7 @@ Diagnostics DeviceBuffers::checkTexels(const plan::FramePlan& plan) const {
             const scene::Buffer& declared = scene_.buffers[each.buffer.buffer];
             const base::ActiveUniform& uniform = at(plan.programs[program].interface->uniforms, each.uniform);
             problems.push_back(
-                diagnose("memory-E04",
+                diagnose("memory-E17",
                          fmt::format("buffer '{}' has {} texels for {} '{}'; this driver allows {}",
                                      declared.name, base::groupedText(texels), uniform.type.word,
                                      uniform.name, base::groupedText(most)),

@@ -47,7 +47,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     const StageTimer timer(stats_, "upload");
     const std::uint64_t all = buffer.hasHistory ? 2 * bytes : bytes;
     if (all > bytesLeft_)
-        return {diagnose("memory-E04",
+        return {diagnose("memory-E17",
                          fmt::format("buffer '{}' needs {}, but the buffers of a scene may have {} together, "
                                      "and {} are left",
                                      buffer.name, image::readableBytes(all), image::readableBytes(kMostBytes),

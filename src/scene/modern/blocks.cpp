@@ -92,7 +92,7 @@ void doStep(Interpreter& in, const Command& command) {
     const bool isRight = rate && *rate > 0 && *rate <= kMostStepsPerSecond;
     if (rate && !isRight)
         in.reportAt(
-            command.values.front(), "glib-E26",
+            command.values.front(), "glib-E05",
             fmt::format("Step: the rate {} is not above 0 and at most {}", *rate, kMostStepsPerSecond));
     StepBlock step;
     step.rate = isRight ? *rate : 1;

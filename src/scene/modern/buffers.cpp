@@ -167,7 +167,7 @@ void doBuffer(Interpreter& in, const Command& command) {
     if (parts.type != nullptr) buffer.type = parts.type->text;
     const auto type = basicType(buffer.type);
     if (!in.names().declareBuffer(buffer.name, type)) {
-        refuse(in, "glib-E27", command, target.position,
+        refuse(in, "glib-E36", command, target.position,
                fmt::format("'{}' has had another meaning in this scene", buffer.name));
         return;
     }
@@ -175,7 +175,7 @@ void doBuffer(Interpreter& in, const Command& command) {
         const auto size = wholeOf(in, *parts.size);
         if (!size) return;
         if (!(*size >= 1 && *size <= kMostBufferElements)) {
-            refuse(in, *size > kMostBufferElements ? "glib-E15" : "glib-E26", command, parts.size->position,
+            refuse(in, *size > kMostBufferElements ? "glib-E15" : "glib-E05", command, parts.size->position,
                    fmt::format("the count {} is not between 1 and {}", glib::numberText(*size),
                                base::groupedText(static_cast<long long>(kMostBufferElements))));
             return;
@@ -225,7 +225,7 @@ std::optional<std::array<std::uint64_t, 3>> groupCounts(Interpreter& in, const C
     for (std::size_t i = 0; i < numbers->size(); ++i) {
         const double whole = (*numbers)[i];
         if (!(whole >= 1 && whole <= kMostGroups))
-            return refuse(in, "glib-E26", command, values.front().position,
+            return refuse(in, "glib-E05", command, values.front().position,
                           fmt::format("the count {} is not between 1 and {}", glib::numberText(whole),
                                       base::groupedText(static_cast<long long>(kMostGroups))));
         counts.at(i) = static_cast<std::uint64_t>(whole);
@@ -247,7 +247,7 @@ std::optional<decltype(Dispatch::groups)> groupsOf(Interpreter& in, const Comman
     }
     const Value& first = over->values.front();
     if (isWindow(first))
-        return refuse(in, "glib-E27", command, first.position,
+        return refuse(in, "glib-E34", command, first.position,
                       "'window' is not a texture; write 'over (window)' for one invocation per pixel");
     if (first.kind != Value::Kind::word) {
         const auto counts = groupCounts(in, command, over->values);
@@ -269,7 +269,7 @@ void doDispatch(Interpreter& in, const Command& command) {
         const auto count = integerIn(in, tiles->values.front(), command.word + ": tiles", 1, kMostTiles);
         if (!count) return;
         if (std::holds_alternative<GroupsFrom>(*groups)) {
-            refuse(in, "glib-E26", command, tiles->position,
+            refuse(in, "glib-E32", command, tiles->position,
                    "'tiles' needs a number of groups that is known before; write the counts, or 'over', in "
                    "place of 'from'");
             return;
@@ -297,7 +297,7 @@ void doClearObject(Interpreter& in, const Command& command) {
     const auto object = objectNamed(in, name);
     if (!object) return;
     if (name.path.size() > 1) {
-        refuse(in, "glib-E26", command, name.position,
+        refuse(in, "glib-E34", command, name.position,
                fmt::format("'{}' is part of an object; Clear takes all of it", name.text));
         return;
     }

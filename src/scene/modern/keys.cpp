@@ -35,7 +35,7 @@ std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& val
         for (std::size_t i = 0; i < variable.words.size(); ++i)
             if (glib::sameWord(variable.words[i], value.text)) return std::vector{static_cast<double>(i)};
         const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
-        return in.reportAt(value, "glib-E26",
+        return in.reportAt(value, "glib-E16",
                            fmt::format("Key: '{}' has no choice '{}'{}", variable.name, value.text,
                                        base::suggestion(value.text, words)));
     }
@@ -49,7 +49,7 @@ std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& val
             each = std::clamp(each, variable.least(), variable.largest());
             continue;
         }
-        return in.reportAt(value, "glib-E26",
+        return in.reportAt(value, "glib-E05",
                            fmt::format("Key: {} is not between {} and {}, which '{}' allows",
                                        glib::numberText(each), glib::numberText(variable.least()),
                                        glib::numberText(variable.largest()), variable.name));
@@ -74,7 +74,7 @@ void doKey(Interpreter& in, const Command& command) {
     binding.key = key.kind == Value::Kind::number ? fmt::format("{}", key.number) : key.text;
     binding.place = in.place(command);
     if (!isKey(binding.key)) {
-        in.reportAt(key, "glib-E26",
+        in.reportAt(key, "glib-E16",
                     fmt::format("Key: '{}' is no key; write a letter, a digit, space, enter, left, "
                                 "right, up or down",
                                 binding.key));
@@ -94,7 +94,7 @@ void doKey(Interpreter& in, const Command& command) {
     binding.variable = variable->name;
     const bool isNumeric = variable->words.empty() && variable->form != glib::UniformForm::truth;
     if (binding.isHeld && !isNumeric) {
-        in.reportAt(rest.front(), "glib-E26",
+        in.reportAt(rest.front(), "glib-E32",
                     fmt::format("Key: '{}' has no values between its {}, through which a held key "
                                 "could move it",
                                 variable->name, variable->words.empty() ? "two" : "words"));

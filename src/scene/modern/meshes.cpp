@@ -70,13 +70,13 @@ std::optional<Shape> shapeOf(Interpreter& in, const Command& command) {
         std::vector<std::string_view> names{"Obj"};
         for (const geometry::PrimitiveSpec* each : geometry::primitives())
             names.push_back(each->names.front());
-        return refuse(in, "glib-E26", command, word.position,
+        return refuse(in, "glib-E16", command, word.position,
                       fmt::format("'{}' is no shape{}", word.text, base::suggestion(word.text, names)));
     }
     const bool hasFile = rest.size() == 1 &&
                          (rest.front().kind == Value::Kind::word || rest.front().kind == Value::Kind::text);
     if (hasFile != isModel)
-        return refuse(in, "glib-E26", command, word.position,
+        return refuse(in, "glib-E32", command, word.position,
                       isModel ? "Obj needs a file" : fmt::format("{} takes no file", word.text));
     Shape shape;
     shape.command = row->id;
@@ -129,7 +129,7 @@ void doMesh(Interpreter& in, const Command& command) {
     if (mesh == nullptr) return;
     Environment& names = in.names();
     if (!names.declareMesh(target.text)) {
-        refuse(in, "glib-E27", command, target.position,
+        refuse(in, "glib-E36", command, target.position,
                fmt::format("'{}' has had another meaning in this scene", target.text));
         return;
     }

@@ -47,7 +47,7 @@ std::optional<std::vector<expression::Value>> repeatedValues(Interpreter& in, st
         if (!value) return std::nullopt;
         values.push_back(*value);
         if (value->type == values.front().type) continue;
-        return in.reportAt(each, "glib-E26",
+        return in.reportAt(each, "glib-E33",
                            fmt::format("Repeat: the first value is {}, but this one is {}",
                                        expression::name(values.front().type), expression::name(value->type)));
     }
@@ -92,7 +92,7 @@ void doRepeat(Interpreter& in, const Command& command) {
         rounds = *count;
     }
     if (rounds > static_cast<double>(kMostStatements)) {
-        in.reportAt(command, "glib-E28",
+        in.reportAt(command, "glib-E15",
                     fmt::format("Repeat: {} rounds; the limit is {}", glib::numberText(rounds),
                                 base::groupedText(kMostStatements)));
         return;

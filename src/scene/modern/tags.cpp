@@ -89,7 +89,7 @@ const MaterialRow* presetOf(Interpreter& in, const Value& preset) {
     }
     const MaterialRow* row = findMaterial(name);
     if (row == nullptr)
-        in.reportAt(preset, "glib-E27",
+        in.reportAt(preset, "glib-E16",
                     fmt::format("no material '{}'{}", name, base::suggestion(name, materialNames())));
     return row;
 }
@@ -184,7 +184,7 @@ class LightReader {
         const auto angle = numberIn(in_, key.values.front(), "Light: cutoff", 0, kNoSpot);
         if (!angle) return false;
         if (*angle > 90 && *angle != kNoSpot) {
-            refuse(in_, "glib-E26", command_, key.position,
+            refuse(in_, "glib-E05", command_, key.position,
                    "a cutoff is an angle from 0 to 90 degrees, or 180 for light in all directions");
             return false;
         }

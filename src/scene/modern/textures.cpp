@@ -90,7 +90,7 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
         const bool isSmall = form.target == TextureTarget::texture3D || form.countsLayers(i);
         const int most = isSmall ? kLargestSide3 : kLargestSide;
         if (!(size >= 1 && size <= most))
-            return refuse(in, size > most ? "glib-E15" : "glib-E26", command, sizes.front().position,
+            return refuse(in, size > most ? "glib-E15" : "glib-E05", command, sizes.front().position,
                           fmt::format("the size {} is not between 1 and {}", glib::numberText(size),
                                       base::groupedText(most)));
         *(form.countsLayers(i) ? &source.depth : targets[i]) = static_cast<int>(size);
@@ -104,7 +104,7 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
     }
     const bool isFlat = form.target == TextureTarget::texture3D || form.target == TextureTarget::texture1D;
     if (isFlat && base::hasDepth(*format))
-        return refuse(in, "glib-E26", command, all.back().position,
+        return refuse(in, "glib-E32", command, all.back().position,
                       fmt::format("'{}' is for 2D textures, arrays and cube maps", base::name(*format)));
     return source;
 }
@@ -124,7 +124,7 @@ std::uint64_t bytesOf(const Texture& texture) {
 /// Reports `compare` of a texture without depth.
 bool mayCompare(Interpreter& in, const Command& command, const TextureOptions& options, bool isDepth) {
     if (!options.compare || isDepth) return true;
-    refuse(in, "glib-E26", command, options.comparePosition, "only textures of depth are compared");
+    refuse(in, "glib-E32", command, options.comparePosition, "only textures of depth are compared");
     return false;
 }
 
@@ -133,7 +133,7 @@ bool fitsRectangle(Interpreter& in, const Command& command, const TextureOptions
                    const Texture& texture) {
     if (texture.target != TextureTarget::rectangle) return true;
     const auto deny = [&](glib::Position position, const std::string& text) {
-        refuse(in, "glib-E26", command, position, text);
+        refuse(in, "glib-E32", command, position, text);
         return false;
     };
     constexpr std::string_view kOneLevel = "'{}': a rectangle has no mipmaps; write Texture2D";
@@ -153,7 +153,7 @@ bool fitsRectangle(Interpreter& in, const Command& command, const TextureOptions
 bool applyToEmpty(Interpreter& in, const Command& command, const TextureOptions& options, Texture& texture) {
     const auto& source = std::get<EmptySource>(texture.source);
     const auto deny = [&](const KeyedValues& key, const std::string& text) {
-        refuse(in, "glib-E26", command, key.position, text);
+        refuse(in, "glib-E32", command, key.position, text);
         return false;
     };
     if (options.flip) return deny(*options.flip, "'flip' is for pictures");
@@ -163,7 +163,7 @@ bool applyToEmpty(Interpreter& in, const Command& command, const TextureOptions&
         const Filter filter = options.filter.value_or(Filter::nearest);
         if (filter != Filter::nearest && filter != Filter::nearestMipmapNearest) {
             refuse(
-                in, "glib-E26", command, options.filterPosition,
+                in, "glib-E32", command, options.filterPosition,
                 fmt::format("'{}' holds integers, which are read with 'nearest'", base::name(source.format)));
             return false;
         }
@@ -187,8 +187,9 @@ bool applyToEmpty(Interpreter& in, const Command& command, const TextureOptions&
         all.levels = 0;
         const int most = levelsOf(all).value_or(1);
         if (*options.levels > most)
-            return deny(*options.levelsKey,
-                        fmt::format("{} levels, but a texture of this size has {}", *options.levels, most));
+            return refuse(in, "glib-E05", command, options.levelsKey->position,
+                          fmt::format("{} levels, but a texture of this size has {}", *options.levels, most)),
+                   false;
     }
     texture.samples = options.samples.value_or(1);
     if (texture.samples == 1) return true;
@@ -204,7 +205,7 @@ bool applyToPicture(Interpreter& in, const Command& command, const TextureOption
                     Texture& texture) {
     const auto deny = [&](const KeyedValues* key) {
         if (key == nullptr) return true;
-        refuse(in, "glib-E26", command, key->position,
+        refuse(in, "glib-E32", command, key->position,
                fmt::format("'{}' is for textures with a size and a format", key->key));
         return false;
     };
@@ -267,7 +268,7 @@ void doNamedTexture(Interpreter& in, const Command& command) {
     const std::string& name = command.values.front().text;
     if (!declareName(in, command, name, DeclaredName::Kind::texture)) return;
     if (!in.names().declareTexture(name, form.components)) {
-        refuse(in, "glib-E27", command, command.values.front().position,
+        refuse(in, "glib-E36", command, command.values.front().position,
                fmt::format("'{}' has had another meaning in this scene", name));
         return;
     }

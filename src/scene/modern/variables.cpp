@@ -38,7 +38,7 @@ std::optional<double> chosenWord(Interpreter& in, const Variable& variable) {
     if (found != variable.words.end()) return static_cast<double>(found - variable.words.begin());
     const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
     in.report(
-        diagnose("glib-E26",
+        diagnose("glib-E16",
                  fmt::format("'{}' is set to '{}', but it is one of {}{}", variable.name, chosen->second,
                              fmt::join(variable.words, ", "), base::suggestion(chosen->second, words)),
                  variable.place));
@@ -51,7 +51,7 @@ std::optional<Environment::Slot> slotOfLet(Interpreter& in, const Command& comma
     Environment& names = in.names();
     const auto slot = names.declareVariable(name, symbol);
     if (!slot)
-        in.reportAt(command, "glib-E27", fmt::format("'{}' is declared above with another type", name));
+        in.reportAt(command, "glib-E36", fmt::format("'{}' is declared above with another type", name));
     return slot;
 }
 
@@ -88,7 +88,7 @@ bool countsWord(Interpreter& in, const Variable& variable, double number) {
     const double last = static_cast<double>(variable.words.size()) - 1;
     if (variable.words.empty() || (number >= 0 && number <= last)) return true;
     in.report(diagnose(
-        "glib-E26",
+        "glib-E05",
         fmt::format("'{}' is set to {}, but it is one of {}, which are 0 to {}", variable.name,
                     glib::numberText(number), fmt::join(variable.words, ", "), glib::numberText(last)),
         variable.place));
@@ -120,7 +120,7 @@ bool makeBound(Interpreter& in, const Value& value, Variable& made) {
     }
     const double coarsest = numbers[0], finest = numbers[2];
     if (coarsest <= 0 || finest <= 0 || coarsest == finest) {
-        in.reportAt(value, "glib-E26",
+        in.reportAt(value, "glib-E29",
                     fmt::format("'{}' goes from {} to {}; both ends of a Bound must be above 0, and "
                                 "different",
                                 made.name, glib::numberText(coarsest), glib::numberText(finest)));
@@ -234,7 +234,7 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
     const auto wanted = wholeOf(in, count);
     if (!wanted) return;
     if (!(*wanted >= 1 && *wanted <= kMostVariableElements)) {
-        in.reportAt(count, "glib-E26",
+        in.reportAt(count, "glib-E05",
                     fmt::format("'{}' cannot have {} elements; there are 1 to {}", name, *wanted,
                                 kMostVariableElements));
         return;
@@ -282,7 +282,7 @@ void runLet(Interpreter& in, const Command& command) {
     if (command.id == CommandId::bound) return declareControl(in, command, name, value);
     if (isArray && isRule) {
         in.reportAt(
-            value, "glib-E26",
+            value, "glib-E32",
             fmt::format("'{}' has two counts; write 'Let {} ({})'", name, target.text, bodyOf(value)));
         return;
     }
@@ -361,7 +361,7 @@ void doFps(Interpreter& in, const Command& command) {
     if (!rate) return;
     constexpr double kLeast = 1e-3, kMost = 1e6;
     if (!(*rate >= kLeast && *rate <= kMost)) {
-        in.reportAt(command.values.front(), "glib-E26",
+        in.reportAt(command.values.front(), "glib-E05",
                     fmt::format("Fps: {} is not between {} and {}", *rate, kLeast, kMost));
         return;
     }

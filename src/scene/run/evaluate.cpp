@@ -200,7 +200,7 @@ std::optional<std::size_t> wordOf(Interpreter& in, const Value& value,
 
 static std::nullopt_t outside(Interpreter& in, const Value& value, std::string_view what, double number,
                               double least, double most) {
-    return in.reportAt(value, "glib-E26",
+    return in.reportAt(value, "glib-E05",
                        fmt::format("{} {} is not between {} and {}", what, glib::numberText(number),
                                    glib::numberText(least), glib::numberText(most)));
 }
@@ -248,7 +248,7 @@ std::optional<int> integerIn(Interpreter& in, const Value& value, std::string_vi
     const auto whole = wholeOf(in, value);
     if (!whole) return std::nullopt;
     if (*whole >= least && *whole <= most) return static_cast<int>(*whole);
-    return in.reportAt(value, "glib-E26",
+    return in.reportAt(value, "glib-E05",
                        fmt::format("{} {} is not between {} and {}", what, glib::numberText(*whole),
                                    base::groupedText(least), base::groupedText(most)));
 }
@@ -274,7 +274,7 @@ std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Va
 bool fitFloats(Interpreter& in, const Value& value, std::span<const double> numbers) {
     const auto large = std::ranges::find_if_not(numbers, base::fitsFloat);
     if (large == numbers.end()) return true;
-    in.reportAt(value, "glib-E05",
+    in.reportAt(value, "glib-E31",
                 fmt::format("{} is too large for a 32-bit float", glib::numberText(*large)));
     return false;
 }
@@ -353,7 +353,7 @@ std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Val
     expression::Value value;
     if (numbers->size() > 4)
         return in.reportAt(
-            values.front(), "glib-E26",
+            values.front(), "glib-E33",
             fmt::format("{} numbers are not a value here; write an expression", numbers->size()));
     value.type = values[0].kind == Value::Kind::truth ? expression::Type::boolean()
                                                       : expression::Type::vector(numbers->size());

@@ -31,7 +31,7 @@ std::optional<bool> truthOf(Interpreter&, const Value& value);
 
 /// The index of a word among `words`: a word as written, or an expression whose value is one of them.
 std::optional<std::size_t> wordOf(Interpreter&, const Value& value, std::span<const std::string_view> words);
-/// A number from `least` to `most`. Nothing with glib-E26 reported: "Step: the rate 0 is not between 1e-06
+/// A number from `least` to `most`. Nothing with glib-E05 reported: "Step: the rate 0 is not between 1e-06
 /// and 1,000,000".
 std::optional<double> numberIn(Interpreter&, const Value& value, std::string_view what, double least,
                                double most);
@@ -51,9 +51,9 @@ std::optional<int> integerIn(Interpreter&, const Value& value, std::string_view 
 /// an expression has no value. The values must not be words or texts.
 std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const Value> values);
 
-/// The same for numbers that are kept as 32-bit floats. Nothing, with glib-E05, if one is too large.
+/// The same for numbers that are kept as 32-bit floats. Nothing, with glib-E31, if one is too large.
 std::optional<std::vector<double>> floatsOf(Interpreter&, std::span<const Value> values);
-/// False with glib-E05 reported if 32-bit floats do not hold the numbers of a value.
+/// False with glib-E31 reported if 32-bit floats do not hold the numbers of a value.
 bool fitFloats(Interpreter&, const Value& value, std::span<const double> numbers);
 
 /// The same with the place of each number.
