@@ -14,6 +14,10 @@ struct PrimitiveSpec;
 
 namespace glibra::glib {
 
+struct Command;
+struct Position;
+class MessageLog;
+
 /// The clear colour until a scene sets one, and that of a Background without numbers.
 inline constexpr std::array<double, 3> kDefaultBackground{18 / 255., 27 / 255., 33 / 255.};
 
@@ -77,6 +81,8 @@ struct CommandRow {
     LoneNumber loneNumber = LoneNumber::first;
     int groupMultiple = 0;                      ///< for ArgumentForm::pointGroups
     std::span<const std::string_view> words{};  ///< for ArgumentForm::topology
+    /// Checks and mends all numbers together. `places` are those of the numbers that stand in the file.
+    void (*together)(Command&, std::span<const Position> places, MessageLog&) = nullptr;
     /// False for what acts on the frame alone where it stands outside of Once and Step.
     bool restartsSimulation = true;
 

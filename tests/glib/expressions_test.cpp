@@ -8,7 +8,7 @@
 #include "glib/command_table.h"
 #include "glib/message_log.h"
 #include "glib/number.h"
-#include "glib/parentheses.h"
+#include "glib/lexer.h"
 #include "glib/parse/arguments.h"
 #include "scene.h"
 

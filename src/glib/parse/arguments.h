@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "glib/command_table.h"
@@ -52,8 +53,19 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
 void readSwitch(const Statement& statement, Command& command, MessageLog& log);       // switchWord
 void readPointGroups(const Statement& statement, Command& command, MessageLog& log);  // pointGroups
 
-/// Checks the numbers of Perspective, Ortho, Rotate and Scale together. `places` are the places of the
-/// numbers that stand in the file. Reports glib-E05, E29, W06 (Ortho), W29, W42.
-void applyCommandRules(Command& command, std::span<const Position> places, MessageLog& log);
+/// Fills `text` and `uniforms`. `fragmentFile` is the current fragment shader as written; a program without a
+/// name is named after it. Reports glib-W04, W05, W08, W09, W10, W14 to W19, E15, E31. glib-W15 is reported
+/// here only where the type of the uniform does not matter: for colours and ranges of one or two values, and
+/// for those with too many.
+void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
+                 MessageLog& log);
+
+/// True if a tag has a subscript that a member or a value follows: `lights[1].color {1 0 0}`, `weights[2]
+/// .5`. Classic scenes read such a subscript as the value.
+bool hasSubscriptedTag(std::span<const Token> tokens);
+
+/// Moves the tags of a modern Program whose values are plain numbers to `uniforms`, as readProgram fills it;
+/// with `takesParts` also those with members and constant subscripts.
+void takeUniforms(Command& command, bool takesParts = false);
 
 }  // namespace glibra::glib
