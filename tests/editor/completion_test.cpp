@@ -6,7 +6,6 @@
 #include <string>
 
 #include "editor/declared_names.h"
-#include "editor/glsl_reference.h"
 #include "editor/reference.h"
 
 namespace glibra::test {

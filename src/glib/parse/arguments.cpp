@@ -1,4 +1,4 @@
-// Numbers: single tokens, single arguments, and the numeric commands as a whole.
+// Numbers: single tokens, single arguments, the numeric commands as a whole, and groups of points.
 
 #include "glib/parse/arguments.h"
 
@@ -321,8 +321,7 @@ void evaluateNumbers(const CommandRow& row, Command& command, std::span<const Ev
     finishNumbers(row, command, places, log);
 }
 
-// ---- Groups of points: LinesAdjacency [x y z] [x y z] ... and the same numbers without brackets
-// (language, 1.6 and 4.6).
+// ---- Groups of points: [x y z] [x y z] ... and the same numbers without brackets (language, 1.6 and 4.6).
 
 namespace {
 

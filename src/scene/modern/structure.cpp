@@ -18,7 +18,6 @@
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/modern/modern.h"
-#include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"
@@ -410,7 +409,6 @@ std::span<const CommandAction> structureActions() {
         {CommandId::group, doGroup},
         {CommandId::endGroup, doNothing},
         {CommandId::draw, doDraw, InList::isWrong, true},
-        {CommandId::repeat, doRepeat, InList::isPart},
         {CommandId::endRepeat, doNothing, InList::isPart},
         {CommandId::when, doWhen, InList::isPart},
         {CommandId::elseBranch, doNothing, InList::isPart},

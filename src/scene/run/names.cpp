@@ -10,7 +10,6 @@
 
 #include "base/suggest.h"
 #include "expression/known_names.h"
-#include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/texture_parts.h"
 
