@@ -8,7 +8,7 @@
 #include "base/texel_format.h"
 #include "base/text.h"
 #include "editor/declared_names.h"
-#include "editor/reference.h"
+#include "editor/glsl_reference.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
 #include "glib/command_table.h"

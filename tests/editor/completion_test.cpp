@@ -6,6 +6,7 @@
 #include <string>
 
 #include "editor/declared_names.h"
+#include "editor/glsl_reference.h"
 #include "editor/reference.h"
 
 namespace glibra::test {

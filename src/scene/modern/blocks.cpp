@@ -14,6 +14,7 @@
 #include "glib/text.h"
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"
+#include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/scope.h"
 #include "scene/run/statements.h"

@@ -15,10 +15,10 @@
 #include "scene/matrices.h"
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"
+#include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"
-#include "scene/run/statements.h"
 #include "scene/view.h"
 
 namespace glibra::scene {

@@ -15,8 +15,8 @@
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/run/camera_use.h"
+#include "scene/run/counts.h"
 #include "scene/run/scope.h"
-#include "scene/run/statements.h"
 
 namespace glibra::scene {
 namespace {

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
-#include "base/text.h"
 #include "glib/modern/statement_table.h"
 #include "glib/number.h"
+#include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 
 namespace glibra::scene {
+
 namespace {
 
 /// A classic command with expressions among its arguments, with their values of this moment; nothing if one
@@ -140,40 +140,6 @@ void setTime(Interpreter& in) {
     names.set("mouse", mouse);
     names.setNumber("mouse.down", in.inputs.isMouseDown ? 1 : 0);
     names.forget("tick", "only Step counts ticks");
-}
-
-// ---- How many statements, rounds and elements a frame may have.
-
-namespace {
-
-/// Elements that expressions of `i` may give lists and arrays of one frame. Those of buffers do not count:
-/// their memory is limited.
-constexpr std::size_t kMostElements = 10'000'000;
-
-/// Reports once that the frame is too long. Nothing more of it runs.
-bool stop(Interpreter& in, const Place& place, std::string_view what, std::size_t most) {
-    if (!std::exchange(in.counts.isFull, true))
-        in.report(diagnose(
-            "glib-E15", fmt::format("the frame has more than {} {}", base::groupedText(most), what), place));
-    return false;
-}
-
-}  // namespace
-
-bool countStatement(Interpreter& in, const Command& command) {
-    return ++in.counts.statements <= kMostStatements ||
-           stop(in, in.place(command), "statements, with repetitions", kMostStatements);
-}
-
-bool countRound(Interpreter& in, const Command& command) {
-    return ++in.counts.rounds <= kMostStatements ||
-           stop(in, in.place(command), "rounds of Repeat", kMostStatements);
-}
-
-bool countElements(Interpreter& in, const Value& owner, double count) {
-    in.counts.elements += static_cast<std::size_t>(count);
-    return in.counts.elements <= kMostElements ||
-           stop(in, in.place(owner), "elements that are computed", kMostElements);
 }
 
 }  // namespace glibra::scene
