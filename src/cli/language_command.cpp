@@ -154,7 +154,8 @@ std::string wordReference(std::string_view word) {
         text += fmt::format("{:<38} texture format, {} bytes per texel\n", base::name(*format),
                             base::bytesPerTexel(*format));
     if (const glib::CatalogueRow* row = glib::findDiagnostic(word))
-        text += fmt::format("{:<38} {}, for example:\n  {}\n", row->id, name(row->severity()), row->example);
+        text += fmt::format("{:<38} {}: {}\n  for example: {}\n", row->id, name(row->severity()),
+                            row->meaning, row->example);
     for (const glib::StatementRow& each : glib::statementTable()) {
         const std::vector<std::string> words = glib::wordsOf(each);
         if (std::find(words.begin(), words.end(), word) != words.end()) text += reference(each);
@@ -216,7 +217,8 @@ int runLanguageCommand(const LanguageArguments& arguments) {
     }
     if (arguments.diagnostics) {
         for (const glib::CatalogueRow& each : glib::diagnosticCatalogue())
-            fmt::print("{:<9} {:<8} {}\n", each.id, name(each.severity()), each.example);
+            fmt::print("{:<9} {:<8} {} For example: {}\n", each.id, name(each.severity()), each.meaning,
+                       each.example);
         return kDone;
     }
     if (arguments.words) {

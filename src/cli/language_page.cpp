@@ -195,9 +195,10 @@ std::string suppliedSection() {
 // ---- Diagnostics
 
 std::string diagnosticSection() {
-    std::string text = "| Id | Severity | Example |\n|---|---|---|\n";
+    std::string text = "| Id | Severity | Meaning | Example |\n|---|---|---|---|\n";
     for (const glib::CatalogueRow& each : glib::diagnosticCatalogue())
-        text += fmt::format("| {} | {} | {} |\n", each.id, name(severityOf(each.id)), cell(each.example));
+        text += fmt::format("| {} | {} | {} | {} |\n", each.id, name(severityOf(each.id)), cell(each.meaning),
+                            cell(each.example));
     return text;
 }
 

@@ -12,6 +12,7 @@
 #include "expression/functions.h"
 #include "expression/known_names.h"
 #include "glib/command_table.h"
+#include "glib/modern/grammar.h"
 #include "glib/modern/statement_table.h"
 #include "glib/text.h"
 #include "glsl/read/words.h"
@@ -116,7 +117,9 @@ void addStatementWords(Collector& words, std::string_view name) {
     if (statement)
         for (const std::string& each : glib::wordsOf(*statement))
             words.add(each, "word of " + std::string(statement->name));
-    if (statement && statement->syntax.find("format:word") != std::string_view::npos)
+    if (statement && hasNode(*statement, [](const glib::SyntaxNode& each) {
+            return each.type == glib::ValueType::word && each.text == "format";
+        }))
         for (const base::TexelFormatRow& each : base::texelFormats()) words.add(each.name, "format");
 }
 

@@ -1,16 +1,42 @@
 #pragma once
 // The texts that an editor has opened, with the names that it gives to their files.
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "editor/completion.h"
-#include "editor/text_lines.h"
+#include "editor/text_range.h"
 
 namespace glibra::editor {
+
+struct TextPosition {
+    std::size_t line = 0;
+    std::size_t unit = 0;  ///< of UTF-16, in the line
+    friend bool operator==(const TextPosition&, const TextPosition&) = default;
+};
+
+class TextLines {
+  public:
+    /// The text must outlive the object.
+    explicit TextLines(std::string_view text);
+
+    [[nodiscard]] std::size_t count() const { return begins_.size(); }
+    /// Without its line end; empty beyond the last line.
+    [[nodiscard]] TextRange line(std::size_t index) const;
+    /// The place of a byte; the end of the text for bytes beyond it.
+    [[nodiscard]] TextPosition position(std::size_t byte) const;
+    /// The byte at a place; the end of its line, or of the text, for places beyond it.
+    [[nodiscard]] std::size_t byte(TextPosition position) const;
+
+  private:
+    std::string_view text_;
+    std::vector<std::size_t> begins_;
+};
 
 /// The file of a URI: "file:///a%20b.glib" is /a b.glib. Another URI, as of a text without a name, is a file
 /// of the current folder that need not exist.

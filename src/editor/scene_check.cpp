@@ -2,21 +2,30 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glibra/diagnostic.h>
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/contained_call.h"
 #include "base/text.h"
 #include "editor/declared_names.h"
-#include "editor/error_directives.h"
 #include "glib/limits.h"
+#include "glsl/emit/log.h"
+#include "glsl/read/token.h"
 #include "glsl/translate.h"
+#include "glsl/types/translated_program.h"
 #include "gpu/context/context.h"
 #include "plan/frame_plan.h"
 #include "render/check/scene_check.h"
@@ -27,6 +36,69 @@
 
 namespace glibra::editor {
 namespace {
+
+// ---- The errors that every driver reports because the text of a shader asks for it.
+
+/// "error" and " no such thing" of `#error no such thing`; empty for lines without a directive.
+struct Directive {
+    std::string_view name;
+    std::string text;
+};
+
+Directive directiveOf(std::span<const glsl::Token> line) {
+    Directive directive;
+    bool isDirective = false;
+    for (const glsl::Token& each : line) {
+        const bool counts = glsl::isSignificant(each.kind);
+        if (!directive.name.empty()) {
+            if (each.kind != glsl::TokenKind::splice)
+                directive.text += each.kind == glsl::TokenKind::comment ? " " : each.text;
+        } else if (counts && !isDirective) {
+            isDirective = each.text == "#";
+            if (!isDirective) return {};
+        } else if (counts) {
+            directive.name = each.text;
+        }
+    }
+    return directive;
+}
+
+/// The log that a driver would write about the #error lines of a stage. The translator has resolved all
+/// conditions, and its #line directives give the number of the line after them, and of its file.
+std::string logOf(const glsl::TranslatedStage& stage) {
+    std::string log;
+    std::deque<std::string> storage;
+    const std::vector<glsl::Token> tokens = glsl::lex(stage.source, storage);
+    int number = 1, file = 0;
+    for (auto begin = tokens.begin(); begin != tokens.end();) {
+        const auto end = std::find_if(begin, tokens.end(), [](const glsl::Token& each) {
+            return each.kind == glsl::TokenKind::newline;
+        });
+        const Directive directive = directiveOf({begin, end});
+        if (directive.name == "error")
+            log += fmt::format("{}:{}(1): error: #error{}\n", file, number, directive.text);
+        // Comments of several lines are one token.
+        for (auto each = begin; each != end; ++each)
+            number += static_cast<int>(std::ranges::count(each->text, '\n'));
+        ++number;
+        if (directive.name == "line") std::istringstream(directive.text) >> number >> file;
+        begin = end == tokens.end() ? end : end + 1;
+    }
+    return log;
+}
+
+/// The #error lines of all stages, and the #include lines that found no file, which become such lines: as
+/// glsl-E01, with the texts and places that `glibra check` gives them. Empty if the program was not
+/// translated.
+Diagnostics errorDirectivesOf(const glsl::TranslatedProgram& program) {
+    Diagnostics found;
+    for (const glsl::TranslatedStage& each : program.stages)
+        if (const std::string log = logOf(each); !log.empty())
+            append(found, glsl::explainCompileLog(program, each, log));
+    return found;
+}
+
+// ---- The programs of a scene.
 
 using nlohmann::json;
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "glib/modern/grammar.h"
 #include "glib/number.h"
 #include "glib/parse/arguments.h"
 #include "glib/parse/statement.h"
@@ -64,8 +65,8 @@ bool statesColor(const glib::Statement& statement) {
 /// True for statements whose quoted or last words are names of files.
 bool namesFiles(const glib::Statement& statement) {
     if (statement.modern)
-        return statement.modern->syntax.find(":file") != std::string_view::npos ||
-               statement.modern->id == CommandId::compute;
+        return hasNode(*statement.modern,
+                       [](const glib::SyntaxNode& each) { return each.type == glib::ValueType::file; });
     if (!statement.row) return false;
     const glib::ArgumentForm form = statement.row->form;
     return form == glib::ArgumentForm::file || form == glib::ArgumentForm::texture ||

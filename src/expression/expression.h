@@ -79,8 +79,8 @@ class Expression {
 };
 
 /// Reads an expression, with or without parentheses around it. `origin` is the place of the first byte of the
-/// text, which may have several lines, joined by backslashes. Problems are expr-E01 to expr-E05; the first
-/// one is returned.
+/// text, which may have several lines, joined by backslashes. Problems are expr-E01 to expr-E05, and
+/// expr-E08; the first one is returned.
 Checked<Expression> parse(std::string_view text, const Place& origin, const Names& names,
                           const Wanted& wanted = {}, const Limits& limits = {});
 

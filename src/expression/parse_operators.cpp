@@ -365,7 +365,7 @@ Parser::Parsed Parser::subscript(std::size_t count) {
 Parser::Parsed Parser::subscripted(const Operand& value) {
     const std::size_t count = value.type.isMatrix() ? value.type.columns : value.type.rows;
     if (count < 2 || value.type.kind == Kind::word)
-        return problem(value.range, "expr-E03",
+        return problem(value.range, "expr-E08",
                        fmt::format("{} {} has no elements", article(name(value.type)), name(value.type)));
     const Parsed index = subscript(count);
     if (!index) return std::nullopt;

@@ -363,11 +363,11 @@ Parser::Parsed Parser::named(const Token& first) {
 
 std::nullopt_t Parser::noValue(const std::string& path, const Symbol& symbol, Range range) {
     if (symbol.count > 0 && symbol.type.kind != Kind::record)
-        return problem(range, "expr-E03",
+        return problem(range, "expr-E08",
                        fmt::format("'{}' is an array; use an element, {}[0] to {}[{}], or {}.count", path,
                                    path, path, symbol.count - 1, path));
     const std::vector<std::string> fields = names_.known(path);
-    return problem(range, "expr-E03",
+    return problem(range, "expr-E08",
                    fmt::format("'{}' is {} {}, not a value{}{}", path, article(symbol.what), symbol.what,
                                fields.empty() ? "" : "; use one of its fields ", joined(fields, " and ")));
 }
@@ -385,7 +385,7 @@ std::nullopt_t Parser::noSuchField(const std::string& path, const Symbol& symbol
 Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Parsed& index, Range range) {
     if ((symbol.count > 0 && !index) || symbol.type.kind == Kind::record) return noValue(path, symbol, range);
     if (index && symbol.count == 0)
-        return problem(range, "expr-E03", fmt::format("'{}' is not an array", path));
+        return problem(range, "expr-E08", fmt::format("'{}' is not an array", path));
     const bool isChoice = !symbol.words.empty() && symbol.type.isNumber();
     Operand result{.type = symbol.type, .range = range, .begin = index ? index->begin : build_.end()};
     Instruction load;
@@ -528,7 +528,7 @@ Parser::Parsed Parser::moving(std::vector<Operand> arguments, const Call& call, 
 
 std::nullopt_t Parser::unknownFunction(const Token& function) {
     if (names_.find(function.text))
-        return problem(function.range, "expr-E02",
+        return problem(function.range, "expr-E08",
                        fmt::format("'{}' is a value, not a function; write '*' to multiply", function.text));
     std::vector<std::string_view> candidates;
     for (const FunctionRow& each : functionTable())

@@ -1,10 +1,10 @@
 #pragma once
 // What is wrong with an expression, and where. Every problem is an error with an id of the family expr:
 //
-//   expr-E01  the text is not an expression           expr-E05  too long or too deeply nested
-//   expr-E02  unknown name, function or field          expr-E06  the value cannot be computed
-//   expr-E03  wrong type                               expr-E07  a name has no value where the expression
-//   stands expr-E04  wrong number of arguments
+//   expr-E01  the text is not an expression          expr-E05  too long or too deeply nested
+//   expr-E02  unknown name, function or field        expr-E06  the value cannot be computed
+//   expr-E03  wrong type                             expr-E07  a name has no value here
+//   expr-E04  wrong number of arguments              expr-E08  a name or value is something else
 
 #include <glibra/diagnostic.h>
 

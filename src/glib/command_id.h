@@ -7,15 +7,11 @@ namespace glibra::glib {
 /// firstPrimitive + index into geometry::primitives().
 // clang-format off
 enum class CommandId {
-    // These act on the frame alone where they stand outside of Once and Step: drawsFrame().
-    background, messageBox, verbose, translate, rotate, scale, pushMatrix, popMatrix,
-    obj, wireObj, objAdj, objPatch, shp, linesAdjacency, triangles,
-    // modern statements of that kind: rows of modern/statement_table.h
-    draw, key, pass, endPass, fill, clearParts, viewport, scissor, state, vertices, dispatch, expect, print,
-
-    // The others may decide what Once and Step make: window, view, colour
-    windowSize, perspective, ortho, lookAt, color, clear,
+    // window, view, colour
+    windowSize, perspective, ortho, lookAt, color, background, clear,
+    translate, rotate, scale, pushMatrix, popMatrix,
     // geometry
+    obj, wireObj, objAdj, objPatch, shp, linesAdjacency, triangles,
     glBegin, glVertex, glNormal, glColor, glTexCoord, glEnd,
     lineWidth, pointSize, pointSizeMode, numPatchVertices, flat, smooth,
     // textures and targets
@@ -23,22 +19,16 @@ enum class CommandId {
     // shaders and programs
     vertex, tessControl, tessEvaluation, geometry, fragment, program,
     geometryInput, geometryOutput, geometryVerticesOut, gstap,
-    // noise, time
-    noise2D, noise3D, timer,
+    // noise, time, messages
+    noise2D, noise3D, timer, messageBox, verbose,
     // modern statements: rows of modern/statement_table.h
-    let, bound, set, material, light, group, endGroup, repeat, endRepeat, when, elseBranch, endWhen,
-    include, glslText, use, multMatrix, fps, camera,
+    let, bound, set, material, light, group, endGroup, draw, repeat, endRepeat, when, elseBranch, endWhen,
+    include, glslText, use, key, multMatrix, fps, camera,
     namedTexture1D, namedTexture2D, namedTexture3D, textureArray1D, textureArray, textureRect, namedCubeMap, sampler,
-    instances, attribute, tessLevels,
-    buffer, mesh, compute, once, endOnce, step, endStep,
+    pass, endPass, fill, clearParts, viewport, scissor, state, instances, vertices, attribute, tessLevels,
+    buffer, mesh, compute, dispatch, once, endOnce, step, endStep, expect, print,
     firstPrimitive,
 };
 // clang-format on
-
-/// True for what acts on the frame alone where it stands outside of Once and Step. The window does not start
-/// a simulation again if such a statement changes.
-constexpr bool drawsFrame(CommandId id) {
-    return id < CommandId::windowSize || id >= CommandId::firstPrimitive;
-}
 
 }  // namespace glibra::glib

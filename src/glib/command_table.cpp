@@ -1,5 +1,7 @@
 #include "glib/command_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -7,9 +9,12 @@
 #include <limits>
 #include <vector>
 
+#include "base/text.h"
 #include "geometry/list_mesh.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/limits.h"
+#include "glib/message_log.h"
+#include "glib/number.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -132,57 +137,129 @@ constexpr std::string_view kOutputTopologies[] = {"points", "line_strip", "trian
 
 constexpr TextureFormat kFormats[] = {{"RGBA8", 4}, {"RGBA16F", 8}, {"RGBA32F", 16}, {"R32F", 4}};
 
+// ---- Rules about several numbers of one command (language, 3.1 and 3.2).
+
+/// Returns the place of number `index`, or the place of the command if the file does not state the number.
+Position placeOf(const Command& command, std::span<const Position> places, std::size_t index) {
+    return index < places.size() ? places[index] : command.position;
+}
+
+void checkPerspective(Command& command, std::span<const Position> places, MessageLog& log) {
+    const double near = command.numbers[1];
+    const double far = command.numbers[2];
+    if (near <= 0)
+        log.report("glib-E05", fmt::format("Perspective: near {} is not above 0", numberText(near)),
+                   placeOf(command, places, 1));
+    else if (far <= near)
+        log.report("glib-E29",
+                   fmt::format("Perspective: near {} is not below far {}", numberText(near), numberText(far)),
+                   placeOf(command, places, places.size() > 2 ? 2 : 1));
+}
+
+void checkOrtho(Command& command, std::span<const Position> places, MessageLog& log) {
+    static constexpr std::array<bool, 7> kIncomplete = {false, true, true, true, false, true, false};
+    if (kIncomplete.at(command.givenNumbers))
+        log.report(
+            "glib-W06",
+            fmt::format("Ortho: {}, the rest are defaults", base::counted(command.givenNumbers, "number")),
+            command.position);
+    static constexpr std::array<const char*, 2> kSides = {"left and right", "bottom and top"};
+    for (std::size_t axis = 0; axis < kSides.size(); ++axis) {
+        double& low = command.numbers[2 * axis];
+        double& high = command.numbers[2 * axis + 1];
+        if (low != high) continue;
+        low = -1;
+        high = 1;
+        log.report("glib-W29", fmt::format("Ortho: {} are equal, -1 ... 1 used", kSides.at(axis)),
+                   placeOf(command, places, 2 * axis));
+    }
+    if (command.numbers[4] == command.numbers[5])
+        log.report("glib-E29", fmt::format("Ortho: near and far are both {}", numberText(command.numbers[4])),
+                   placeOf(command, places, places.size() > 5 ? 5 : 4));
+}
+
+void checkRotate(Command& command, std::span<const Position> places, MessageLog& log) {
+    if (command.numbers[1] == 0 && command.numbers[2] == 0 && command.numbers[3] == 0)
+        log.report("glib-W42", "Rotate: the axis is 0 0 0, no rotation", placeOf(command, places, 1));
+}
+
+void checkScale(Command& command, std::span<const Position> places, MessageLog& log) {
+    for (std::size_t i = 0; i < command.numbers.size(); ++i) {
+        if (command.numbers[i] != 0) continue;
+        log.report("glib-W42", "Scale: factor 0 kept", placeOf(command, places, i));
+        return;
+    }
+}
+
 // ---- Commands.
 
 using Id = CommandId;
 using Form = ArgumentForm;
 
+/// A row of what acts on the frame alone.
+constexpr CommandRow ofFrame(CommandRow row) {
+    row.restartsSimulation = false;
+    return row;
+}
+
 /// The primitives' rows come between these two.
 constexpr CommandRow kRowsBefore[] = {
     // Window, view, colour (3.1)
     {Id::windowSize, {"WindowSize"}, kWindowSize, "size of the window or image"},
-    {Id::perspective, {"Perspective", "Persp"}, kPerspective, "symmetric perspective, vertical full angle"},
-    {Id::ortho, {"Ortho"}, kOrtho, "orthographic box, shown whole and undistorted"},
+    {.id = Id::perspective,
+     .names = {"Perspective", "Persp"},
+     .arguments = kPerspective,
+     .summary = "symmetric perspective, vertical full angle",
+     .together = checkPerspective},
+    {.id = Id::ortho,
+     .names = {"Ortho"},
+     .arguments = kOrtho,
+     .summary = "orthographic box, shown whole and undistorted",
+     .together = checkOrtho},
     {Id::lookAt, {"LookAt"}, kLookAt, "replaces ModelView by the view from eye to centre with up"},
     {Id::color, {"Color", "Colour"}, kColor, "sets the current colour", Form::numbers, LoneNumber::grey},
-    {Id::background,
-     {"Background"},
-     kBackground,
-     "sets the clear colour",
-     Form::numbers,
-     LoneNumber::firstThree},
+    ofFrame({Id::background,
+             {"Background"},
+             kBackground,
+             "sets the clear colour",
+             Form::numbers,
+             LoneNumber::firstThree}),
     {Id::clear, {"Clear"}, {}, "clears colour and depth of the current target"},
     // Transforms (3.2)
-    {Id::translate, {"Translate"}, kTranslate, "moves what follows"},
-    {Id::rotate, {"Rotate"}, kRotate, "turns what follows about an axis through the origin"},
-    {Id::scale,
-     {"Scale"},
-     kScale,
-     "scales what follows, by one factor or by one per axis",
-     Form::numbers,
-     LoneNumber::firstThree},
-    {Id::pushMatrix, {"PushMatrix", "TransformBegin"}, {}, "saves ModelView"},
-    {Id::popMatrix, {"PopMatrix", "TransformEnd"}, {}, "restores ModelView"},
+    ofFrame({Id::translate, {"Translate"}, kTranslate, "moves what follows"}),
+    ofFrame({.id = Id::rotate,
+             .names = {"Rotate"},
+             .arguments = kRotate,
+             .summary = "turns what follows about an axis through the origin",
+             .together = checkRotate}),
+    ofFrame({.id = Id::scale,
+             .names = {"Scale"},
+             .arguments = kScale,
+             .summary = "scales what follows, by one factor or by one per axis",
+             .loneNumber = LoneNumber::firstThree,
+             .together = checkScale}),
+    ofFrame({Id::pushMatrix, {"PushMatrix", "TransformBegin"}, {}, "saves ModelView"}),
+    ofFrame({Id::popMatrix, {"PopMatrix", "TransformEnd"}, {}, "restores ModelView"}),
 };
 constexpr CommandRow kRowsAfter[] = {
     // Geometry (3.3) that is not a primitive
-    {Id::obj, {"Obj"}, kFile, "OBJ model as triangles", Form::file},
-    {Id::wireObj, {"WireObj"}, kFile, "edges of an OBJ model", Form::file},
-    {Id::objAdj, {"ObjAdj"}, kFile, "OBJ model as triangles with adjacency", Form::file},
-    {Id::objPatch, {"ObjPatch"}, kFile, "OBJ model as patches of three vertices", Form::file},
-    {Id::shp, {"Shp"}, kFile, "lines of an ESRI shapefile", Form::file},
-    {.id = Id::linesAdjacency,
-     .names = {"LinesAdjacency"},
-     .arguments = kGroups,
-     .summary = "lines with adjacency, four points each",
-     .form = Form::pointGroups,
-     .groupMultiple = 4},
-    {.id = Id::triangles,
-     .names = {"Triangles"},
-     .arguments = kGroups,
-     .summary = "triangles, three points each",
-     .form = Form::pointGroups,
-     .groupMultiple = 3},
+    ofFrame({Id::obj, {"Obj"}, kFile, "OBJ model as triangles", Form::file}),
+    ofFrame({Id::wireObj, {"WireObj"}, kFile, "edges of an OBJ model", Form::file}),
+    ofFrame({Id::objAdj, {"ObjAdj"}, kFile, "OBJ model as triangles with adjacency", Form::file}),
+    ofFrame({Id::objPatch, {"ObjPatch"}, kFile, "OBJ model as patches of three vertices", Form::file}),
+    ofFrame({Id::shp, {"Shp"}, kFile, "lines of an ESRI shapefile", Form::file}),
+    ofFrame({.id = Id::linesAdjacency,
+             .names = {"LinesAdjacency"},
+             .arguments = kGroups,
+             .summary = "lines with adjacency, four points each",
+             .form = Form::pointGroups,
+             .groupMultiple = 4}),
+    ofFrame({.id = Id::triangles,
+             .names = {"Triangles"},
+             .arguments = kGroups,
+             .summary = "triangles, three points each",
+             .form = Form::pointGroups,
+             .groupMultiple = 3}),
     {.id = Id::glBegin,
      .names = {"glBegin"},
      .arguments = kTopology,
@@ -248,8 +325,8 @@ constexpr CommandRow kRowsAfter[] = {
     {Id::noise2D, {"Noise2D"}, kNoise2D, "size of the 2D noise texture"},
     {Id::noise3D, {"Noise3D"}, kNoise3D, "size of the 3D noise texture"},
     {Id::timer, {"Timer"}, kTimer, "period of the uniform variable Timer"},
-    {Id::messageBox, {"MessageBox"}, kMessage, "shows a message once", Form::message},
-    {Id::verbose, {"Verbose"}, {}, "prints each command as it is carried out"},
+    ofFrame({Id::messageBox, {"MessageBox"}, kMessage, "shows a message once", Form::message}),
+    ofFrame({Id::verbose, {"Verbose"}, {}, "prints each command as it is carried out"}),
 };
 
 // ---- Primitives.
@@ -293,7 +370,8 @@ struct Table {
                             .names = each->names,
                             .arguments = rest.first(stated),
                             .summary = each->summary,
-                            .loneNumber = each->oneSizeForAll ? LoneNumber::firstThree : LoneNumber::first});
+                            .loneNumber = each->oneSizeForAll ? LoneNumber::firstThree : LoneNumber::first,
+                            .restartsSimulation = false});
             rest = rest.subspan(stated);
         }
         rows.insert(rows.end(), std::begin(kRowsAfter), std::end(kRowsAfter));

@@ -14,6 +14,10 @@ struct PrimitiveSpec;
 
 namespace glibra::glib {
 
+struct Command;
+struct Position;
+class MessageLog;
+
 /// The clear colour until a scene sets one, and that of a Background without numbers.
 inline constexpr std::array<double, 3> kDefaultBackground{18 / 255., 27 / 255., 33 / 255.};
 
@@ -22,7 +26,7 @@ enum class ArgumentType { number, integer, file, word, text, name, pointGroups, 
 /// Which numbers an argument accepts, and what happens to others (language, 1.7).
 enum class ArgumentRule {
     any,        ///< every finite number
-    size,       ///< negative: the absolute value is used (glib-W28); 0: the shape draws nothing (glib-W28)
+    size,       ///< negative: the absolute value is used (glib-W28); 0: the shape draws nothing (glib-W42)
     count,      ///< below `least`: raised to it (glib-W28); above `most`: glib-E15
     within,     ///< outside least..most: glib-E05
     between,    ///< not strictly between least and most: glib-E05
@@ -77,6 +81,10 @@ struct CommandRow {
     LoneNumber loneNumber = LoneNumber::first;
     int groupMultiple = 0;                      ///< for ArgumentForm::pointGroups
     std::span<const std::string_view> words{};  ///< for ArgumentForm::topology
+    /// Checks and mends all numbers together. `places` are those of the numbers that stand in the file.
+    void (*together)(Command&, std::span<const Position> places, MessageLog&) = nullptr;
+    /// False for what acts on the frame alone where it stands outside of Once and Step.
+    bool restartsSimulation = true;
 
     [[nodiscard]] std::string_view name() const { return names[0]; }
 };

@@ -3,7 +3,7 @@
 // expr expressions, draw drawing, memory buffers with what writes them, glsl shaders, file assets, gpu the
 // graphics driver, library the C++ library, check the Expect statements of a scene, suite suites of shots,
 // result their results, bench run time against error, view the window. The letter is the severity: E error, W
-// warning, N note. An id never changes its meaning.
+// warning, N note. An id has one meaning, which never changes. The rows stand in messages.txt.
 
 #include <glibra/diagnostic.h>
 
@@ -14,6 +14,7 @@ namespace glibra::glib {
 
 struct CatalogueRow {
     std::string_view id;       ///< for example "glib-W04"
+    std::string_view meaning;  ///< a sentence that is true of all texts of the message
     std::string_view example;  ///< a possible text of the message, without place and severity
 
     [[nodiscard]] constexpr Severity severity() const { return severityOf(id); }

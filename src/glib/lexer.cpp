@@ -265,7 +265,7 @@ ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint
                                inQuotes(token.text.substr(number->length))),
                    token.position);
     if (!number->finite)
-        log.report("glib-E05", fmt::format("{} is too large for a 32-bit float", inQuotes(text)),
+        log.report("glib-E31", fmt::format("{} is too large for a 32-bit float", inQuotes(text)),
                    token.position);
     return {number->finite ? number->value : 0, text};
 }
@@ -316,6 +316,159 @@ LineStart startOf(std::string_view text, const LineRange& range) {
     start.word = nextWord();
     if (at < line.size() && isBlank(line[at])) start.next = nextWord();
     return start;
+}
+
+// ---- Expressions.
+
+namespace {
+
+constexpr bool isSign(char c) {
+    return c == '+' || c == '-';
+}
+
+/// Returns the offset after a number and letters that stand directly after it.
+std::size_t numberEnd(std::string_view code, std::size_t at) {
+    while (at < code.size() && (isOfName(code[at]) || code[at] == '.' ||
+                                (isSign(code[at]) && lower(code[at - 1]) == 'e' && at + 1 < code.size() &&
+                                 isDigit(code[at + 1]))))
+        ++at;
+    return at;
+}
+
+bool beginsNumber(std::string_view code, std::size_t at) {
+    if (at >= code.size()) return false;
+    return isDigit(code[at]) || (code[at] == '.' && at + 1 < code.size() && isDigit(code[at + 1]));
+}
+
+/// True if the + or - is the sign of a number: a number follows, and nothing stands directly before it.
+bool isSignOfNumber(std::string_view code, std::size_t at) {
+    constexpr std::string_view kSeparators = " \t\v\f([{<,";
+    return beginsNumber(code, at + 1) &&
+           (at == 0 || kSeparators.find(code[at - 1]) != std::string_view::npos);
+}
+
+}  // namespace
+
+ExpressionFinder::ExpressionFinder(std::string_view code, std::size_t from) : from_(from) {
+    look(code);
+}
+
+void ExpressionFinder::look(std::string_view code) {
+    constexpr std::string_view kOperators = "*/%=!&|";
+    std::vector<std::size_t> open;
+    std::vector<std::size_t> signs;
+    partner_.assign(code.size() - from_, kNone);
+    std::size_t at = from_;
+    while (at < code.size()) {
+        const char c = code[at];
+        if (c == '#' || code.substr(at, 2) == "//") {
+            at = std::min(code.find_first_of("\r\n", at), code.size());
+        } else if (c == '"') {
+            const std::size_t close = code.find('"', at + 1);
+            at = close == std::string_view::npos ? code.size() : close + 1;
+        } else if (isLetter(c) || c == '_') {
+            const std::size_t begin = at;
+            while (at < code.size() && isOfName(code[at])) ++at;
+            const std::string_view word = code.substr(begin, at - begin);
+            if (!sameWord(word, "true") && !sameWord(word, "false")) signs.push_back(begin);
+        } else if (beginsNumber(code, at)) {
+            at = numberEnd(code, at);
+        } else {
+            if (c == '(') open.push_back(at);
+            if (c == ')' && !open.empty()) {
+                partner_[open.back() - from_] = at;
+                open.pop_back();
+            }
+            if (kOperators.find(c) != std::string_view::npos || (isSign(c) && !isSignOfNumber(code, at)))
+                signs.push_back(at);
+            ++at;
+        }
+    }
+    nextSign_.assign(code.size() - from_, kNone);
+    std::size_t next = kNone;
+    for (std::size_t i = nextSign_.size(); i-- > 0;) {
+        if (!signs.empty() && signs.back() == from_ + i) {
+            next = signs.back();
+            signs.pop_back();
+        }
+        nextSign_[i] = next;
+    }
+}
+
+std::size_t ExpressionFinder::endAt(std::size_t open, Parentheses parentheses) const {
+    const std::size_t close = partner_[open - from_];
+    if (close == kNone || parentheses == Parentheses::brackets) return 0;
+    if (parentheses == Parentheses::byContent && nextSign_[open - from_] > close) return 0;
+    return close + 1;
+}
+
+std::size_t depthOf(std::string_view expression) {
+    std::size_t depth = 0;
+    std::size_t deepest = 0;
+    for (const char c : expression) {
+        if (c == '(' || c == '[') deepest = std::max(deepest, ++depth);
+        if ((c == ')' || c == ']') && depth > 0) --depth;
+    }
+    return deepest;
+}
+
+// ---- Bracket groups.
+
+namespace {
+
+/// True for words that can only be tags, and so end an unclosed group.
+bool endsGroup(const Token& token) {
+    if (token.kind == TokenKind::open || token.kind == TokenKind::quoted) return true;
+    if (token.kind != TokenKind::word || token.truth()) return false;
+    return isLetter(token.text.front()) || token.text.front() == '_';
+}
+
+}  // namespace
+
+BracketGroup groupAt(std::span<const Token> tokens, std::size_t open) {
+    BracketGroup group;
+    group.first = open + 1;
+    std::size_t at = group.first;
+    while (at < tokens.size() && tokens[at].kind != TokenKind::close && !endsGroup(tokens[at])) ++at;
+    group.last = group.next = at;
+    group.end = GroupEnd::notClosed;
+    if (at < tokens.size() && tokens[at].kind == TokenKind::close) {
+        group.next = at + 1;
+        group.end =
+            bracketsMatch(tokens[open].text, tokens[at].text) ? GroupEnd::closed : GroupEnd::wrongBracket;
+    }
+    return group;
+}
+
+std::size_t valueEnd(std::span<const Token> tokens, std::size_t at) {
+    return tokens[at].kind == TokenKind::open ? groupAt(tokens, at).next : at + 1;
+}
+
+bool readsAsPairs(std::span<const Token> tokens) {
+    if (tokens.size() < 2 || !tokens[1].beginsValue()) return false;
+    for (std::size_t at = 0; at < tokens.size();) {
+        if (!tokens[at].isWord()) return false;
+        ++at;
+        if (at < tokens.size() && tokens[at].beginsValue()) at = valueEnd(tokens, at);
+    }
+    return true;
+}
+
+bool bracketsMatch(std::string_view open, std::string_view close) {
+    return kOpening.find(open) == kClosing.find(close);
+}
+
+void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const BracketGroup& group,
+                    MessageLog& log) {
+    if (group.end == GroupEnd::wrongBracket)
+        log.report("glib-W08", fmt::format("'{}' closed by '{}'", tokens[open].text, tokens[group.last].text),
+                   tokens[group.last].position);
+    if (group.end == GroupEnd::notClosed)
+        log.report("glib-W09",
+                   fmt::format("'{}' not closed; closed {}", tokens[open].text,
+                               group.next < tokens.size() ? "before " + inQuotes(tokens[group.next].text)
+                                                          : std::string("at the end of the statement")),
+                   tokens[open].position);
 }
 
 }  // namespace glibra::glib

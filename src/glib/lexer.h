@@ -3,15 +3,46 @@
 // outlive them.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "glib/message_log.h"
-#include "glib/parentheses.h"
 #include "glib/script.h"
 
 namespace glibra::glib {
+
+/// What parentheses mean on a line.
+enum class Parentheses : std::uint8_t {
+    brackets,     ///< they are always brackets
+    byContent,    ///< an expression, if they hold a word or an operator; else brackets (classic commands)
+    expressions,  ///< always an expression (modern statements)
+};
+
+/// The pairs of parentheses of one line.
+class ExpressionFinder {
+  public:
+    /// Looks at `code` from offset `from` up to the first comment. Takes time in proportion to the line.
+    ExpressionFinder(std::string_view code, std::size_t from);
+
+    /// Returns the offset after the partner of the parenthesis at `open`, if the pair is an expression; 0 if
+    /// it is not.
+    [[nodiscard]] std::size_t endAt(std::size_t open, Parentheses parentheses) const;
+
+  private:
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+    void look(std::string_view code);
+
+    std::size_t from_;
+    std::vector<std::size_t> partner_;   ///< by offset - from_; kNone: no parenthesis, or not closed
+    std::vector<std::size_t> nextSign_;  ///< offset of the next word or operator at or after this one
+};
+
+/// How deep the parentheses of the text are nested.
+std::size_t depthOf(std::string_view expression);
 
 enum class TokenKind {
     word,
@@ -77,7 +108,7 @@ struct ReadNumber {
     std::string_view text;
 };
 
-/// Reads any token as a number. Reports glib-W04, W05, E05; `hint` follows glib-W05 about a name.
+/// Reads any token as a number. Reports glib-W04, W05, E31; `hint` follows glib-W05 about a name.
 ReadNumber readNumber(const Token& token, MessageLog& log, std::string_view hint = {});
 
 /// How a line that begins with MessageBox is read.
@@ -99,5 +130,38 @@ struct LineStart {
     std::string_view next;
 };
 LineStart startOf(std::string_view text, const LineRange& range);
+
+// ---- Bracket groups (language, 1.6), and lines that can be read as tags and values (1.3).
+
+enum class GroupEnd {
+    closed,        ///< by its own bracket
+    wrongBracket,  ///< by another closing bracket (glib-W08)
+    notClosed,     ///< before a word, an opening bracket or the end of the statement (glib-W09)
+};
+
+/// tokens[first .. last) are the content; tokens[next] is the first token after the group.
+struct BracketGroup {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    std::size_t next = 0;
+    GroupEnd end = GroupEnd::closed;
+};
+
+/// Returns the group that begins with the opening bracket tokens[open]. Words that begin with a letter or '_'
+/// end it, except `true` and `false`; all other tokens are values.
+BracketGroup groupAt(std::span<const Token> tokens, std::size_t open);
+
+/// Returns the index after the value that begins with tokens[at], a number or an opening bracket.
+std::size_t valueEnd(std::span<const Token> tokens, std::size_t at);
+
+/// True for `word value { word [value] }`.
+bool readsAsPairs(std::span<const Token> tokens);
+
+/// True if `close` is the bracket that belongs to `open`.
+bool bracketsMatch(std::string_view open, std::string_view close);
+
+/// Reports glib-W08 and W09 for a group.
+void reportGroupEnd(std::span<const Token> tokens, std::size_t open, const BracketGroup& group,
+                    MessageLog& log);
 
 }  // namespace glibra::glib

@@ -6,13 +6,23 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "glib/expectation.h"
 #include "glib/script.h"
 
 namespace glibra::glib {
+
+struct Expectation {
+    enum class Kind { word, number, value, expression, color, components, list, other };
+    Kind kind = Kind::other;
+    std::string text;    ///< as messages say it
+    std::string name{};  ///< the word itself, for a key or one of several words; else empty
+
+    /// True if an argument that begins with this word may be it.
+    [[nodiscard]] bool mayBegin(std::string_view word) const;
+};
 
 /// The largest number of messages that are kept for one file (language, 10).
 inline constexpr std::size_t kMostMessages = 100;

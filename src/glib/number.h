@@ -13,7 +13,7 @@ namespace glibra::glib {
 struct NumberPrefix {
     double value = 0;        ///< correctly rounded; 0 if it underflows, infinite beyond all doubles
     std::size_t length = 0;  ///< how many bytes of the token belong to it; the rest is ignored (glib-W04)
-    bool finite = true;      ///< false: too large for a 32-bit float (glib-E05)
+    bool finite = true;      ///< false: too large for a 32-bit float (glib-E31)
 };
 
 /// Returns the longest numeric prefix: [+-] digits [. digits] [exponent] or [+-] . digits [exponent]; nothing

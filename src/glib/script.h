@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "glib/command_id.h"
-#include "glib/position.h"
 #include "glib/value.h"
 
 namespace glibra::glib {

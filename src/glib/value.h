@@ -5,9 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "glib/position.h"
-
 namespace glibra::glib {
+
+/// A place inside the scene's own file.
+struct Position {
+    int line = 1;
+    int column = 1;
+
+    friend bool operator==(const Position&, const Position&) = default;
+};
 
 struct NamePart;
 

@@ -109,7 +109,7 @@ void keepOwner(const fs::path& target, NamedBy named, int file) {
 Result<std::vector<std::byte>> readFile(const base::FileSource& source, const FileLabel& label,
                                         std::uint64_t largest) {
     const auto unreadable = [&](const std::string& why) {
-        return diagnose("file-E02", fmt::format("cannot read '{}': {}", label.name, why), label.place);
+        return diagnose("file-E14", fmt::format("cannot read '{}': {}", label.name, why), label.place);
     };
     const auto wrongSize = [&](std::uint64_t size) -> std::optional<Diagnostic> {
         if (size == 0) return diagnose("file-E02", fmt::format("'{}' is empty", label.name), label.place);

@@ -16,8 +16,8 @@
 
 namespace glibra::image {
 
-/// The content of a file. Errors: file-E01 missing; file-E02 empty, unreadable, a folder or another special
-/// file (pipes and devices would block); file-E09 longer than `largest` bytes.
+/// The content of a file. Errors: file-E01 missing; file-E02 empty; file-E14 unreadable, a folder or another
+/// special file (pipes and devices would block); file-E09 longer than `largest` bytes.
 Result<std::vector<std::byte>> readFile(const base::FileSource& file, const FileLabel& label,
                                         std::uint64_t largest = 2 * kGiB);
 

@@ -54,7 +54,7 @@ class LayoutFinder {
         if (use.kind == BlockUse::Kind::storage) pattern = patternOf(interface.storageBlocks.at(use.index));
         if (use.kind == BlockUse::Kind::counters) pattern = patternOf(interface.counterBuffers.at(use.index));
         if (!pattern)
-            return fail(index, "memory-E04",
+            return fail(index, "memory-E17",
                         fmt::format("{} has too many members for a buffer of a scene", what));
         const auto known = layouts_.find(index);
         if (known == layouts_.end()) return addLayout(index, std::move(*pattern), what, use.place);
@@ -181,7 +181,7 @@ class LayoutFinder {
         layout.bytes = std::max(layout.pattern.bytes(layout.elements), fileBytes);
         if (layout.bytes > mostBytes_)
             return fail(
-                index, "memory-E04",
+                index, "memory-E17",
                 fmt::format("buffer '{}' needs {}; the limit is {}", buffer.name,
                             base::countedInGroups(layout.bytes, "byte"), base::groupedText(mostBytes_)));
         if (written < layout.pattern.numbers(layout.elements))
@@ -220,7 +220,7 @@ class LayoutFinder {
             const NumberKind kind = pattern.at(i).kind;
             if (kind == NumberKind::floating && !base::fitsFloat(values[i])) {
                 diagnostics_.push_back(
-                    diagnose("glib-E05",
+                    diagnose("glib-E31",
                              fmt::format("buffer '{}': value {} is {}, which is too large for a 32-bit float",
                                          buffer.name, i, glib::numberText(values[i])),
                              buffer.place));

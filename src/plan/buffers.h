@@ -36,8 +36,9 @@ struct BufferLayout {
 class BufferLayouts {
   public:
     /// Adds the buffers that the plan uses. Errors: memory-E03 for blocks that lay out one buffer
-    /// differently, memory-E04 for a buffer that is too small for its block or larger than `mostBytes`, and
-    /// memory-E05 for a buffer whose type is not known. `fileBytes` returns the size of a file.
+    /// differently, memory-E04 for a buffer that is too small for its block, memory-E17 for one larger than
+    /// `mostBytes`, and memory-E05 for a buffer whose type is not known. `fileBytes` returns the size of a
+    /// file.
     Diagnostics add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
                     std::uint64_t (*fileBytes)(const scene::FileReference& file));
     /// Null if no plan uses the buffer, or with an error.

@@ -29,7 +29,7 @@ class PlannedPrograms {
     struct State {
         Diagnostics diagnostics;  ///< from translating, compiling and linking, and about its pairs
         std::vector<UnitUse> units;
-        Diagnostics unitProblems;                ///< draw-E05, reported at each draw
+        Diagnostics unitProblems;                ///< draw-E13, reported at each draw
         Diagnostics badBindings;                 ///< draw-E09, draw-E10: nothing is drawn with it
         std::vector<scene::ObjectView> refused;  ///< UniformResolution::refusedImages
         bool isAnnounced = false;                ///< its diagnostics are in the plan

@@ -50,7 +50,7 @@ Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
         uses.push_back({sampler, units.try_emplace({unit, type.word}, next).first->second});
     }
     const auto tooMany = [](const char* kind, std::size_t wanted, int available) {
-        return diagnose("draw-E05",
+        return diagnose("draw-E13",
                         fmt::format("the program needs {} {} units at once; the graphics device has {}",
                                     wanted, kind, available));
     };

@@ -25,7 +25,7 @@ struct UnitUse {
 
 /// Assigns texture image units from 0 on, in the order of the samplers: one per pair of unit and sampler
 /// type, since GL forbids samplers of different types on one unit; and one for each bound texture. Image
-/// units are assigned likewise. Error draw-E05, without a place, if the driver has too few.
+/// units are assigned likewise. Error draw-E13, without a place, if the driver has too few.
 Result<std::vector<UnitUse>> assignUnits(const ProgramInterface& interface,
                                          std::span<const SamplerBinding> samplers, int maxTextureUnits,
                                          int maxImageUnits);

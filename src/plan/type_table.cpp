@@ -118,7 +118,7 @@ class ValueReader {
         if (type_.base == BaseType::boolean) return value != 0 ? 1 : 0;
         if (type_.base == BaseType::floating && !base::fitsFloat(value)) {
             if (!std::exchange(reading_.ignored, true))
-                warn("glib-E05",
+                warn("glib-E31",
                      fmt::format("{}: {} is too large for a 32-bit float", given_.tag, numberText(value)),
                      given_.valuePlace);
             return 0;

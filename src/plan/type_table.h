@@ -28,7 +28,7 @@ struct Reading {
     bool ignored = false;  ///< the tag has no effect
     std::vector<double> values;
     std::optional<Control> control;  ///< without the uniform's index
-    Diagnostics diagnostics;         ///< glib-E05, W15, W17, W20, W21, W22, W27, E12
+    Diagnostics diagnostics;         ///< glib-E12, E31, W15, W17, W20, W21, W22, W27
 };
 
 /// Reads a value for a uniform. `oneElement`: the tag names one element of an array, which is then read like

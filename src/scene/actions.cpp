@@ -14,12 +14,11 @@ std::span<const CommandAction> allActions() {
         std::vector<CommandAction> all(first);
         all.resize(first + geometry::primitives().size(), {.handler = doPrimitive, .draws = true});
         for (const auto& some :
-             {viewActions(), drawActions(), listActions(), passActions(), textureActions(), programActions()})
+             {viewActions(), drawActions(), passActions(), textureActions(), programActions()})
             for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
-        for (const auto& some :
-             {structureActions(), variableActions(), tagActions(), cameraActions(), objectActions(),
-              targetActions(), stateActions(), vertexActions(), bufferActions(), meshActions(),
-              blockActions(), keyActions(), checkActions()})
+        for (const auto& some : {structureActions(), variableActions(), tagActions(), cameraActions(),
+                                 objectActions(), targetActions(), stateActions(), vertexActions(),
+                                 bufferActions(), blockActions(), checkActions()})
             for (const CommandAction& each : some) {
                 all.at(static_cast<std::size_t>(each.id)) = each;
                 all.at(static_cast<std::size_t>(each.id)).isModern = true;

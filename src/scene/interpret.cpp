@@ -221,7 +221,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         if (in.scene.isModern) in.scene.mayBeWritten = undecidedWrites(in);
         in.scene.idleChecks = idleChecks(in);
     } catch (const std::exception& problem) {
-        in.report(diagnose("glib-E15", fmt::format("the scene cannot be run: {}", problem.what()),
+        in.report(diagnose("glib-E14", fmt::format("the scene cannot be run: {}", problem.what()),
                            script.place({})));
     }
     in.scene.diagnostics = in.log.take();

@@ -289,7 +289,7 @@ TEST_F(BadInput, AbsurdSizes) {
     expectRefused("Sphere 1 65000 65000\n", {"scene.glib:1:", "8,388,608", "[glib-E15]"});
     expectRefused("Noise3D 100000\n", {"scene.glib:1:", "Noise3D", "[glib-E"});
     expectRefused("WindowSize 0 0\n", {"scene.glib:1:", "WindowSize", "[glib-E05]"});
-    expectRefused("Translate 1e999 0 0\n", {"scene.glib:1:", "[glib-E05]"});
+    expectRefused("Translate 1e999 0 0\n", {"scene.glib:1:", "[glib-E31]"});
 }
 
 TEST_F(BadInput, AShaderThatNeverEndsEndsTheSceneAlone) {

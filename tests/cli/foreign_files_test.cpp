@@ -114,11 +114,11 @@ TEST(LargeNumber, IsAnErrorWithItsPlaceAtTheTimeThatItIsComputed) {
         const Finished found = rendered(tags);
         EXPECT_NE(found.status, 0) << tags;
         EXPECT_TRUE(contains(found.err, "a.glib:4:")) << found.err;
-        EXPECT_TRUE(contains(found.err, "is too large for a 32-bit float [glib-E05]")) << found.err;
+        EXPECT_TRUE(contains(found.err, "is too large for a 32-bit float [glib-E31]")) << found.err;
     }
     const std::string moving = "uA (pow(10, time)) uV [1 1 1] uM (mat4(1)) uD 1";
     EXPECT_EQ(rendered(moving, "--time 38").status, 0);
-    EXPECT_TRUE(contains(rendered(moving, "--time 39").err, "glib-E05"));
+    EXPECT_TRUE(contains(rendered(moving, "--time 39").err, "glib-E31"));
     EXPECT_TRUE(contains(rendered(right, "--set x=1e39").err, "'1e39' is too large"));
     EXPECT_TRUE(contains(rendered(right, "--set uV=1,,0").err, "a number is missing"));
     folder.write(

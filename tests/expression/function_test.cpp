@@ -335,7 +335,7 @@ TEST(ExpressionFunctions, ReportWrongTypesAndCounts) {
         {"yes ? 1 : v",
          "expr-E03 'yes ? 1 : v': both cases of '?' have the same type, found number and vec3"},
         {"v[yes]", "expr-E03 'yes': a subscript is a number, found bool"},
-        {"a[0]", "expr-E03 'a': a number has no elements"},
+        {"a[0]", "expr-E08 'a': a number has no elements"},
         {"sin(yes)", "expr-E03 'sin(yes)': there is no sin(bool), only T sin(T angle)"},
         {"dot(v, u)", "expr-E03 'dot(v, u)': there is no dot(vec3, vec2), only number dot(T a, T b)"},
         {"min(u, v)",

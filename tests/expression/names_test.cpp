@@ -51,7 +51,7 @@ TEST(ExpressionNames, ReportUnknownOnesWithASuggestion) {
         {"sinn(1)", "expr-E02 'sinn': unknown function 'sinn'; did you mean 'sin'?"},
         {"smoothStep(0, 1, a)",
          "expr-E02 'smoothStep': unknown function 'smoothStep'; did you mean 'smoothstep'?"},
-        {"a(b + 1)", "expr-E02 'a': 'a' is a value, not a function; write '*' to multiply"},
+        {"a(b + 1)", "expr-E08 'a': 'a' is a value, not a function; write '*' to multiply"},
         {"light.shadw", "expr-E02 'shadw': 'light' has no field 'shadw'; did you mean 'shadow'?"},
         {"light.x",
          "expr-E02 'x': 'light' has no field 'x'; it has aspect, direction, far, fov, inverseView, near, "
@@ -63,10 +63,10 @@ TEST(ExpressionNames, ReportUnknownOnesWithASuggestion) {
         {"v.xxxxx", "expr-E02 'xxxxx': a vec3 has no component or field 'xxxxx'"},
         {"m3.x", "expr-E02 'x': a mat3 has no component or field 'x'"},
         {"light",
-         "expr-E03 'light': 'light' is a camera, not a value; use one of its fields aspect, direction, far, "
+         "expr-E08 'light': 'light' is a camera, not a value; use one of its fields aspect, direction, far, "
          "fov, inverseView, near, position, prev, projection, shadow, view and viewProjection"},
         {"pose + 1",
-         "expr-E03 'pose': 'pose' is an array; use an element, pose[0] to pose[5], or pose.count"},
+         "expr-E08 'pose': 'pose' is an array; use an element, pose[0] to pose[5], or pose.count"},
     };
     for (const auto& [text, expected] : reported) EXPECT_EQ(problemText(text), expected) << text;
 }

@@ -30,10 +30,12 @@ bool looksLikeId(std::string_view text) {
            isDigit(text[dash + 2]) && isDigit(text[dash + 3]);
 }
 
-TEST(Catalogue, HoldsEveryIdOnceWithAnExample) {
-    std::set<std::string_view> ids;
+TEST(Catalogue, HoldsEveryIdOnceWithAMeaningAndAnExample) {
+    std::set<std::string_view> ids, meanings;
     for (const CatalogueRow& row : diagnosticCatalogue()) {
         EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+        EXPECT_TRUE(row.meaning.ends_with('.')) << row.id << ": a sentence is missing";
+        EXPECT_TRUE(meanings.insert(row.meaning).second) << row.id << ": another id means the same";
         EXPECT_FALSE(row.example.empty()) << row.id;
     }
     EXPECT_FALSE(ids.empty());
@@ -98,7 +100,7 @@ TEST(Catalogue, HoldsEveryIdThatIsNamedAnywhere) {
     EXPECT_GT(named.size(), 100U);
     for (const auto& [id, file] : named)
         EXPECT_TRUE(findDiagnostic(id))
-            << file << " names " << id << ", which has no row in src/glib/diagnostic_catalogue.cpp";
+            << file << " names " << id << ", which has no row in src/glib/messages.txt";
 }
 
 TEST(Catalogue, FindsAnId) {
@@ -150,6 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
         Example{"glib-W18", "Program P uA 1 5"}, Example{"glib-W19", "Program P uTol 1 uTol 2"},
         Example{"glib-W26", "Color 1 .5 2."}, Example{"glib-W27", "Sphere 1 10.5"},
         Example{"glib-W28", "Sphere 1 2"}, Example{"glib-W29", "Ortho 0 0 -1 1"},
+        Example{"glib-E31", "Translate 1e39 0 0"}, Example{"glib-E37", "Let a []"},
+        Example{"glib-W42", "Rotate 90 0 0 0"},
         Example{"glib-W35",
                 "Sphere\xc2\xa0"
                 "1"}),

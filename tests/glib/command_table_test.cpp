@@ -62,6 +62,17 @@ TEST(CommandTable, HasOneRowPerId) {
     EXPECT_EQ(*ids.rbegin(), static_cast<int>(ids.size()) - 1);
 }
 
+TEST(CommandTable, StatementsOfTheFrameAloneDoNotRestartASimulation) {
+    for (const char* word : {"Sphere", "Obj", "Translate", "Background", "MessageBox"})
+        EXPECT_FALSE(restartsSimulation(commandOf(word))) << word;
+    for (const CommandId id :
+         {CommandId::draw, CommandId::pass, CommandId::clearParts, CommandId::dispatch, CommandId::expect})
+        EXPECT_FALSE(restartsSimulation(id)) << nameOf(id);
+    for (const CommandId id : {CommandId::color, CommandId::clear, CommandId::program, CommandId::let,
+                               CommandId::buffer, CommandId::namedTexture2D, CommandId::step})
+        EXPECT_TRUE(restartsSimulation(id)) << nameOf(id);
+}
+
 TEST(CommandTable, TakesPrimitivesFromGeometry) {
     for (const geometry::PrimitiveSpec* each : geometry::primitives()) {
         const CommandRow* row = findCommand(each->names[0]);

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "glib/command_table.h"
+#include "glib/lexer.h"
 #include "glib/message_log.h"
 #include "glib/number.h"
-#include "glib/parentheses.h"
 #include "glib/parse/arguments.h"
 #include "scene.h"
 
@@ -137,7 +137,7 @@ TEST(EvaluatedNumbers, AreCutSilentlyAndMustBeFinite) {
     const Diagnostics messages = second.take();
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_EQ(toString(messages[0]),
-              "scene.glib:1:8: error: Sphere: radius 1e+300 is not finite as a 32-bit float [glib-E05]");
+              "scene.glib:1:8: error: Sphere: radius 1e+300 is not finite as a 32-bit float [glib-E31]");
 }
 
 }  // namespace

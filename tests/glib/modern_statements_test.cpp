@@ -292,7 +292,7 @@ TEST(ModernLimits, HaveMessages) {
     std::string tags = "Set";
     for (std::size_t i = 0; i <= kMostTags; ++i) tags += " \\\n u" + std::to_string(i) + " 1";
     EXPECT_EQ(idsOf(tags), Ids{"glib-E15"});
-    EXPECT_EQ(idsOf("Set uA 1e999"), Ids{"glib-E05"});
+    EXPECT_EQ(idsOf("Set uA 1e999"), Ids{"glib-E31"});
 }
 
 /// The ids and texts of all messages.
@@ -324,6 +324,15 @@ TEST(Hints, SayWhatToWriteInstead) {
     says("Expect pixel 3 3 1 0 0\n", "'1'; write [1 0 0]");
     says("State culling back\n", "did you mean 'cull'?");
     says("Repeat 2\nLet v 3\nEndRepeat\n", "move it out, or write (3), which may stand here");
+}
+
+TEST(ModernStates, WhereContradictsMark) {
+    EXPECT_EQ(messagesOf("State mark 1 where 1\n"), "glib-E18 State: 'where' contradicts 'mark'\n");
+    EXPECT_EQ(messagesOf("State mark 1 depth less\nState depth less where 1\n"), "");
+}
+
+TEST(ModernNames, MayBeTheWordInline) {
+    EXPECT_EQ(messagesOf("Texture2D inline 4 4 rgba8\nBuffer b float 4\n"), "");
 }
 
 TEST(Hints, AShaderWithoutItsEndIsReportedOnce) {

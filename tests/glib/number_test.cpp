@@ -125,9 +125,9 @@ TEST(NumberToken, FractionIsCutTowardZero) {
 }
 
 TEST(NumberToken, InfiniteNumberIsRefused) {
-    EXPECT_EQ(idsOf("Translate 1e39 0 0"), Ids{"glib-E05"});
+    EXPECT_EQ(idsOf("Translate 1e39 0 0"), Ids{"glib-E31"});
     EXPECT_TRUE(read("Translate 1e39 0 0").commands.empty());
-    EXPECT_EQ(idsOf("Program P uA 1e400"), Ids{"glib-E05"});
+    EXPECT_EQ(idsOf("Program P uA 1e400"), Ids{"glib-E31"});
     EXPECT_TRUE(read("Program P uA 1e400").commands.empty());
 }
 

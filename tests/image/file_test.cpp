@@ -71,7 +71,7 @@ TEST_F(WholeFile, DifferentProblemsOfReadingHaveDifferentIds) {
     EXPECT_EQ(idsOf(readFile(folder / "none", kFileLabel).diagnostics), "file-E01");
     EXPECT_EQ(idsOf(readFile(put("empty", {}), kFileLabel).diagnostics), "file-E02");
     const auto inFolder = readFile(folder, kFileLabel);
-    ASSERT_EQ(idsOf(inFolder.diagnostics), "file-E02");
+    ASSERT_EQ(idsOf(inFolder.diagnostics), "file-E14");
     EXPECT_EQ(inFolder.diagnostics[0].text, "cannot read 'a': it is a folder");
     EXPECT_EQ(inFolder.diagnostics[0].place, kFileLabel.place);
     EXPECT_EQ(idsOf(readFile(put("file", testing::bytesOf({1})) / "inside", kFileLabel).diagnostics),
@@ -80,8 +80,8 @@ TEST_F(WholeFile, DifferentProblemsOfReadingHaveDifferentIds) {
 
 TEST_F(WholeFile, APipeDoesNotBlock) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(idsOf(readFile(folder / "pipe", kFileLabel).diagnostics), "file-E02");
-    EXPECT_EQ(idsOf(readFile("/dev/zero", kFileLabel).diagnostics), "file-E02");
+    EXPECT_EQ(idsOf(readFile(folder / "pipe", kFileLabel).diagnostics), "file-E14");
+    EXPECT_EQ(idsOf(readFile("/dev/zero", kFileLabel).diagnostics), "file-E14");
 }
 
 TEST_F(WholeFile, BeyondTheLimitIsRejectedBeforeReading) {

@@ -201,7 +201,7 @@ TEST_F(TextureFile, AFileOfAnotherKindIsNotATexture) {
     EXPECT_EQ(idsOf(readTexture(put("report.tex", bytes), 2, kTexturePlace).diagnostics),
               "file-E05");  // LaTeX
     EXPECT_EQ(idsOf(readTexture(folder / "none.png", 2, kTexturePlace).diagnostics), "file-E01");
-    EXPECT_EQ(idsOf(readTexture(folder, 2, kTexturePlace).diagnostics), "file-E02");
+    EXPECT_EQ(idsOf(readTexture(folder, 2, kTexturePlace).diagnostics), "file-E14");
 }
 
 TEST_F(TextureFile, SixteenBitsStaySixteen) {

@@ -214,7 +214,7 @@ TEST(TooManyUnits, AreAnErrorOfTheDraw) {
     PlanOptions options;
     options.maxTextureUnits = 1;
     const FramePlan plan = programs.plan(hand.scene, options);
-    EXPECT_EQ(textOf(plan.diagnostics, "draw-E05"),
+    EXPECT_EQ(textOf(plan.diagnostics, "draw-E13"),
               "Sphere: the program needs 2 texture units at once; the graphics device has 1");
     EXPECT_EQ(drawn(plan), "");
 }

@@ -48,7 +48,7 @@ TEST(DriverUnits, AreNotMoreThanTheDriverHas) {
     EXPECT_TRUE(assignUnits(interface, samplers, 3, 8));
     const auto result = assignUnits(interface, samplers, 2, 8);
     EXPECT_FALSE(result);
-    EXPECT_EQ(result.diagnostics.at(0).id, "draw-E05");
+    EXPECT_EQ(result.diagnostics.at(0).id, "draw-E13");
 }
 TEST(DriverUnits, ForImagesAreNotMoreThanTheDriverHas) {
     const auto interface = test::interfaceWith({{"a", "image2D"}});

@@ -166,7 +166,7 @@ TEST_F(ModernCompute, RefusesWhatCannotRun) {
 
     ComputeScene huge = sums(true);
     huge.scene.buffers[scene::BufferIndex(2)].count = std::uint64_t{1} << 62;
-    EXPECT_NE(refusal(huge, 0, everything).find("memory-E04"), std::string::npos);
+    EXPECT_NE(refusal(huge, 0, everything).find("memory-E17"), std::string::npos);
 
     ComputeScene unknown = sums(true);
     unknown.scene.buffers[scene::BufferIndex(2)].type = "Partcle";

@@ -124,7 +124,7 @@ TEST(AttributesOfLists, ComeBeforeThoseAroundThem) {
     EXPECT_EQ(list("Attribute w b\n", {"", "", ""}, "Expect buffer o [30 31 32]\n"), "");
     EXPECT_NE(list("Attribute w b\n", {"", "Attribute w 5\n", ""}, "")
                   .find("Attribute w: the vertices before have it from line 18; state it before the first "
-                        "glVertex, too [glib-E26]"),
+                        "glVertex, too [glib-E32]"),
               std::string::npos);
     EXPECT_EQ(
         list("Attribute w 3\n", {"Attribute w 5\n", "", ""}, "Vertices points 1\nExpect buffer o [3 5 5]\n"),

@@ -90,7 +90,7 @@ TEST(ScriptCubeArrays, PartsNeedBothNumbers) {
         EXPECT_NE(refused.find(message), std::string::npos) << line << refused;
     };
     expect("Pass sky.face(1)\nEndPass",
-           "sky: a part of several cube maps has a layer and a face: sky.layer(0).face(0) [glib-E26]");
+           "sky: a part of several cube maps has a layer and a face: sky.layer(0).face(0) [glib-E35]");
     expect("Pass sky.layer(1)\nEndPass", "has a layer and a face");
     expect("Pass sky.layer(2).face(0)\nEndPass", "sky.layer: 2 is not between 0 and 1");
     expect("Pass sky.layer(1).face(6)\nEndPass", "sky.face: 6 is not between 0 and 5");

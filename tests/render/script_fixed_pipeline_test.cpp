@@ -176,7 +176,7 @@ TEST(Lights, WrongValuesAreReported) {
         const std::string all = problemsOf(kOneStageScene + statement + "\nBox\n");
         return all.substr(0, all.find('\n'));
     };
-    EXPECT_NE(first("Light 8 position 0 0 1").find("glib-E26"), std::string::npos)
+    EXPECT_NE(first("Light 8 position 0 0 1").find("glib-E05"), std::string::npos)
         << first("Light 8 position 0 0 1");
     EXPECT_NE(first("Light 0 position 0 1").find("3 numbers, or 4 with w"), std::string::npos);
     EXPECT_NE(first("Light 0 cutoff 120").find("0 to 90 degrees, or 180"), std::string::npos);

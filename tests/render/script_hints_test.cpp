@@ -209,7 +209,7 @@ EndPass
 )";
     EXPECT_EQ(mistakesIn(scene + "Expect pixel 1 1 [1 1 1 1] of a\nExpect pixel 1 1 [0 1 0 0] of b\n"), "");
     EXPECT_EQ(mistakesIn("WindowSize 8 8\nPass window\n    State write.8 rgb\n    Sphere 1\nEndPass\n"),
-              "scene.glib:3:11: error: State: write.8: colour targets are 0 to 7 [glib-E26]");
+              "scene.glib:3:11: error: State: write.8: colour targets are 0 to 7 [glib-E05]");
 }
 
 TEST(Counts, MayBeExpectedWithinATolerance) {

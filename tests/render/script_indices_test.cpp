@@ -232,9 +232,9 @@ TEST(ScriptIndices, WrongOnesAreRefused) {
     expect("Vertices triangles indices fasces\n",
            "'fasces' is declared before this line; did you mean 'faces'?");
     expect("Vertices triangles indices hub\n",
-           "24:28: error: Vertices: 'hub' holds vec2, but indices are uint or int [glib-E26]");
+           "24:28: error: Vertices: 'hub' holds vec2, but indices are uint or int [glib-E33]");
     expect("Vertices triangles 21 indices faces\n",
-           "24:20: error: Vertices: 21 indices are more than the 18 of 'faces' [glib-E26]");
+           "24:20: error: Vertices: 21 indices are more than the 18 of 'faces' [glib-E05]");
     expect("Buffer far uint [0 1 2  0 7 1]\nVertices triangles indices far\n",
            "Vertices: element 4 of 'far' is vertex 7, but 'hub' has 7 elements [memory-E13]");
     expect("Buffer less int [0 1 -2]\nVertices triangles indices less\n",

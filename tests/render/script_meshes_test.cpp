@@ -73,11 +73,11 @@ TEST(ScriptMeshes, MistakesAreReportedAtTheirPlace) {
     const auto of = [](const std::string& text) { return problemsOf(text + "\nPass window\nEndPass\n"); };
     EXPECT_NE(
         of("Mesh m Spher 1")
-            .find("scene.glib:1:8: error: Mesh: 'Spher' is no shape; did you mean 'Sphere'? [glib-E26]"),
+            .find("scene.glib:1:8: error: Mesh: 'Spher' is no shape; did you mean 'Sphere'? [glib-E16]"),
         std::string::npos);
     EXPECT_NE(of("Mesh m Obj none.obj").find("file-E01"), std::string::npos);
-    EXPECT_NE(of("Mesh m Obj").find("Obj needs a file [glib-E26]"), std::string::npos);
-    EXPECT_NE(of("Mesh m Sphere a.obj").find("takes no file [glib-E26]"), std::string::npos);
+    EXPECT_NE(of("Mesh m Obj").find("Obj needs a file [glib-E32]"), std::string::npos);
+    EXPECT_NE(of("Mesh m Sphere a.obj").find("takes no file [glib-E32]"), std::string::npos);
     EXPECT_NE(of("Mesh m Teapot\nClear m.normals").find("the mesh has m.index, m.normal, m.position"),
               std::string::npos);
     EXPECT_NE(of("Mesh m Teapot\nClear m").find("'m' is no buffer"), std::string::npos);

@@ -58,7 +58,7 @@ TEST(ScriptSharing, ACameraThatIsNoneIsReported) {
         << of("Draw view cam t");
     EXPECT_NE(of("Draw view cam side").find("'side' is an array of cameras; write side[0] to side[2]"),
               std::string::npos);
-    EXPECT_NE(of("Draw view cam side[3]").find("glib-E26"), std::string::npos);
+    EXPECT_NE(of("Draw view cam side[3]").find("glib-E05"), std::string::npos);
 }
 
 // ---- Glsl.
@@ -102,7 +102,7 @@ TEST(ScriptSharing, MessagesAboutSharedGlslNameItsLine) {
               std::string::npos);
     const std::string twice =
         problemsOf(filled("Glsl a inline\nEndGlsl\nGlsl a inline\nEndGlsl\n", "vec4(1.)", "#include a"));
-    EXPECT_NE(twice.find("scene.glib:3:6: error: 'a' is declared on line 1 already, as Glsl [glib-E27]"),
+    EXPECT_NE(twice.find("scene.glib:3:6: error: 'a' is declared on line 1 already, as Glsl [glib-E36]"),
               std::string::npos)
         << twice;
     EXPECT_NE(problemsOf("Glsl a inline\nfloat f;\nPass window\nEndPass\n").find("glib-E22"),
@@ -122,7 +122,7 @@ TEST(ScriptSharing, FillCoversSeveralTargets) {
               "");
     EXPECT_NE(problemsOf("Texture2D s 4 4 rgba32f\nTexture2D d 4 4 depth24\n" + shader +
                          "Fill s d with P\nPass window\nEndPass\n")
-                  .find("scene.glib:11:8: error: Fill: a depth texture has no colours to fill [glib-E11]"),
+                  .find("scene.glib:11:8: error: Fill: a depth texture has no colours to fill [glib-E38]"),
               std::string::npos);
     EXPECT_NE(problemsOf("Texture2D s 4 4 rgba32f\nTexture2D t 8 4 rgba32f\n" + shader + "Fill s t with P\n")
                   .find("all must have the same size"),

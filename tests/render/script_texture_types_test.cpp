@@ -235,7 +235,7 @@ Expect mean 0 0 4 4 [3] of count at 3
 
 TEST(ScriptRectangles, HaveOneLevelAndDoNotRepeat) {
     const auto expect = [](const std::string& options, const std::string& message) {
-        expectRefusal("TextureRect grid 8 4 rgba8 " + options, message + " [glib-E26]");
+        expectRefusal("TextureRect grid 8 4 rgba8 " + options, message + " [glib-E32]");
     };
     expect("repeat", "'repeat': a rectangle does not repeat; write 'clamp' or 'border'");
     expect("clamp mirror", "'mirror': a rectangle does not repeat; write 'clamp' or 'border'");

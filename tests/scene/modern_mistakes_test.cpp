@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "glib/diagnostic_catalogue.h"
 #include "glib/script.h"
 #include "support.h"
 
@@ -36,7 +40,7 @@ TEST(Mistakes, GroupsThatDrawEachOther) {
 TEST(Mistakes, VariablesThatAreStatedTwice) {
     EXPECT_EQ(
         errorsOf("Let n 5\nLet n 6\n"),
-        "2:5 glib-E27 'n' is declared on line 1 already, as a variable; only 'Let n (expression)' may be "
+        "2:5 glib-E36 'n' is declared on line 1 already, as a variable; only 'Let n (expression)' may be "
         "stated again");
     EXPECT_EQ(errorsOf("Let n (5)\nLet n (6)\n"), "");
     EXPECT_EQ(errorsOf("Let n 5\nSampler n nearest\n").find("stated again"), std::string::npos);
@@ -83,7 +87,7 @@ TEST(Mistakes, TooManyNestedFiles) {
         folder.write("f" + std::to_string(i) + ".glib", "Include f" + std::to_string(i + 1) + ".glib\n");
     folder.write("f80.glib", "Box\n");
     const Scene scene = run("Include f0.glib\n", folder.write("scene.glib", ""));
-    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E28");
+    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E15");
     EXPECT_NE(textsOf(scene.diagnostics).find("more than 64 nested groups and files"), std::string::npos);
 }
 
@@ -121,13 +125,13 @@ TEST(Mistakes, TargetsThatDoNotFitTogether) {
               "12:6 glib-E11 Pass: 'line' is a 1D texture; a target has a width and a height");
     EXPECT_EQ(errorOf("past.prev"), "12:6 glib-E11 Pass: 'past.prev' is only read; draw into 'past'");
     EXPECT_EQ(errorOf("a.crisp"), "12:6 glib-E11 Pass: 'a.crisp': a target is not sampled");
-    EXPECT_EQ(errorOf("numbers"), "12:6 glib-E27 'numbers' is not a texture");
+    EXPECT_EQ(errorOf("numbers"), "12:6 glib-E34 'numbers' is not a texture");
     EXPECT_NE(errorOf("picture").find(
                   "12:6 glib-E11 Pass: 'picture' is a picture; a target has a size and a format"),
               std::string::npos);
-    EXPECT_EQ(errorOf("layers.layer(4)"), "12:6 glib-E26 layers.layer: 4 is not between 0 and 3");
-    EXPECT_EQ(errorOf("wide.level(2)"), "12:16 glib-E26 wide.level: 2 is not between 0 and 1");
-    EXPECT_EQ(errorOf("a.face(1)"), "12:6 glib-E27 'a' has no part 'face'; it has level, crisp");
+    EXPECT_EQ(errorOf("layers.layer(4)"), "12:6 glib-E05 layers.layer: 4 is not between 0 and 3");
+    EXPECT_EQ(errorOf("wide.level(2)"), "12:16 glib-E05 wide.level: 2 is not between 0 and 1");
+    EXPECT_EQ(errorOf("a.face(1)"), "12:6 glib-E35 'a' has no part 'face'; it has level, crisp");
 }
 
 TEST(Mistakes, MipmapsOfFormatsThatHaveNone) {
@@ -144,9 +148,9 @@ TEST(Mistakes, FormatsThatAreNone) {
     EXPECT_EQ(errorsOf("Texture2D a 8 8 rgba16ff\n"),
               "1:17 glib-E16 Texture2D: unknown format 'rgba16ff'; did you mean 'rgba16f'?");
     EXPECT_EQ(errorsOf("Texture3D a 8 8 8 depth24\n"),
-              "1:19 glib-E26 Texture3D: 'depth24' is for 2D textures, arrays and cube maps");
+              "1:19 glib-E32 Texture3D: 'depth24' is for 2D textures, arrays and cube maps");
     EXPECT_EQ(errorsOf("Texture2D a 8 8 r32ui linear\n"),
-              "1:23 glib-E26 Texture2D: 'r32ui' holds integers, which are read with 'nearest'");
+              "1:23 glib-E32 Texture2D: 'r32ui' holds integers, which are read with 'nearest'");
 }
 
 TEST(Mistakes, DispatchesWithoutGroups) {
@@ -175,10 +179,10 @@ TEST(Mistakes, ExpressionsOfTenThousandLevels) {
 
 TEST(Mistakes, OfARepetitionAreReportedOnce) {
     EXPECT_EQ(errorsOf("Repeat 1000 as k\nInstances (-k - 1)\nBox\nEndRepeat\n"),
-              "2:11 glib-E26 Instances: -1 is not between 0 and 100,000,000");
+              "2:11 glib-E05 Instances: -1 is not between 0 and 100,000,000");
     EXPECT_EQ(
         errorsOf("Group a\nMaterial glod\nBox\nEndGroup\nDraw a\nDraw a\nRepeat 5\nDraw a\nEndRepeat\n"),
-        "2:10 glib-E27 no material 'glod'; did you mean 'gold'?");
+        "2:10 glib-E16 no material 'glod'; did you mean 'gold'?");
     EXPECT_EQ(errorsOf("Let a 1\nSet uMap nothing\nBox\nBox\nSphere\n"),
               "2:10 glib-E27 'nothing' is no variable, texture or buffer");
 }
@@ -196,7 +200,7 @@ TEST(Mistakes, OfADeclarationAreNotThoseOfItsUses) {
     folder.write("part.glib", "Camera low LookAt 0 0 5\nBuffer b float 0\n");
     const Scene scene = run("Include part.glib\nPass window from low\nBox (b.count)\nEndPass\n",
                             folder.write("scene.glib", ""));
-    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E17 glib-E26") << textsOf(scene.diagnostics);
+    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E17 glib-E05") << textsOf(scene.diagnostics);
     // A name that nothing declares is reported all the same.
     EXPECT_EQ(errorsOf("Let a (1 / 0)\nBox (a)\nBox (e)\n"),
               "1:8 expr-E06 '1 / 0': division by zero\n3:6 expr-E02 unknown name 'e'");
@@ -277,12 +281,67 @@ TEST(Floats, ThatNoFloatHoldsAreReportedWhereTheyAreStored) {
           "Camera eye LookAt 0 0 (1e39) 0 0 0 0 1 0 Perspective 50 .1 100\nSphere 1\n",
           "Camera eye (2*mat4(1e39)) (mat4(1))\nSphere 1\n", "Let c {(1e39) 0 0}\n",
           "Translate (2*1e39) 0 0\nBox 1\n", "Background (2*1e39) 0 0\nLet x 1\n"})
-        EXPECT_NE(tests::idsOf(tests::run(text).diagnostics).find("glib-E05"), std::string::npos) << text;
+        EXPECT_NE(tests::idsOf(tests::run(text).diagnostics).find("glib-E31"), std::string::npos) << text;
     EXPECT_EQ(tests::textsOf(tests::run("Let x (1e300)\nLet y 1e300\nBuffer b double [1e300]\n").diagnostics),
               "");
     Interpretation script = tests::scriptOf("Let x 1\nTranslate (pow(10, time)) 0 0\nBox 1\n");
     EXPECT_EQ(tests::idsOf(tests::sceneAt(script, 38).diagnostics), "");
-    EXPECT_EQ(tests::idsOf(tests::sceneAt(script, 39).diagnostics), "glib-E05");
+    EXPECT_EQ(tests::idsOf(tests::sceneAt(script, 39).diagnostics), "glib-E31");
+}
+
+/// What the catalogue shows for an id is what a scene with that mistake says.
+TEST(Catalogue, ExamplesOfTheInterpreterAreItsMessages) {
+    const std::string camera = "Camera c LookAt ";
+    for (const auto& [id, text] : std::vector<std::pair<const char*, std::string>>{
+             {"glib-E13", "LookAt 1 1 1 1 1 1 0 1 0\nSphere\n"},
+             {"glib-E25", "Once\nSphere\nEndOnce\n"},
+             {"glib-E26", camera + "(vec4(0, 0, 5, 0)) (vec4(0, 0, 0, 1)) Perspective 50 1 10\n"},
+             {"glib-E27", "Group tree\nBox\nEndGroup\nDraw tre\n"},
+             {"glib-E28", "Group tree\nDraw tree\nEndGroup\nDraw tree\n"},
+             {"glib-E29", camera + "0 0 5 0 0 0 0 1 0 Perspective 50 10 1\n"},
+             {"glib-E32", "Texture2D a 4 4 rgba8 flip\n"},
+             {"glib-E33", "Repeat [1 (vec3(1, 2, 3))]\nBox\nEndRepeat\n"},
+             {"glib-E34", "Texture2D sky 4 4 rgba8\nInstances from sky\nBox\n"},
+             {"glib-E35", "Texture2D glow 4 4 rgba8\nPass glow.levle(0)\nEndPass\n"},
+             {"glib-E36", "Texture2D a 4 4 rgba8\nBuffer a float 4\n"},
+             {"glib-E38",
+              "Texture2D a 4 4 rgba8\nTexture2D d 4 4 depth24\nPass a d\nClear stencil\nEndPass\n"},
+             {"expr-E08", "Let a[3] (i)\nBox (a)\n"}}) {
+        const Diagnostics found = run(text).diagnostics;
+        const auto message = std::ranges::find(found, id, &Diagnostic::id);
+        ASSERT_NE(message, found.end()) << id << ": " << textsOf(found);
+        EXPECT_EQ(message->text, glib::findDiagnostic(id)->example) << id;
+    }
+}
+
+/// One id has one meaning: the same mistake in other statements, and another mistake in the same one.
+TEST(Messages, HaveTheIdOfTheirMeaning) {
+    const std::string texture = "Texture2D a 4 4 rgba8 levels 2\nBuffer b float 4\n";
+    for (const auto& [id, text] : std::vector<std::pair<const char*, std::string>>{
+             {"glib-E05", "Fps 0\n"},
+             {"glib-E05", "Step (0)\nEndStep\n"},
+             {"glib-E05", "Buffer c float 0\n"},
+             {"glib-E05", texture + "Pass a.level(9)\nEndPass\n"},
+             {"glib-E05", "State depthrange 0 2\nBox\n"},
+             {"glib-E05", "Texture2D c 4 4 rgba8 levels 9\n"},
+             {"glib-E15", "Repeat 1000000000\nBox\nEndRepeat\n"},
+             {"glib-E16", "Let x 1\nMaterial glod\nBox\n"},
+             {"glib-E16", "Mesh m Spher\n"},
+             {"glib-E16", "Let v <red green>\nKey k v blue\n"},
+             {"glib-E16", "Attribute a as colour\nBox\n"},
+             {"glib-E26", "Light 0 position 0 1\nBox\n"},
+             {"glib-E26", "Buffer c vec3 2 [1 2 3 4]\n"},
+             {"glib-E29", "Bound n <4 4 4>\n"},
+             {"glib-E29", "Expect count [1 0 0] 5 1\n"},
+             {"glib-E29", texture + "Print b 3 1\n"},
+             {"glib-E32", "Mesh m Obj\n"},
+             {"glib-E32", "Vertices quads 4\n"},
+             {"glib-E34", texture + "Expect same a b\n"},
+             {"glib-E34", texture + "Camera c[2] LookAt (i) 0 5 0 0 0 0 1 0 Ortho -1 1 -1 1 1 9\nPass a from "
+                                    "c\nEndPass\n"},
+             {"glib-E35", "Texture2DArray c 4 4 2 rgba8\nPass c.layer\nEndPass\n"},
+             {"glib-E36", "Buffer window float 4\n"}})
+        EXPECT_EQ(idsOf(run(text).diagnostics), id) << text;
 }
 
 }  // namespace

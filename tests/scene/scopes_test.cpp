@@ -105,7 +105,7 @@ TEST(Scopes, ParametersHaveAnotherTypeAtEachDraw) {
                 "Draw size\nDraw size t deep\nDraw size t flat.level(1)\nDraw size t flat\nDraw count\n"),
         (Numbers{64, 64, 16, 64, 3}));
     const Scene scene = run("Group g p 0\nLet list[2] (p)\nEndGroup\nDraw g\nDraw g p (vec2(1, 2))\n");
-    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E27") << textsOf(scene.diagnostics);
+    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E36") << textsOf(scene.diagnostics);
 }
 
 TEST(Scopes, FieldsBelongToTheNameThatIsSeen) {
@@ -172,13 +172,13 @@ TEST(Scopes, EmptyRoundsCount) {
     const std::string nested =
         "Repeat 1000000\nRepeat 1000000\nRepeat 1000000\nEndRepeat\nEndRepeat\nEndRepeat\n";
     const Scene scene = run(nested + "QuadXY 0 1\n");
-    EXPECT_EQ(textsOf(scene.diagnostics), "3:1 glib-E28 the frame has more than 1,000,000 rounds of Repeat");
+    EXPECT_EQ(textsOf(scene.diagnostics), "3:1 glib-E15 the frame has more than 1,000,000 rounds of Repeat");
     EXPECT_EQ(idsOf(run("Repeat 1000000\nEndRepeat\n").diagnostics), "");
-    EXPECT_EQ(idsOf(run("Repeat 1000\nLet list[65536] (i)\nEndRepeat\n").diagnostics), "glib-E28");
+    EXPECT_EQ(idsOf(run("Repeat 1000\nLet list[65536] (i)\nEndRepeat\n").diagnostics), "glib-E15");
     EXPECT_EQ(
         idsOf(run("Repeat 100000\nCamera c[256] LookAt (i) 0 5 0 0 0 0 1 0 Ortho -1 1 -1 1 1 10\nEndRepeat\n")
                   .diagnostics),
-        "glib-E28");
+        "glib-E15");
 }
 
 TEST(Scopes, ChecksThatDoNotRunAreNamedWithTheReason) {

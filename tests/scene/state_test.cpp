@@ -240,7 +240,7 @@ TEST(State, AnErrorIsNotCutBehindWarnings) {
 
 TEST(State, MatricesThatLeaveTheRangeOfFloatsAreRefused) {
     const Scene scene = run("Scale 1e30\nScale 1e30\nSphere\n");
-    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E05");
+    EXPECT_EQ(idsOf(scene.diagnostics), "glib-E31");
     expectAt(moved(drawsOf(scene).at(0).modelView, {1e-30, 0, 0}), {1, 0, 0});
 }
 

@@ -232,7 +232,7 @@ TEST(MatrixStack, ScalesThatLeaveTheRangeAreRefusedAndThoseThatReturnAreExact) {
     std::string text;
     for (int i = 0; i < 100; ++i) text += "Scale 4\n";
     const scene::Scene scene = interpreted(text + "Sphere\n");
-    EXPECT_TRUE(has(scene.diagnostics, "glib-E05"));
+    EXPECT_TRUE(has(scene.diagnostics, "glib-E31"));
     std::string there;
     for (int i = 0; i < 60; ++i) there += "Scale 4\n";
     for (int i = 0; i < 60; ++i) there += "Scale .25\n";

@@ -76,7 +76,7 @@ TEST_F(Goldens, ALinkIsFollowedOnlyWithinTheGoldenFolderAndThatOfTheSuite) {
     const Result<Golden> outside = store().find(shotNamed("d"), "");
     ASSERT_FALSE(outside);
     ASSERT_EQ(outside.diagnostics.size(), 1U);
-    EXPECT_EQ(outside.diagnostics[0].id, "file-E02");
+    EXPECT_EQ(outside.diagnostics[0].id, "file-E14");
     EXPECT_TRUE(GoldenStore::open(suite, {}, true)->find(shotNamed("d"), ""));
 }
 

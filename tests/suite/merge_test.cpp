@@ -319,7 +319,7 @@ TEST_F(Merge, WritesThroughNoLinkOfAFolderThatSomebodyElseMade) {
     EXPECT_EQ(textOf(folder / "mine/results"), "mine");
     EXPECT_FALSE(fs::is_symlink(folder / "into/results.jsonl"));
     folders = {folder / "1"};
-    EXPECT_EQ(ids(merged().diagnostics), "file-E02 ") << "a results file that is a link";
+    EXPECT_EQ(ids(merged().diagnostics), "file-E14 ") << "a results file that is a link";
 }
 
 TEST_F(Merge, IsRefusedWhileARunWritesIntoItsFolder) {

@@ -274,6 +274,12 @@ const Syntax& syntaxOf(const StatementRow& row) {
     return kAll.at(row.id);
 }
 
+bool hasNode(const StatementRow& row, bool (*isSuch)(const SyntaxNode&)) {
+    bool found = false;
+    forEachNode(syntaxOf(row).root, [&](const SyntaxNode& each) { found = found || isSuch(each); });
+    return found;
+}
+
 std::vector<WordList> wordLists(const StatementRow& row) {
     std::vector<WordList> lists;
     forEachNode(syntaxOf(row).root, [&](const SyntaxNode& node) {

@@ -55,4 +55,7 @@ struct Syntax {
 /// The compiled syntax of a row of the table.
 const Syntax& syntaxOf(const StatementRow& row);
 
+/// True if the syntax has such a node.
+bool hasNode(const StatementRow& row, bool (*isSuch)(const SyntaxNode&));
+
 }  // namespace glibra::glib

@@ -3,17 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/suggest.h"
-#include "glib/modern/build_command.h"
+#include "glib/limits.h"
+#include "glib/message_log.h"
 #include "glib/modern/grammar.h"
-#include "glib/modern/items.h"
 #include "glib/modern/mismatch.h"
 #include "glib/modern/pieces.h"
+#include "glib/modern/statement_table.h"
+#include "glib/number.h"
+#include "glib/script.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -21,6 +27,175 @@ namespace {
 
 using Node = SyntaxNode;
 using Kind = Expectation::Kind;
+
+// ---- What the syntax has read.
+
+/// What a part of the syntax has read: a key, values, or a tag, whose value is the next event.
+struct Event {
+    enum class Kind : std::uint8_t { key, value, tag };
+    Kind kind = Kind::value;
+    const SyntaxNode* node = nullptr;
+    std::size_t begin = 0;  ///< pieces
+    std::size_t end = 0;
+    std::string resembles{};  ///< KeyedValues::resembles
+};
+
+bool isName(const Event& event) {
+    if (event.node->kind == SyntaxNode::Kind::pairs) return true;
+    const ValueType type = event.node->type;
+    return type == ValueType::object || type == ValueType::array || type == ValueType::any;
+}
+
+/// `true` is a truth only where any value may stand. The words of a list have one spelling.
+void finishValue(Value& value, const SyntaxNode& node) {
+    const bool isAny = node.kind == SyntaxNode::Kind::pairs || node.type == ValueType::any ||
+                       node.type == ValueType::constant;
+    if (value.kind == Value::Kind::truth) {
+        if (isAny) {
+            value.text.clear();
+        } else {
+            value.kind = Value::Kind::word;
+            value.number = 0;
+        }
+    }
+    if (node.type == ValueType::oneOf && value.kind == Value::Kind::word) value.text = lower(value.text);
+}
+
+void checkTags(const StatementRow& row, const Command& command, MessageLog& log) {
+    if (command.tags.size() > kMostTags) {
+        log.report("glib-E15", fmt::format("{} has more than {} tags", row.name, kMostTags),
+                   command.tags[kMostTags].position);
+        return;
+    }
+    std::vector<const KeyedValues*> sorted;
+    for (const KeyedValues& each : command.tags) sorted.push_back(&each);
+    std::ranges::sort(sorted, [](const auto* a, const auto* b) {
+        return std::pair(std::string_view(a->key), a) < std::pair(std::string_view(b->key), b);
+    });
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+        if (sorted[i]->key == sorted[i - 1]->key) {
+            log.report("glib-E18", fmt::format("{}: tag {} given twice", row.name, inQuotes(sorted[i]->key)),
+                       sorted[i]->position);
+            return;
+        }
+}
+
+/// Fills `values`, `keys` and `tags` of the command from what the syntax has read. Reports glib-E15 for too
+/// many tags and glib-E18 for a tag that is given twice.
+void build(const StatementRow& row, const std::vector<Event>& events, Pieces pieces, Command& command,
+           MessageLog& log) {
+    std::vector<Value>* place = &command.values;
+    for (const Event& event : events) {
+        const Value& first = pieces[event.begin];
+        if (event.kind == Event::Kind::key) {
+            command.keys.push_back({event.node->text, lower(afterPoint(first.text)), {}, first.position, {}});
+            place = &command.keys.back().values;
+        } else if (event.kind == Event::Kind::tag) {
+            KeyedValues tag{
+                pieces.written(event.begin, event.end), {}, {}, first.position, {}, event.resembles};
+            std::vector<NamePart> path = pieces.pathOf(event.begin, event.end);
+            if (path.size() > 1 || !path.front().index.empty()) tag.path = std::move(path);
+            command.tags.push_back(std::move(tag));
+            place = &command.tags.back().values;
+        } else if (first.kind == Value::Kind::word && isName(event)) {
+            place->push_back(pieces.nameOf(event.begin, event.end));
+        } else {
+            for (std::size_t i = event.begin; i < event.end; ++i) place->push_back(pieces.take(i));
+            finishValue(place->back(), *event.node);
+        }
+    }
+    checkTags(row, command, log);
+}
+
+bool isWordItem(const Value& item) {
+    return item.kind == Value::Kind::word;
+}
+bool hasComma(const Value& item) {
+    return isWordItem(item) && item.text.find(',') != std::string::npos;
+}
+
+class ItemChecker {
+  public:
+    ItemChecker(const StatementRow& row, const Pieces& pieces, const DeclaredNames& names, MessageLog& log)
+        : row_(row), pieces_(pieces), names_(names), log_(log) {}
+
+    /// Returns false if an item was reported.
+    bool check(const Value& group, const Event& event) {
+        const auto comma = std::ranges::find_if(group.items, hasComma);
+        if (comma != group.items.end()) return refuse(*comma, blanksFor(group));
+        const bool isPairs = event.node->kind == SyntaxNode::Kind::pairs;
+        const bool takesWords = !isPairs && event.node->type == ValueType::words;
+        const auto word = std::ranges::find_if(group.items, isWordItem);
+        const bool allWords = std::ranges::all_of(group.items, isWordItem);
+        const bool isChoice = group.kind == Value::Kind::range && allWords;
+        if (word == group.items.end() || takesWords || isChoice) return true;
+        if (isPairs && allWords && group.items.size() > 1 && isIdentifier(word->text))
+            return refuse(*word, "; objects have a tag each, as in uTex[0] red uTex[1] green");
+        const bool isList = group.kind == Value::Kind::list && allWords && group.items.size() > 1;
+        std::string hint = hintFor(group, *word);
+        if (hint.empty() && isList) hint = "; a choice of words stands in < >";
+        return refuse(*word, hint);
+    }
+
+  private:
+    bool refuse(const Value& item, const std::string& hint) {
+        const std::string message =
+            isMalformedNumber(item) ? fmt::format("{}: {} is not a number", row_.name, inQuotes(item.text))
+                                    : fmt::format("{}: expected a number or (expression), found {}",
+                                                  row_.name, inQuotes(item.text));
+        log_.report("glib-E19", message + hint, item.position);
+        return false;
+    }
+
+    static bool isMalformedNumber(const Value& item) {
+        return hasComma(item) || (numberLength(item.text) > 0 && !looksLikeExpression(item.text));
+    }
+
+    std::string blanksFor(const Value& group) const {
+        std::string all(pieces_.source(group));
+        std::ranges::replace(all, ',', ' ');
+        std::string text;
+        for (const char c : all)
+            if (c != ' ' || (!text.empty() && text.back() != ' ')) text += c;
+        constexpr std::size_t kShown = 60;
+        if (text.size() > kShown || text.find_first_of("\r\n") != std::string::npos)
+            return "; write blanks between the values";
+        return "; write blanks between the values: " + text;
+    }
+
+    /// What to write for a word: the expression that it, and a function's parentheses after it, make.
+    std::string hintFor(const Value& group, const Value& word) const {
+        std::size_t end = word.end;
+        for (const Value& each : group.items)
+            if (each.begin == end && each.kind == Value::Kind::expression) end = each.end;
+        Value whole = word;
+        whole.end = end;
+        const std::string_view text = pieces_.source(whole);
+        const std::string_view head = beforePoint(word.text);
+        const bool isName = isDotted(word.text, false) && names_.has(head);
+        if (isMalformedNumber(word) || (!isName && end == word.end && !looksLikeExpression(text))) return {};
+        return fmt::format("; write ({}) for its value", text);
+    }
+
+    const StatementRow& row_;
+    const Pieces& pieces_;
+    const DeclaredNames& names_;
+    MessageLog& log_;
+};
+
+/// Reports glib-E19 for the first item of [ ], { } and < > that is no value. The words that Repeat runs over
+/// and those of a choice stay.
+void checkItems(const StatementRow& row, const std::vector<Event>& events, const Pieces& pieces,
+                const DeclaredNames& names, MessageLog& log) {
+    ItemChecker checker(row, pieces, names, log);
+    for (const Event& event : events) {
+        if (event.kind != Event::Kind::value || pieces[event.begin].kind == Value::Kind::word) continue;
+        for (std::size_t i = event.begin; i < event.end; ++i)
+            if (!checker.check(pieces[i], event)) return;
+    }
+}
+
+// ---- The syntax.
 
 class Matcher {
   public:
@@ -377,6 +552,20 @@ void readStatement(const StatementRow& row, std::string_view text, std::span<con
                    const DeclaredNames& names, Command& command, MessageLog& log) {
     std::optional<std::vector<Piece>> pieces = readPieces(tokens, log);
     if (pieces) Matcher(row, {text, std::move(*pieces)}, names, log).read(command);
+}
+
+bool hasMalformedValue(std::span<const Token> tokens) {
+    std::size_t depth = 0;
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+        const Token& token = tokens[i];
+        if (token.kind == TokenKind::open) ++depth;
+        if (token.kind == TokenKind::close && depth > 0) --depth;
+        const bool isWord = depth > 0 && token.kind == TokenKind::word && !token.truth();
+        const bool isTagValue = depth > 0 || tokens[i - 1].isWord();
+        if (isWord || (isTagValue && token.kind == TokenKind::number && !isCompleteNumber(token.text)))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace glibra::glib

@@ -127,7 +127,9 @@ bool isVariableAsFile(const StatementRow& row, const Pieces& pieces, std::size_t
                       const DeclaredNames& names) {
     return at > 1 && isNumberAt(pieces, at) && isUnquoted(pieces[at - 1]) &&
            isDotted(pieces[at - 1].text, false) && names.has(beforePoint(pieces[at - 1].text)) &&
-           row.syntax.find("file:") != std::string_view::npos;
+           hasNode(row, [](const SyntaxNode& each) {
+               return each.type == ValueType::file && each.text == "file";
+           });
 }
 
 }  // namespace

@@ -3,19 +3,24 @@
 // alternatives; the message is about the furthest argument that any of them arrived at.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "glib/expectation.h"
 #include "glib/message_log.h"
-#include "glib/modern/declared_names.h"
 #include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
 
 namespace glibra::glib {
+
+/// What is known about names. A misspelt key is not a declared name.
+struct DeclaredNames {
+    std::function<bool(std::string_view name)> has;      ///< declared before the statement
+    std::function<bool(std::string_view name)> mayHave;  ///< the same, or an included file may declare it
+};
 
 class Mismatch {
   public:

@@ -3,15 +3,27 @@
 // several of them make: `lights[2].position`.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "glib/modern/read_values.h"
+#include "glib/lexer.h"
+#include "glib/message_log.h"
+#include "glib/value.h"
 
 namespace glibra::glib {
+
+/// A value, and whether it touches the one before it, as the brackets of slice[2] do.
+struct Piece {
+    Value value;
+    bool isJoined = false;
+};
+
+/// Reads all tokens. Nothing if an error was reported: glib-E15, E20, E31, E37.
+std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log);
 
 /// A word without quotes, or `true` and `false`.
 bool isUnquoted(const Value& value);

@@ -86,7 +86,8 @@ constexpr StatementRow kStatementRows[] = {
     {.id = CommandId::draw,
      .name = "Draw",
      .syntax = "group:name pairs",
-     .summary = "runs the statements of a group"},
+     .summary = "runs the statements of a group",
+     .restartsSimulation = false},
     {.id = CommandId::repeat,
      .name = "Repeat",
      .syntax = "(count:number | words:words) [as counter:name]",
@@ -120,32 +121,38 @@ constexpr StatementRow kStatementRows[] = {
      .name = "Vertex",
      .syntax = "inline",
      .summary = "a vertex shader in the script, up to EndVertex",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .takesBody = true},
     {.id = CommandId::tessControl,
      .name = "TessControl",
      .syntax = "inline",
      .summary = "a tessellation control shader in the script, up to EndTessControl",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .takesBody = true},
     {.id = CommandId::tessEvaluation,
      .name = "TessEvaluation",
      .syntax = "inline",
      .summary = "a tessellation evaluation shader in the script, up to EndTessEvaluation",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .takesBody = true},
     {.id = CommandId::geometry,
      .name = "Geometry",
      .syntax = "inline",
      .summary = "a geometry shader in the script, up to EndGeometry",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .takesBody = true},
     {.id = CommandId::fragment,
      .name = "Fragment",
      .syntax = "inline",
      .summary = "a fragment shader in the script, up to EndFragment",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .takesBody = true},
     {.id = CommandId::glslText,
      .name = "Glsl",
      .syntax = "name:name inline",
      .summary = "GLSL in the script that shaders of the scene include by this name, up to EndGlsl",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .takesBody = true},
     {.id = CommandId::program,
      .name = "Program",
      .syntax = "name:program pairs",
@@ -159,7 +166,8 @@ constexpr StatementRow kStatementRows[] = {
      .name = "Key",
      .syntax = "key:key (restart | held variable:name value:any | variable:name values:any...)",
      .summary = "a key of the keyboard that sets, cycles or moves a variable, or restarts",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .restartsSimulation = false},
     {.id = CommandId::multMatrix,
      .name = "MultMatrix",
      .syntax = "matrix:expression",
@@ -234,29 +242,35 @@ constexpr StatementRow kStatementRows[] = {
          "value:number | keep part:color,depth,stencil...} | keep [part:color,depth,stencil]...)}",
      .summary = "draws into the window or into parts of textures",
      .role = BlockRole::opens,
-     .standing = Standing::notInPass},
+     .standing = Standing::notInPass,
+     .restartsSimulation = false},
     {.id = CommandId::endPass,
      .name = "EndPass",
      .summary = "ends a Pass",
      .role = BlockRole::closes,
-     .opener = CommandId::pass},
+     .opener = CommandId::pass,
+     .restartsSimulation = false},
     {.id = CommandId::fill,
      .name = "Fill",
      .syntax = "targets:object... with program:program pairs",
      .summary = "fills targets with one full-screen triangle",
-     .standing = Standing::notInPass},
+     .standing = Standing::notInPass,
+     .restartsSimulation = false},
     {.id = CommandId::clearParts,
      .name = "Clear",
      .syntax = "(part:color,depth,stencil... | object:object)",
-     .summary = "clears parts of the current target, or a texture or buffer"},
+     .summary = "clears parts of the current target, or a texture or buffer",
+     .restartsSimulation = false},
     {.id = CommandId::viewport,
      .name = "Viewport",
      .syntax = "area:number*4",
-     .summary = "where the picture goes, in fractions of the target: x y width height"},
+     .summary = "where the picture goes, in fractions of the target: x y width height",
+     .restartsSimulation = false},
     {.id = CommandId::scissor,
      .name = "Scissor",
      .syntax = "area:number*4",
-     .summary = "the only pixels that change, in fractions of the target: x y width height"},
+     .summary = "the only pixels that change, in fractions of the target: x y width height",
+     .restartsSimulation = false},
     // State and draws
     {.id = CommandId::state,
      .name = "State",
@@ -266,10 +280,11 @@ constexpr StatementRow kStatementRows[] = {
          "on:$switch | depthrange range:number*2 | depthclamp on:$switch | blend.# $blending | "
          "blendcolor color:number*4 | stencil.front,back test:$compare reference:number [mask:number] | "
          "stencilop.front,back fail:$operation depthfail:$operation pass:$operation | "
-         "stencilwrite.front,back mask:number | mark value:number | where value:number | write.# "
+         "stencilwrite.front,back mask:number | (mark value:number | where value:number) | write.# "
          "components:$mask | provoking vertex:first,last | samples on:$switch | alphatocoverage "
          "on:$switch | discard on:$switch}+)",
-     .summary = "how fragments are tested, blended and written, until the scope ends"},
+     .summary = "how fragments are tested, blended and written, until the scope ends",
+     .restartsSimulation = false},
     {.id = CommandId::instances,
      .name = "Instances",
      .syntax = "(from buffer:object [at word:number] | count:number)",
@@ -278,7 +293,8 @@ constexpr StatementRow kStatementRows[] = {
      .name = "Vertices",
      .syntax = "topology:$topology (indices index:object | (from buffer:object [at word:number] | "
                "count:number) [indices index:object])",
-     .summary = "draws vertices without data of their own, in order or by indices"},
+     .summary = "draws vertices without data of their own, in order or by indices",
+     .restartsSimulation = false},
     {.id = CommandId::attribute,
      .name = "Attribute",
      .syntax = "name:name (as role:word | values:number+4 | buffer:object {per instance | "
@@ -306,13 +322,15 @@ constexpr StatementRow kStatementRows[] = {
      .name = "Compute",
      .syntax = "(inline | file:file)",
      .summary = "the compute shader of the next Program; in the script up to EndCompute",
-     .standing = Standing::declaration},
+     .standing = Standing::declaration,
+     .takesBody = true},
     {.id = CommandId::dispatch,
      .name = "Dispatch",
      .syntax =
          "program:program (over (size:number+3 | object:object) | from buffer:object [at word:number] | "
          "groups:number+3) [tiles count:number] [discard] pairs",
-     .summary = "runs a compute program"},
+     .summary = "runs a compute program",
+     .restartsSimulation = false},
     {.id = CommandId::once,
      .name = "Once",
      .summary = "statements that run at the start, and when a variable that they read changes",
@@ -345,11 +363,13 @@ constexpr StatementRow kStatementRows[] = {
                "primitives count:number $within | samples count:number $within | error id:word | "
                "condition:expression) [at "
                "seconds:number]",
-     .summary = "a check of the picture, a buffer, a count or a condition"},
+     .summary = "a check of the picture, a buffer, a count or a condition",
+     .restartsSimulation = false},
     {.id = CommandId::print,
      .name = "Print",
      .syntax = "buffer:object [range:number+2]",
-     .summary = "reports elements of a buffer"},
+     .summary = "reports elements of a buffer",
+     .restartsSimulation = false},
 };
 
 /// The rows whose words begin with a letter, for a quick answer to words that are none.
@@ -390,6 +410,13 @@ const StatementRow* statementOf(CommandId id) {
     for (const StatementRow& row : kStatementRows)
         if (row.id == id) return &row;
     return nullptr;
+}
+
+bool restartsSimulation(CommandId id) {
+    const auto classic = std::ranges::find(commandTable(), id, &CommandRow::id);
+    if (classic != commandTable().end()) return classic->restartsSimulation;
+    const StatementRow* statement = statementOf(id);
+    return statement == nullptr || statement->restartsSimulation;
 }
 
 std::string_view nameOf(CommandId id) {

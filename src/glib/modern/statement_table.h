@@ -46,6 +46,8 @@ struct StatementRow {
     CommandId opener{};  ///< of the block that the statement divides or closes
     Standing standing = Standing::anywhere;
     bool declaresName = false;  ///< its first value is a new name of the namespace of objects
+    bool takesBody = false;     ///< the word `inline` in it begins GLSL, up to End and the statement's name
+    bool restartsSimulation = true;  ///< false for what acts on the frame alone outside of Once and Step
 
     /// True if a classic command has the same word, so that the arguments decide which of them it is.
     [[nodiscard]] bool sharesWord() const;
@@ -62,6 +64,10 @@ const StatementRow* modernFormOf(std::string_view word);
 
 /// The row of an id; null if the id has none. The stages in the script have the ids of the classic stages.
 const StatementRow* statementOf(CommandId id);
+
+/// False for what acts on the frame alone where it stands outside of Once and Step. The window does not start
+/// a simulation again if such a statement changes.
+bool restartsSimulation(CommandId id);
 
 /// The word of a classic command or a modern statement, as the reference spells it.
 std::string_view nameOf(CommandId id);

@@ -1,19 +1,20 @@
-// Numbers: single tokens, single arguments, and the numeric commands as a whole.
+// Numbers: single tokens, single arguments, the numeric commands as a whole, and groups of points.
 
 #include "glib/parse/arguments.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/number.h"
 #include "base/text.h"
-#include "glib/bracket_group.h"
+#include "glib/lexer.h"
 #include "glib/limits.h"
-#include "glib/modern/read_values.h"
+#include "glib/modern/pieces.h"
 #include "glib/number.h"
 
 namespace glibra::glib {
@@ -60,7 +61,7 @@ double absolute(const Candidate& c, MessageLog& log) {
 
 double applySize(const Candidate& c, MessageLog& log) {
     if (c.value == 0)
-        log.report("glib-W28", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name), c.position);
+        log.report("glib-W42", fmt::format("{}: {} 0 draws nothing", c.command, c.argument.name), c.position);
     return absolute(c, log);
 }
 
@@ -251,7 +252,7 @@ void finishNumbers(const CommandRow& row, Command& command, std::span<const Posi
     }
     if (!fillMissing(row, command)) return reportMissing(row, command, log);
     if (places.size() > given) reportSurplusOf(row.name(), places.size() - given, places[given], log);
-    applyCommandRules(command, places.first(given), log);
+    if (row.together != nullptr) row.together(command, places.first(given), log);
 }
 
 /// Keeps numbers and expressions as they are written.
@@ -311,13 +312,103 @@ void evaluateNumbers(const CommandRow& row, Command& command, std::span<const Ev
             value = checkArgument({row.arguments[i], i, row.name(), number.value, text, number.position},
                                   number.reportsCut, log);
         else
-            log.report("glib-E05",
+            log.report("glib-E31",
                        fmt::format("{}: {} {} is not finite as a 32-bit float", row.name(),
                                    row.arguments[i].name, text),
                        number.position);
         command.numbers.push_back(value);
     }
     finishNumbers(row, command, places, log);
+}
+
+// ---- Groups of points: [x y z] [x y z] ... and the same numbers without brackets (language, 1.6 and 4.6).
+
+namespace {
+
+constexpr std::size_t kLeast = 3;  // numbers per group
+constexpr std::size_t kMost = 4;
+
+class GroupReader {
+  public:
+    GroupReader(const Statement& statement, Command& command, MessageLog& log)
+        : tokens_(statement.arguments), command_(command), log_(log) {}
+
+    void read() {
+        for (std::size_t at = 0; at < tokens_.size();) {
+            const Token& token = tokens_[at];
+            if (token.kind == TokenKind::open) {
+                readGroup(at);
+                at = groupAt(tokens_, at).next;
+                continue;
+            }
+            ++at;
+            if (token.kind == TokenKind::close)
+                log_.report("glib-W10",
+                            fmt::format("bracket around the arguments of {} ignored", command_.word),
+                            token.position);
+            else
+                addBare(token);
+        }
+        finishBare();
+    }
+
+  private:
+    void readGroup(std::size_t open) {
+        finishBare();
+        const BracketGroup group = groupAt(tokens_, open);
+        const Token& bracket = tokens_[open];
+        if (bracket.text != "[")
+            log_.report("glib-W10", fmt::format("'{}' read as '['", bracket.text), bracket.position);
+        reportGroupEnd(tokens_, open, group, log_);
+        PointGroup points{{}, bracket.position};
+        for (std::size_t i = group.first; i < group.last && points.values.size() < kMost; ++i)
+            points.values.push_back(readNumber(tokens_[i], log_).value);
+        const std::size_t count = group.last - group.first;
+        if (count > kMost)
+            log_.report("glib-W07",
+                        fmt::format("{}: {} ignored", command_.word,
+                                    base::counted(count - kMost, "surplus argument")),
+                        tokens_[group.first + kMost].position);
+        add(std::move(points));
+    }
+
+    /// Numbers without brackets are taken three at a time.
+    void addBare(const Token& token) {
+        if (bare_.values.empty()) bare_.position = token.position;
+        bare_.values.push_back(readNumber(token, log_).value);
+        if (bare_.values.size() == kLeast) finishBare();
+    }
+    void finishBare() {
+        if (!bare_.values.empty()) add(std::move(bare_));
+        bare_ = {};
+    }
+
+    void add(PointGroup points) {
+        if (points.values.size() < kLeast)
+            log_.report(
+                "glib-E04",
+                fmt::format("{}: a point needs 3 numbers, found {}", command_.word, points.values.size()),
+                points.position, {{Expectation::Kind::number, "a number"}});
+        command_.points.push_back(std::move(points));
+    }
+
+    std::span<const Token> tokens_;
+    Command& command_;
+    MessageLog& log_;
+    PointGroup bare_;
+};
+
+}  // namespace
+
+void readPointGroups(const Statement& statement, Command& command, MessageLog& log) {
+    GroupReader(statement, command, log).read();
+    const auto multiple = static_cast<std::size_t>(statement.row->groupMultiple);
+    const std::size_t count = command.points.size();
+    if (count == 0 || count % multiple != 0)
+        log.report(
+            "glib-E04",
+            fmt::format("{} needs a multiple of {} points, found {}", statement.row->name(), multiple, count),
+            command.position);
 }
 
 }  // namespace glibra::glib

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "glib/command_table.h"
@@ -19,7 +20,7 @@ namespace glibra::glib {
 std::vector<Token> plainArguments(const Statement& statement, MessageLog& log);
 
 /// Reads one token as this argument and checks it against the argument's rule. `command` is the command's
-/// name for messages. Reports what readNumber reports, and glib-W26, W27, W28, E05, E12, E15.
+/// name for messages. Reports what readNumber reports, and glib-W26, W27, W28, W42, E05, E12, E15.
 double readArgument(const Argument& argument, std::size_t index, const Token& token, std::string_view command,
                     MessageLog& log);
 
@@ -36,7 +37,7 @@ struct EvaluatedNumber {
 };
 
 /// Fills `numbers` of a command that is evaluated later, by the rules of its row, as if the file stated the
-/// numbers. Reports what readNumbers reports about them, and glib-E05 for values that are not finite.
+/// numbers. Reports what readNumbers reports about them, and glib-E31 for values that are not finite.
 void evaluateNumbers(const CommandRow& row, Command& command, std::span<const EvaluatedNumber> numbers,
                      MessageLog& log);
 
@@ -52,8 +53,19 @@ void readTopology(const Statement& statement, Command& command, MessageLog& log)
 void readSwitch(const Statement& statement, Command& command, MessageLog& log);       // switchWord
 void readPointGroups(const Statement& statement, Command& command, MessageLog& log);  // pointGroups
 
-/// Checks the numbers of Perspective, Ortho, Rotate and Scale together. `places` are the places of the
-/// numbers that stand in the file. Reports glib-E05, W06 (Ortho), W28, W29.
-void applyCommandRules(Command& command, std::span<const Position> places, MessageLog& log);
+/// Fills `text` and `uniforms`. `fragmentFile` is the current fragment shader as written; a program without a
+/// name is named after it. Reports glib-W04, W05, W08, W09, W10, W14 to W19, E15, E31. glib-W15 is reported
+/// here only where the type of the uniform does not matter: for colours and ranges of one or two values, and
+/// for those with too many.
+void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
+                 MessageLog& log);
+
+/// True if a tag has a subscript that a member or a value follows: `lights[1].color {1 0 0}`, `weights[2]
+/// .5`. Classic scenes read such a subscript as the value.
+bool hasSubscriptedTag(std::span<const Token> tokens);
+
+/// Moves the tags of a modern Program whose values are plain numbers to `uniforms`, as readProgram fills it;
+/// with `takesParts` also those with members and constant subscripts.
+void takeUniforms(Command& command, bool takesParts = false);
 
 }  // namespace glibra::glib

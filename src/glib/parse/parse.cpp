@@ -7,29 +7,144 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "base/files.h"
 #include "base/text.h"
 #include "glib/command_table.h"
+#include "glib/lexer.h"
 #include "glib/limits.h"
 #include "glib/message_log.h"
 #include "glib/modern/blocks.h"
 #include "glib/modern/grammar.h"
-#include "glib/modern/items.h"
 #include "glib/modern/match.h"
 #include "glib/modern/pieces.h"
 #include "glib/modern/statement_table.h"
 #include "glib/parse/arguments.h"
-#include "glib/parse/continuation_advice.h"
 #include "glib/parse/statement.h"
-#include "glib/parse/uniforms.h"
 #include "glib/script.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
 namespace {
+
+// ---- Statements that go on in the next line without a backslash (language, 1.3): one message says so.
+
+int lastLineOf(const Statement& statement) {
+    if (statement.bodyPosition.line > 1)
+        return statement.bodyPosition.line + static_cast<int>(std::ranges::count(statement.body, '\n'));
+    return statement.arguments.empty() ? statement.word.position.line
+                                       : statement.arguments.back().position.line;
+}
+
+/// The first word of the line after the statement, without the comments of its own line.
+std::string_view wordOfNextLine(std::string_view text, std::size_t end) {
+    const std::size_t line = text.find_first_of("\r\n", end);
+    if (line == std::string_view::npos) return {};
+    LineSplitter lines(text.substr(line + (text.substr(line, 2) == "\r\n" ? 2 : 1)));
+    const std::optional<LineRange> next = lines.next();
+    if (!next) return {};
+    const std::size_t begin = line + (text.substr(line, 2) == "\r\n" ? 2 : 1);
+    return startOf(text, {next->number, begin + next->begin, begin + next->end}).word;
+}
+
+bool isKeyOf(const StatementRow& row, std::string_view word) {
+    const std::vector<std::string>& keys = syntaxOf(row).keys;
+    const std::string_view head = word.substr(0, word.find('.'));
+    return isAmong(head, keys);
+}
+
+/// Follows the statements of a script in order.
+class ContinuationAdvice {
+  public:
+    /// Remembers the statement as the one that the next line may go on with.
+    void follow(const Statement& statement);
+
+    /// Adds advice to the last message, which is about the statement: if it ends too early and the next line
+    /// begins with what is missing, whose statements are then skipped; or if it begins with a key of the
+    /// statement on the line before.
+    void advise(std::string_view text, const Statement& statement, MessageLog& log);
+
+    /// True for a statement on a line that belongs to an earlier one, which has been reported.
+    [[nodiscard]] bool isSkipped(const Statement& statement);
+
+    /// Reports glib-E01 with advice for an unknown word or a value at the beginning of a line that the
+    /// statement before it can go on with. True if that is so; of several such lines only the first is
+    /// reported.
+    bool report(const Statement& statement, MessageLog& log);
+
+  private:
+    std::string name_;                   ///< of the statement before, for messages
+    const StatementRow* row_ = nullptr;  ///< its row, if it has a modern form
+    bool isClassic_ = false;
+    int firstLine_ = 0, lastLine_ = 0;
+    int skippedLine_ = 0;
+    bool isReported_ = false;  ///< the line before has been reported by report()
+};
+
+void ContinuationAdvice::follow(const Statement& statement) {
+    if (isReported_ && statement.row == nullptr && statement.modern == nullptr) {
+        lastLine_ = lastLineOf(statement);
+        return;
+    }
+    isReported_ = false;
+    row_ = statement.modern;
+    isClassic_ = statement.row != nullptr && statement.modern == nullptr;
+    if (isClassic_) row_ = modernFormOf(statement.row->name());
+    name_ = statement.modern != nullptr ? std::string(statement.modern->name)
+            : isClassic_                ? std::string(statement.row->name())
+                                        : std::string();
+    firstLine_ = statement.word.position.line;
+    lastLine_ = lastLineOf(statement);
+}
+
+void ContinuationAdvice::advise(std::string_view text, const Statement& statement, MessageLog& log) {
+    Diagnostic* message = log.last();
+    if (message == nullptr) return;
+    const Token& first = statement.word;
+    if (row_ != nullptr && first.position.line == lastLine_ + 1 && first.kind == TokenKind::word &&
+        lower(first.text.front()) == first.text.front() && isKeyOf(*row_, first.text)) {
+        message->text += fmt::format("; if {} (line {}) goes on here, end line {} with a backslash", name_,
+                                     firstLine_, lastLine_);
+        return;
+    }
+    const std::string_view word = wordOfNextLine(text, statement.end);
+    const std::vector<Expectation>& missing = log.lastMissing();
+    if (std::ranges::none_of(missing, [&](const Expectation& each) { return each.mayBegin(word); })) return;
+    message->text += fmt::format("; end line {} with a backslash if the statement goes on in the next one",
+                                 lastLineOf(statement));
+    skippedLine_ = lastLineOf(statement) + 1;
+}
+
+bool ContinuationAdvice::isSkipped(const Statement& statement) {
+    return skippedLine_ != 0 && statement.word.position.line == std::exchange(skippedLine_, 0);
+}
+
+bool ContinuationAdvice::report(const Statement& statement, MessageLog& log) {
+    const Token& word = statement.word;
+    if (name_.empty() || word.position.line != lastLine_ + 1) return false;
+    const bool isValue = word.beginsValue();
+    const bool isKey = row_ != nullptr && word.kind == TokenKind::word && isKeyOf(*row_, word.text);
+    const bool takesTags = row_ != nullptr && hasNode(*row_, [](const SyntaxNode& each) {
+                               return each.kind == SyntaxNode::Kind::pairs;
+                           });
+    const bool isTag = takesTags && word.kind == TokenKind::word && !word.text.empty() &&
+                       lower(word.text.front()) == word.text.front() && !statement.arguments.empty() &&
+                       (statement.arguments.front().beginsValue() || statement.arguments.size() == 1);
+    if (!isValue && !isKey && !isTag) return false;
+    if (isReported_) return true;
+    isReported_ = true;
+    log.report("glib-E01",
+               fmt::format("unknown command {}; if {} (line {}) goes on here, end line {} with a backslash",
+                           inQuotes(word.text), name_, firstLine_, lastLine_),
+               word.position);
+    return true;
+}
+
+// ---- Statements.
 
 bool belongsToList(CommandId id) {
     return id == CommandId::glVertex || id == CommandId::glNormal || id == CommandId::glColor ||
@@ -84,7 +199,7 @@ class Parser {
         if (word.kind == TokenKind::word && sameWord(word.text.substr(0, kEnd.size()), kEnd)) {
             const StatementRow* stage = modernFormOf(word.text.substr(kEnd.size()));
             if (!stage) stage = findStatement(word.text.substr(kEnd.size()));
-            if (stage && stage->syntax.find("inline") != std::string_view::npos)
+            if (stage && stage->takesBody)
                 return log_.report("glib-E21", fmt::format("{} without '{} inline'", word.text, stage->name),
                                    word.position);
         }
@@ -188,8 +303,7 @@ class Parser {
         finishModern(row, command);
         const bool hasStages = !losesStage(row.id);
         const bool faulty = statement.faulty || log_.errorCount() > errors || !hasStages;
-        if (row.id == CommandId::compute || (statement.faulty && statement.row != nullptr &&
-                                             row.syntax.find("inline") != std::string_view::npos))
+        if (row.id == CommandId::compute || (statement.faulty && statement.row != nullptr && row.takesBody))
             isStageLost_ = faulty;
         if (!faulty)
             commands_.push_back(std::move(command));
@@ -426,7 +540,7 @@ Script parse(std::string_view text, std::string path) {
             script.isModern = read(text, script, log);
     } catch (const std::exception& problem) {
         script.commands.clear();
-        log.report("glib-E15", fmt::format("the scene cannot be read: {}", problem.what()), {});
+        log.report("glib-E14", fmt::format("the scene cannot be read: {}", problem.what()), {});
     }
     script.diagnostics = log.take();
     nameForeignFile(text, script);

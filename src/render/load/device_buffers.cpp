@@ -62,7 +62,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     const StageTimer timer(stats_, "upload");
     const std::uint64_t all = buffer.hasHistory ? 2 * bytes : bytes;
     if (all > bytesLeft_)
-        return {diagnose("memory-E04",
+        return {diagnose("memory-E17",
                          fmt::format("buffer '{}' needs {}, but the buffers of a scene may have {} together, "
                                      "and {} are left",
                                      buffer.name, image::readableBytes(all), image::readableBytes(kMostBytes),
@@ -242,7 +242,7 @@ Diagnostics DeviceBuffers::checkTexels(const plan::FramePlan& plan) const {
             const scene::Buffer& declared = scene_.buffers[each.buffer.buffer];
             const base::ActiveUniform& uniform = at(plan.programs[program].interface->uniforms, each.uniform);
             problems.push_back(
-                diagnose("memory-E04",
+                diagnose("memory-E17",
                          fmt::format("buffer '{}' has {} texels for {} '{}'; this driver allows {}",
                                      declared.name, base::groupedText(texels), uniform.type.word,
                                      uniform.name, base::groupedText(most)),

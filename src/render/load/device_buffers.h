@@ -38,7 +38,7 @@ class DeviceBuffers {
         : context_(context), scene_(scene), stats_(stats) {}
 
     /// Lays out and makes the buffers of the plan. A buffer whose declared values are others than before gets
-    /// them, unless it lasts. Errors: memory-E03 to E05, draw-E05, and those of files.
+    /// them, unless it lasts. Errors: memory-E03 to E05, E17, draw-E05, and those of files.
     Diagnostics prepare(const plan::FramePlan& plan);
     /// What has happened to a buffer that nodes write.
     ObjectState& state(scene::BufferIndex buffer) { return states_[buffer]; }
@@ -64,7 +64,7 @@ class DeviceBuffers {
 
     /// Binds the buffer that the use reads as a texture to its unit.
     void bind(const plan::TextureUse& use, gpu::BindingTracker& bindings);
-    /// Reports memory-E04 for buffers with more texels than the driver reads as a texture.
+    /// Reports memory-E17 for buffers with more texels than the driver reads as a texture.
     [[nodiscard]] Diagnostics checkTexels(const plan::FramePlan& plan) const;
 
   private:

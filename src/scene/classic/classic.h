@@ -14,7 +14,6 @@ namespace glibra::scene {
 
 std::span<const CommandAction> viewActions();     // view.cpp
 std::span<const CommandAction> drawActions();     // geometry.cpp
-std::span<const CommandAction> listActions();     // lists.cpp
 std::span<const CommandAction> passActions();     // passes.cpp
 std::span<const CommandAction> textureActions();  // textures.cpp
 std::span<const CommandAction> programActions();  // programs.cpp
@@ -23,11 +22,6 @@ std::span<const CommandAction> programActions();  // programs.cpp
 
 /// Reports glib-W31 for a PushMatrix without PopMatrix.
 void checkStack(Interpreter&);
-
-// lists.cpp
-
-/// Reports glib-E07 for a list without glEnd.
-void checkList(Interpreter&);
 
 // passes.cpp
 
@@ -54,6 +48,8 @@ void finishNoise(Interpreter&);
 
 // geometry.cpp
 
+/// Reports glib-E07 for a list without glEnd.
+void checkList(Interpreter&);
 /// The action of every primitive.
 void doPrimitive(Interpreter&, const Command&);
 /// The thing that a geometry command draws with the current state. `size` describes it for Verbose; `color`

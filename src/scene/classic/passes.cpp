@@ -131,7 +131,7 @@ namespace {
 
 void doRenderToTexture(Interpreter& in, const Command& command) {
     if (in.around.pass || in.around.block != nullptr) {
-        in.reportAt(command, "glib-E11",
+        in.reportAt(command, "glib-E23",
                     fmt::format("{} cannot stand inside {}; write 'Pass NAME'", command.word,
                                 in.around.pass ? "Pass" : in.around.block->word));
         return;

@@ -49,7 +49,7 @@ void doGlsl(Interpreter& in, const Command& command) {
     const auto [known, isNew] = in.scene.glslTexts.try_emplace(name.text, text);
     if (isNew || known->second.place == text.place) return;
     in.reportAt(
-        name, "glib-E27",
+        name, "glib-E36",
         fmt::format("'{}' is declared on line {} already, as Glsl", name.text, known->second.place.line));
 }
 

@@ -26,7 +26,7 @@ glm::dvec3 argumentVector(const Command& command, std::size_t first) {
 void multiply(Interpreter& in, const Command& command, const glm::dmat4& transform) {
     const glm::dmat4 product = in.state.modelView * transform;
     if (!isFinite(product)) {
-        in.reportAt(command, "glib-E05",
+        in.reportAt(command, "glib-E31",
                     fmt::format("{}: the matrix does not fit into 32-bit floats", command.word));
         return;
     }
@@ -80,7 +80,7 @@ void doLookAt(Interpreter& in, const Command& command) {
         in.state.modelView = in.scene.view = *matrix;
         in.state.model = glm::dmat4(1.0);
     } else
-        in.reportAt(command, "glib-E05", "LookAt: the matrix does not fit into 32-bit floats");
+        in.reportAt(command, "glib-E31", "LookAt: the matrix does not fit into 32-bit floats");
 }
 
 void doColor(Interpreter& in, const Command& command) {

@@ -17,7 +17,6 @@
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"
 #include "scene/run/counts.h"
-#include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"
@@ -63,7 +62,9 @@ bool choosesCamera(Interpreter& in, const Value& value) {
 }
 
 std::optional<SceneCamera> cameraNamed(Interpreter& in, const Value& value) {
-    const auto refuse = [&](std::string text) { return in.reportAt(value, "glib-E27", std::move(text)); };
+    const auto refuse = [&](const std::string& text, const char* id = "glib-E34") {
+        return in.reportAt(value, id, text);
+    };
     const glib::NamePart whole{value.text, {}};
     const glib::NamePart& first = value.path.empty() ? whole : value.path.front();
     const auto isCamera = [&](const std::string& name) {
@@ -90,7 +91,8 @@ std::optional<SceneCamera> cameraNamed(Interpreter& in, const Value& value) {
         std::vector<std::string_view> names{"eye"};
         for (const auto& [each, camera] : in.modern.cameras) names.push_back(each.first);
         return refuse(fmt::format("no camera '{}' is declared before this line{}", name.first,
-                                  base::suggestion(name.first, names)));
+                                  base::suggestion(name.first, names)),
+                      "glib-E27");
     }
     const expression::Symbol* const symbol = in.names().lookUpInScene(name.first);
     const std::size_t count = symbol != nullptr ? symbol->count : 0;
@@ -139,7 +141,7 @@ bool readLens(Interpreter& in, const Command& command, SceneCamera& camera) {
             const auto ratio = numberOf(in, aspect->values.front());
             if (!ratio) return false;
             if (!(*ratio > 0)) {
-                refuseCamera(in, command, "the aspect must be above 0");
+                in.reportAt(command, "glib-E05", "Camera: the aspect must be above 0");
                 return false;
             }
             camera.aspect = *ratio;

@@ -105,8 +105,9 @@ class CheckReader {
     }
 
   private:
-    bool refuse(const std::string& text) {
-        in_.reportAt(command_, "glib-E26", "Expect: " + text);
+    template <class Where>
+    bool refuse(const Where& where, const char* id, const std::string& text) {
+        in_.reportAt(where, id, "Expect: " + text);
         return false;
     }
 
@@ -129,16 +130,12 @@ class CheckReader {
         return true;
     }
 
-    bool refuse(const Value& value, const std::string& text) {
-        in_.reportAt(value, "glib-E26", "Expect: " + text);
-        return false;
-    }
-
     /// True if the object has pixels: it is the window or a texture.
     bool isTexture(const Value& value, const std::optional<ObjectView>& object) {
         if (!object || std::holds_alternative<TextureView>(*object)) return true;
         return refuse(
-            value, fmt::format("'{}' is a buffer; pixels are those of the window or a texture", value.text));
+            value, "glib-E34",
+            fmt::format("'{}' is a buffer; pixels are those of the window or a texture", value.text));
     }
 
     /// Reads `count` numbers and then the wanted colour.
@@ -158,6 +155,7 @@ class CheckReader {
         }
         if (numbers->size() != count || check_.wanted.empty() || check_.wanted.size() > 4)
             return refuse(
+                command_, "glib-E26",
                 fmt::format("{} needs {} numbers and a colour of 1 to 4 components", key.key, count));
         check_.numbers = std::move(*numbers);
         return true;
@@ -169,14 +167,14 @@ class CheckReader {
         const auto numbers = numbersOf(in_, std::span(key.values).subspan(1));
         if (!wanted || !numbers) return false;
         if (wanted->empty() || wanted->size() > 4)
-            return refuse(key.values.front(),
+            return refuse(key.values.front(), "glib-E26",
                           fmt::format("a colour has 1 to 4 components, not {}", wanted->size()));
         if (numbers->empty() || numbers->size() > 2)
-            return refuse(key.values[1], "count needs one number, or the least and the largest");
+            return refuse(key.values[1], "glib-E26", "count needs one number, or the least and the largest");
         for (const double each : *numbers)
             if (!isCount(key.values[1], each)) return false;
         if (numbers->front() > numbers->back())
-            return refuse(key.values[1], "count needs the least number before the largest");
+            return refuse(key.values[1], "glib-E29", "count needs the least number before the largest");
         check_.wanted = *wanted;
         check_.numbers = {numbers->front(), numbers->back()};
         return true;
@@ -184,7 +182,7 @@ class CheckReader {
 
     bool isCount(const Value& value, double number) {
         if (number >= 0 && number == std::trunc(number)) return true;
-        return refuse(value, fmt::format("{} is not a count", glib::numberText(number)));
+        return refuse(value, "glib-E05", fmt::format("{} is not a count", glib::numberText(number)));
     }
 
     bool readBuffer(const KeyedValues& key) {
@@ -199,7 +197,7 @@ class CheckReader {
             check_.numbers = {*index};
             rest = rest.subspan(1);
         }
-        if (rest.empty()) return refuse("buffer needs a list of values");
+        if (rest.empty()) return refuse(command_, "glib-E17", "buffer needs a list of values");
         const auto wanted = listOf(in_, rest.front());
         if (!wanted) return false;
         check_.wanted = *wanted;
@@ -234,7 +232,8 @@ class CheckReader {
             return object && std::holds_alternative<BufferView>(*object);
         };
         if (isBuffer(check_.object) == isBuffer(check_.other)) return true;
-        return refuse(second, "a buffer is compared with a buffer, a texture with a texture or the window");
+        return refuse(second, "glib-E34",
+                      "a buffer is compared with a buffer, a texture with a texture or the window");
     }
 
     bool readKind(const KeyedValues& key) {
@@ -251,7 +250,8 @@ class CheckReader {
                 const auto bounds = numbersOf(in_, std::span(key.values).subspan(1), 2, "Expect: range");
                 if (!bounds || !readObject(in_, key.values.front(), check_.object)) return false;
                 if ((*bounds)[0] > (*bounds)[1])
-                    return refuse(key.values[1], "range needs the least value before the largest");
+                    return refuse(key.values[1], "glib-E29",
+                                  "range needs the least value before the largest");
                 check_.numbers = *bounds;
                 return true;
             }
@@ -277,7 +277,8 @@ class CheckReader {
                 std::vector<std::string_view> ids;
                 for (const glib::CatalogueRow& each : glib::diagnosticCatalogue()) ids.push_back(each.id);
                 return refuse(
-                    id, fmt::format("there is no message '{}'{}", id.text, base::suggestion(id.text, ids)));
+                    id, "glib-E16",
+                    fmt::format("there is no message '{}'{}", id.text, base::suggestion(id.text, ids)));
             }
             case CheckKind::condition:
                 break;
@@ -352,7 +353,7 @@ void doPrint(Interpreter& in, const Command& command) {
         if (!numbers) return;
         const double first = numbers->front(), last = numbers->back();
         if (numbers->size() > 2 || !(first >= 0 && last >= first && last < kMostPrintedIndex)) {
-            refuse(in, "glib-E26", command, range.front().position,
+            refuse(in, "glib-E29", command, range.front().position,
                    "needs the first and the last element, from 0 on");
             return;
         }

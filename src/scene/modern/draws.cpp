@@ -48,11 +48,11 @@ std::optional<BufferView> indexBuffer(Interpreter& in, const Command& command, c
     if (!view) return std::nullopt;
     const Buffer& buffer = in.scene.buffers[view->buffer];
     if (!buffer.type.empty() && buffer.type != "uint" && buffer.type != "int")
-        return refuse(in, "glib-E26", command, name.position,
+        return refuse(in, "glib-E33", command, name.position,
                       fmt::format("'{}' holds {}, but indices are uint or int", name.text, buffer.type));
     const auto count = declaredIndices(buffer);
     if (count && wanted && static_cast<std::uint64_t>(*wanted) > *count)
-        return refuse(in, "glib-E26", command, command.values.at(1).position,
+        return refuse(in, "glib-E05", command, command.values.at(1).position,
                       fmt::format("{} indices are more than the {} of '{}'", *wanted, *count, name.text));
     return view;
 }
@@ -76,7 +76,7 @@ void doVertices(Interpreter& in, const Command& command) {
         case geometry::ListTopology::patches:
             break;
         case geometry::ListTopology::quads:
-            in.reportAt(command.values.front(), "glib-E26",
+            in.reportAt(command.values.front(), "glib-E32",
                         fmt::format("Vertices: there are no {0} without data; write triangles, or "
                                     "'Instances n' and triangle_strip 4",
                                     word));
@@ -118,7 +118,7 @@ std::optional<std::string> roleNamed(Interpreter& in, const Value& value) {
         if (glib::sameWord(each, value.text)) return std::string(each);
     const std::string hint = base::suggestion(value.text, kRoles);
     return in.reportAt(
-        value, "glib-E26",
+        value, "glib-E16",
         fmt::format("Attribute: there is no role '{}'{}", value.text,
                     hint.empty() ? fmt::format("; the roles are {}", fmt::join(kRoles, ", ")) : hint));
 }
@@ -148,7 +148,7 @@ void setInList(Interpreter& in, const Command& command, const std::string& name,
         const auto* same = std::get_if<std::vector<double>>(&outer->source);
         if (same == nullptr && !in.list->vertices.empty()) {
             in.reportAt(
-                command, "glib-E26",
+                command, "glib-E32",
                 fmt::format("Attribute {}: the vertices before have it from line {}; state it before the "
                             "first glVertex, too",
                             name, outer->place.line));
@@ -201,7 +201,7 @@ bool readBytes(Interpreter& in, const Command& command, ElementPart& part) {
         if (!bytes) return false;
         const auto whole = static_cast<std::uint64_t>(*bytes);
         if (whole % 4 != 0) {
-            refuse(in, "glib-E26", command, key->position,
+            refuse(in, "glib-E05", command, key->position,
                    fmt::format("{} counts bytes and is a multiple of 4, because numbers have 4 bytes", word));
             return false;
         }

@@ -20,8 +20,6 @@ std::span<const CommandAction> stateActions();      // state.cpp
 std::span<const CommandAction> vertexActions();     // draws.cpp
 std::span<const CommandAction> bufferActions();     // buffers.cpp
 std::span<const CommandAction> blockActions();      // blocks.cpp
-std::span<const CommandAction> keyActions();        // keys.cpp
-std::span<const CommandAction> meshActions();       // meshes.cpp
 std::span<const CommandAction> checkActions();      // checks.cpp
 
 // checks.cpp
@@ -64,11 +62,6 @@ std::optional<CountFrom> countFrom(Interpreter&, const Command& command);
 /// False, with glib-E23 reported, inside a pass, whose draws would be torn apart: a group that is drawn there
 /// may contain any statement.
 bool isOutsidePass(Interpreter&, const Command& command);
-
-// repeat.cpp
-
-/// The statement Repeat.
-void doRepeat(Interpreter&, const Command& command);
 
 // undecided.cpp
 

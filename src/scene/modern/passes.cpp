@@ -290,7 +290,7 @@ void doPass(Interpreter& in, const Command& command) {
     }
     const KeyedValues* stencil = command.key("stencil");
     if (stencil != nullptr && targets->depth && !base::hasStencil(formatOf(in, *targets->depth))) {
-        in.report(diagnose("glib-E11",
+        in.report(diagnose("glib-E38",
                            fmt::format("{}: '{}' has no stencil; its format must be depth24_stencil8 or "
                                        "depth32f_stencil8",
                                        command.word, in.scene.textures[targets->depth->texture].name),
@@ -335,7 +335,7 @@ void doFill(Interpreter& in, const Command& command) {
             const auto view = textureNamed(in, each);
             return view && base::hasDepth(formatOf(in, *view));
         });
-        in.report(diagnose("glib-E11",
+        in.report(diagnose("glib-E38",
                            fmt::format("{}: a depth texture has no colours to fill", command.word),
                            in.script->place(depth->position)));
         return;
@@ -385,7 +385,7 @@ void doClearParts(Interpreter& in, const Command& command) {
         if (*part == 2) clear.stencil = true;
     }
     if (clear.stencil && in.around.pass && !in.around.pass->hasStencil) {
-        in.reportAt(command, "glib-E11",
+        in.reportAt(command, "glib-E38",
                     fmt::format("{}: this pass has no stencil; its depth texture needs the format "
                                 "depth24_stencil8",
                                 command.word));
@@ -404,7 +404,7 @@ std::optional<base::FractionRectangle> areaOf(Interpreter& in, const Command& co
     const bool hasArea = area.width > 0 && area.height > 0;
     const bool isNegative = area.width < 0 || area.height < 0;
     if (isNear && (hasArea || (mayBeEmpty && !isNegative))) return area;
-    return in.reportAt(command.values.front(), "glib-E26",
+    return in.reportAt(command.values.front(), "glib-E05",
                        fmt::format("{} needs x y width height in fractions of the target, the width and "
                                    "height above 0",
                                    command.word));

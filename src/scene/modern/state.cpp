@@ -61,21 +61,11 @@ class StateReader {
             if (!readKey(key, key.key == "blend" && hasAlpha ? &command_.keys[i + 1] : nullptr, state))
                 return;
         }
-        const KeyedValues *mark = command_.key("mark"), *where = command_.key("where");
-        if (mark != nullptr && where != nullptr) {
-            refuse(where->values.front(), "'where' contradicts 'mark'; write 'stencil' and 'stencilop'");
-            return;
-        }
         in_.state.raster = state;
         in_.state.local.isBlendStated = statesBlend;
     }
 
   private:
-    bool refuse(const Value& value, const std::string& text) {
-        in_.reportAt(value, "glib-E26", "State: " + text);
-        return false;
-    }
-
     /// The index of a word among those of a list of the table.
     std::optional<std::size_t> word(const Value& value, std::string_view fragment) {
         return wordOf(in_, value, wordsOfFragment(fragment));
@@ -137,7 +127,9 @@ class StateReader {
         }
         const auto isDepth = [](double value) { return value >= 0 && value <= 1; };
         if (!isDepth((*pair)[0]) || !isDepth((*pair)[1]))
-            return refuse(key.values.front(), "depthrange needs two depths from 0 to 1");
+            return in_.reportAt(key.values.front(), "glib-E05",
+                                "State: depthrange needs two depths from 0 to 1"),
+                   false;
         state.depthNear = (*pair)[0];
         state.depthFar = (*pair)[1];
         return true;
@@ -207,7 +199,7 @@ class StateReader {
         }
         const auto target = static_cast<std::size_t>(std::strtoul(key.suffix.c_str(), nullptr, 10));
         if (target >= targets.size()) {
-            in_.reportAt(key, "glib-E26",
+            in_.reportAt(key, "glib-E05",
                          fmt::format("State: {}.{}: colour targets are 0 to {}", key.key, key.suffix,
                                      targets.size() - 1));
             return false;
@@ -226,7 +218,7 @@ class StateReader {
     bool readStencil(const KeyedValues& key, base::RasterState& state) {
         if (in_.around.pass && !in_.around.pass->hasStencil) {
             if (!std::exchange(in_.around.pass->isStencilReported, true))
-                in_.reportAt(key, "glib-E11",
+                in_.reportAt(key, "glib-E38",
                              fmt::format("State {}: the depth texture of this pass has no stencil; "
                                          "depth24_stencil8 has one",
                                          key.key));

@@ -18,7 +18,6 @@
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/modern/modern.h"
-#include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"
@@ -31,10 +30,10 @@ namespace {
 /// Nested groups and included files.
 constexpr std::size_t kMostCalls = 64;
 
-/// True if one more level of groups or files may be entered; otherwise glib-E28 is reported.
+/// True if one more level of groups or files may be entered; otherwise glib-E15 is reported.
 bool mayEnter(Interpreter& in, const Command& command) {
     if (in.around.calls < kMostCalls) return true;
-    in.reportAt(command, "glib-E28",
+    in.reportAt(command, "glib-E15",
                 fmt::format("{}: more than {} nested groups and files", command.word, kMostCalls));
     return false;
 }
@@ -382,7 +381,7 @@ void doInclude(Interpreter& in, const Command& command) {
     const auto declaration = std::ranges::find_if(script->commands, declares);
     if (in.around.blocks > 0 && declaration != script->commands.end()) {
         in.modern.including.erase(script);
-        in.reportAt(command, "glib-E28",
+        in.reportAt(command, "glib-E23",
                     fmt::format("'{}' declares something on line {}, so it cannot be included inside a block",
                                 name, declaration->position.line));
         return;
@@ -410,7 +409,6 @@ std::span<const CommandAction> structureActions() {
         {CommandId::group, doGroup},
         {CommandId::endGroup, doNothing},
         {CommandId::draw, doDraw, InList::isWrong, true},
-        {CommandId::repeat, doRepeat, InList::isPart},
         {CommandId::endRepeat, doNothing, InList::isPart},
         {CommandId::when, doWhen, InList::isPart},
         {CommandId::elseBranch, doNothing, InList::isPart},

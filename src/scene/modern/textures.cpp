@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,15 +18,146 @@
 #include "glib/text.h"
 #include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
-#include "scene/modern/texture_options.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
+#include "scene/run/state.h"
 #include "scene/run/statements.h"
 #include "scene/texture_parts.h"
 #include "scene/textures.h"
 
 namespace glibra::scene {
 namespace {
+
+// ---- The keys of textures and samplers.
+
+/// What stands after a texture or sampler, as far as it is given.
+struct TextureOptions {
+    std::optional<base::Filter> filter;
+    glib::Position filterPosition;
+    std::vector<base::Wrap> wraps;
+    std::optional<std::array<double, 4>> border;
+    std::optional<double> anisotropy;
+    std::optional<base::Comparison> compare;
+    glib::Position comparePosition;
+    std::optional<int> samples, levels;
+    const KeyedValues *flip = nullptr, *srgb = nullptr, *generate = nullptr, *history = nullptr;
+    const KeyedValues *samplesKey = nullptr, *levelsKey = nullptr;
+};
+
+using base::Filter;
+using base::Wrap;
+
+constexpr int kMostSamples = 64;
+constexpr double kMostAnisotropy = 64;
+
+constexpr std::pair<std::string_view, Filter> kFilters[] = {
+    {"nearest", Filter::nearest},
+    {"linear", Filter::linear},
+    {"mipmap", Filter::linearMipmapLinear},
+    {"nearest_mipmap_nearest", Filter::nearestMipmapNearest},
+    {"linear_mipmap_nearest", Filter::linearMipmapNearest},
+    {"nearest_mipmap_linear", Filter::nearestMipmapLinear},
+    {"linear_mipmap_linear", Filter::linearMipmapLinear},
+};
+constexpr std::pair<std::string_view, Wrap> kWraps[] = {
+    {"repeat", Wrap::repeat},
+    {"mirror", Wrap::mirroredRepeat},
+    {"clamp", Wrap::clampToEdge},
+    {"border", Wrap::clampToBorder},
+};
+
+template <class T, std::size_t N>
+std::optional<T> valueOfWord(const std::pair<std::string_view, T> (&rows)[N], std::string_view word) {
+    for (const auto& [name, value] : rows)
+        if (name == word) return value;
+    return std::nullopt;
+}
+
+/// The colour of a border: three or four components, or one for all of a depth texture.
+std::optional<std::array<double, 4>> borderColor(Interpreter& in, const Command& command,
+                                                 const KeyedValues& key) {
+    const auto numbers = floatsOf(in, key.values);
+    if (!numbers) return std::nullopt;
+    const std::size_t count = numbers->size();
+    if (count != 1 && count != 3 && count != 4)
+        return refuse(in, "glib-E26", command, key.position,
+                      fmt::format("a border has 1, 3 or 4 components, not {}", count));
+    std::array<double, 4> color{};
+    if (count == 1) color.fill(numbers->front());
+    color[3] = 1;
+    std::copy(numbers->begin(), numbers->end(), color.begin());
+    return color;
+}
+
+/// The wrap mode of that word; nothing for other keys.
+std::optional<base::Wrap> wrapNamed(std::string_view word) {
+    return valueOfWord(kWraps, word);
+}
+
+/// `axes`: those that have a wrap mode. Nothing with the reason reported.
+std::optional<TextureOptions> readOptions(Interpreter& in, const Command& command, std::size_t axes) {
+    TextureOptions options;
+    const auto integer = [&](const KeyedValues& key, int most) {
+        return integerIn(in, key.values.front(), fmt::format("{}: {}", command.word, key.key), 1, most);
+    };
+    for (const KeyedValues& key : command.keys) {
+        if (const auto filter = valueOfWord(kFilters, key.key)) {
+            options.filter = *filter;
+            options.filterPosition = key.position;
+        } else if (const auto wrap = wrapNamed(key.key)) {
+            if (options.wraps.size() == axes)
+                return refuse(in, "glib-E18", command, key.position,
+                              fmt::format("'{}' is one wrap mode too many; write one, or {}", key.key, axes));
+            options.wraps.push_back(*wrap);
+            if (key.values.empty()) continue;
+            options.border = borderColor(in, command, key);
+            if (!options.border) return std::nullopt;
+        } else if (key.key == "aniso") {
+            options.anisotropy =
+                numberIn(in, key.values.front(), command.word + ": aniso", 1, kMostAnisotropy);
+            if (!options.anisotropy) return std::nullopt;
+        } else if (key.key == "compare") {
+            const auto test = wordOf(in, key.values.front(), glib::wordsOfFragment("compare"));
+            if (!test) return std::nullopt;
+            options.compare = static_cast<base::Comparison>(*test);
+            options.comparePosition = key.position;
+        } else if (key.key == "samples") {
+            options.samples = integer(key, kMostSamples);
+            options.samplesKey = &key;
+            if (!options.samples) return std::nullopt;
+        } else if (key.key == "levels") {
+            options.levels = integer(key, 15);
+            options.levelsKey = &key;
+            if (!options.levels) return std::nullopt;
+        } else if (key.key == "flip") {
+            options.flip = &key;
+        } else if (key.key == "srgb") {
+            options.srgb = &key;
+        } else if (key.key == "generate") {
+            options.generate = &key;
+        } else if (key.key == "history") {
+            options.history = &key;
+        }
+    }
+    if (options.wraps.size() > 1 && options.wraps.size() < axes)
+        return refuse(
+            in, "glib-E26", command, command.position,
+            fmt::format("{} wrap modes for {} axes; write one, or {}", options.wraps.size(), axes, axes));
+    return options;
+}
+
+/// The state with what the options say.
+base::SamplerState stateOf(const TextureOptions& options, base::SamplerState state) {
+    if (options.filter) state.filter = *options.filter;
+    if (options.anisotropy) state.anisotropy = *options.anisotropy;
+    if (options.border) state.border = *options.border;
+    if (options.compare) state.compare = *options.compare;
+    for (std::size_t i = 0; i < state.wrap.size() && !options.wraps.empty(); ++i)
+        state.wrap[i] = options.wraps[std::min(i, options.wraps.size() - 1)];
+    return state;
+}
+
+// ---- Textures.
 
 using base::Filter;
 using base::Wrap;
@@ -90,7 +223,7 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
         const bool isSmall = form.target == TextureTarget::texture3D || form.countsLayers(i);
         const int most = isSmall ? kLargestSide3 : kLargestSide;
         if (!(size >= 1 && size <= most))
-            return refuse(in, size > most ? "glib-E15" : "glib-E26", command, sizes.front().position,
+            return refuse(in, size > most ? "glib-E15" : "glib-E05", command, sizes.front().position,
                           fmt::format("the size {} is not between 1 and {}", glib::numberText(size),
                                       base::groupedText(most)));
         *(form.countsLayers(i) ? &source.depth : targets[i]) = static_cast<int>(size);
@@ -104,7 +237,7 @@ std::optional<EmptySource> emptySourceOfForm(Interpreter& in, const Command& com
     }
     const bool isFlat = form.target == TextureTarget::texture3D || form.target == TextureTarget::texture1D;
     if (isFlat && base::hasDepth(*format))
-        return refuse(in, "glib-E26", command, all.back().position,
+        return refuse(in, "glib-E32", command, all.back().position,
                       fmt::format("'{}' is for 2D textures, arrays and cube maps", base::name(*format)));
     return source;
 }
@@ -124,7 +257,7 @@ std::uint64_t bytesOf(const Texture& texture) {
 /// Reports `compare` of a texture without depth.
 bool mayCompare(Interpreter& in, const Command& command, const TextureOptions& options, bool isDepth) {
     if (!options.compare || isDepth) return true;
-    refuse(in, "glib-E26", command, options.comparePosition, "only textures of depth are compared");
+    refuse(in, "glib-E32", command, options.comparePosition, "only textures of depth are compared");
     return false;
 }
 
@@ -133,7 +266,7 @@ bool fitsRectangle(Interpreter& in, const Command& command, const TextureOptions
                    const Texture& texture) {
     if (texture.target != TextureTarget::rectangle) return true;
     const auto deny = [&](glib::Position position, const std::string& text) {
-        refuse(in, "glib-E26", command, position, text);
+        refuse(in, "glib-E32", command, position, text);
         return false;
     };
     constexpr std::string_view kOneLevel = "'{}': a rectangle has no mipmaps; write Texture2D";
@@ -153,7 +286,7 @@ bool fitsRectangle(Interpreter& in, const Command& command, const TextureOptions
 bool applyToEmpty(Interpreter& in, const Command& command, const TextureOptions& options, Texture& texture) {
     const auto& source = std::get<EmptySource>(texture.source);
     const auto deny = [&](const KeyedValues& key, const std::string& text) {
-        refuse(in, "glib-E26", command, key.position, text);
+        refuse(in, "glib-E32", command, key.position, text);
         return false;
     };
     if (options.flip) return deny(*options.flip, "'flip' is for pictures");
@@ -163,7 +296,7 @@ bool applyToEmpty(Interpreter& in, const Command& command, const TextureOptions&
         const Filter filter = options.filter.value_or(Filter::nearest);
         if (filter != Filter::nearest && filter != Filter::nearestMipmapNearest) {
             refuse(
-                in, "glib-E26", command, options.filterPosition,
+                in, "glib-E32", command, options.filterPosition,
                 fmt::format("'{}' holds integers, which are read with 'nearest'", base::name(source.format)));
             return false;
         }
@@ -187,8 +320,9 @@ bool applyToEmpty(Interpreter& in, const Command& command, const TextureOptions&
         all.levels = 0;
         const int most = levelsOf(all).value_or(1);
         if (*options.levels > most)
-            return deny(*options.levelsKey,
-                        fmt::format("{} levels, but a texture of this size has {}", *options.levels, most));
+            return refuse(in, "glib-E05", command, options.levelsKey->position,
+                          fmt::format("{} levels, but a texture of this size has {}", *options.levels, most)),
+                   false;
     }
     texture.samples = options.samples.value_or(1);
     if (texture.samples == 1) return true;
@@ -204,7 +338,7 @@ bool applyToPicture(Interpreter& in, const Command& command, const TextureOption
                     Texture& texture) {
     const auto deny = [&](const KeyedValues* key) {
         if (key == nullptr) return true;
-        refuse(in, "glib-E26", command, key->position,
+        refuse(in, "glib-E32", command, key->position,
                fmt::format("'{}' is for textures with a size and a format", key->key));
         return false;
     };
@@ -267,7 +401,7 @@ void doNamedTexture(Interpreter& in, const Command& command) {
     const std::string& name = command.values.front().text;
     if (!declareName(in, command, name, DeclaredName::Kind::texture)) return;
     if (!in.names().declareTexture(name, form.components)) {
-        refuse(in, "glib-E27", command, command.values.front().position,
+        refuse(in, "glib-E36", command, command.values.front().position,
                fmt::format("'{}' has had another meaning in this scene", name));
         return;
     }

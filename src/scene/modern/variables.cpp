@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/suggest.h"
 #include "glib/number.h"
+#include "glib/text.h"
 #include "scene/modern/modern.h"
 #include "scene/run/counts.h"
-#include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"
@@ -38,7 +39,7 @@ std::optional<double> chosenWord(Interpreter& in, const Variable& variable) {
     if (found != variable.words.end()) return static_cast<double>(found - variable.words.begin());
     const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
     in.report(
-        diagnose("glib-E26",
+        diagnose("glib-E16",
                  fmt::format("'{}' is set to '{}', but it is one of {}{}", variable.name, chosen->second,
                              fmt::join(variable.words, ", "), base::suggestion(chosen->second, words)),
                  variable.place));
@@ -51,7 +52,7 @@ std::optional<Environment::Slot> slotOfLet(Interpreter& in, const Command& comma
     Environment& names = in.names();
     const auto slot = names.declareVariable(name, symbol);
     if (!slot)
-        in.reportAt(command, "glib-E27", fmt::format("'{}' is declared above with another type", name));
+        in.reportAt(command, "glib-E36", fmt::format("'{}' is declared above with another type", name));
     return slot;
 }
 
@@ -88,7 +89,7 @@ bool countsWord(Interpreter& in, const Variable& variable, double number) {
     const double last = static_cast<double>(variable.words.size()) - 1;
     if (variable.words.empty() || (number >= 0 && number <= last)) return true;
     in.report(diagnose(
-        "glib-E26",
+        "glib-E05",
         fmt::format("'{}' is set to {}, but it is one of {}, which are 0 to {}", variable.name,
                     glib::numberText(number), fmt::join(variable.words, ", "), glib::numberText(last)),
         variable.place));
@@ -120,7 +121,7 @@ bool makeBound(Interpreter& in, const Value& value, Variable& made) {
     }
     const double coarsest = numbers[0], finest = numbers[2];
     if (coarsest <= 0 || finest <= 0 || coarsest == finest) {
-        in.reportAt(value, "glib-E26",
+        in.reportAt(value, "glib-E29",
                     fmt::format("'{}' goes from {} to {}; both ends of a Bound must be above 0, and "
                                 "different",
                                 made.name, glib::numberText(coarsest), glib::numberText(finest)));
@@ -234,7 +235,7 @@ void declareArray(Interpreter& in, const Command& command, const std::string& na
     const auto wanted = wholeOf(in, count);
     if (!wanted) return;
     if (!(*wanted >= 1 && *wanted <= kMostVariableElements)) {
-        in.reportAt(count, "glib-E26",
+        in.reportAt(count, "glib-E05",
                     fmt::format("'{}' cannot have {} elements; there are 1 to {}", name, *wanted,
                                 kMostVariableElements));
         return;
@@ -282,7 +283,7 @@ void runLet(Interpreter& in, const Command& command) {
     if (command.id == CommandId::bound) return declareControl(in, command, name, value);
     if (isArray && isRule) {
         in.reportAt(
-            value, "glib-E26",
+            value, "glib-E32",
             fmt::format("'{}' has two counts; write 'Let {} ({})'", name, target.text, bodyOf(value)));
         return;
     }
@@ -361,7 +362,7 @@ void doFps(Interpreter& in, const Command& command) {
     if (!rate) return;
     constexpr double kLeast = 1e-3, kMost = 1e6;
     if (!(*rate >= kLeast && *rate <= kMost)) {
-        in.reportAt(command.values.front(), "glib-E26",
+        in.reportAt(command.values.front(), "glib-E05",
                     fmt::format("Fps: {} is not between {} and {}", *rate, kLeast, kMost));
         return;
     }
@@ -369,10 +370,106 @@ void doFps(Interpreter& in, const Command& command) {
     setTime(in);
 }
 
+// ---- Key.
+
+/// The variable of that name with its control; null with glib-E27 reported.
+const Variable* variableNamed(Interpreter& in, const Value& value) {
+    for (const Variable& each : in.scene.variables)
+        if (each.name == value.text) return &each;
+    if (in.modern.lostNames.contains(value.text)) return nullptr;
+    std::vector<std::string_view> names;
+    for (const Variable& each : in.scene.variables) names.push_back(each.name);
+    in.reportAt(value, "glib-E27",
+                fmt::format("Key: no variable '{}' with a control is declared before this line{}", value.text,
+                            base::suggestion(value.text, names)));
+    return nullptr;
+}
+
+/// The components of a value that the key sets.
+std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& value, const Variable& variable,
+                                               bool isSpeed) {
+    if (value.kind == Value::Kind::word) {
+        for (std::size_t i = 0; i < variable.words.size(); ++i)
+            if (glib::sameWord(variable.words[i], value.text)) return std::vector{static_cast<double>(i)};
+        const std::vector<std::string_view> words(variable.words.begin(), variable.words.end());
+        return in.reportAt(value, "glib-E16",
+                           fmt::format("Key: '{}' has no choice '{}'{}", variable.name, value.text,
+                                       base::suggestion(value.text, words)));
+    }
+    auto numbers = numbersOf(in, {&value, 1});
+    if (!numbers) return std::nullopt;
+    const bool isSlider = variable.form == glib::UniformForm::range && variable.words.empty();
+    for (double& each : *numbers) {
+        if (!isSlider || isSpeed || (each >= variable.least() && each <= variable.largest())) continue;
+        // What is computed from the present value stops at the ends of the slider.
+        if (value.kind == Value::Kind::expression && std::isfinite(each)) {
+            each = std::clamp(each, variable.least(), variable.largest());
+            continue;
+        }
+        return in.reportAt(value, "glib-E05",
+                           fmt::format("Key: {} is not between {} and {}, which '{}' allows",
+                                       glib::numberText(each), glib::numberText(variable.least()),
+                                       glib::numberText(variable.largest()), variable.name));
+    }
+    if (numbers->size() == variable.current.size()) return numbers;
+    return in.reportAt(value, "glib-E26",
+                       fmt::format("Key: '{}' has {} components, not {}", variable.name,
+                                   variable.current.size(), numbers->size()));
+}
+
+constexpr std::string_view kKeyNames[] = {"space", "enter", "left", "right", "up", "down"};
+
+/// A letter, a digit, or one of the names.
+bool isKey(std::string_view key) {
+    return glib::isAmong(key, kKeyNames) ||
+           (key.size() == 1 && (glib::isLetter(key[0]) || glib::isDigit(key[0])));
+}
+
+void doKey(Interpreter& in, const Command& command) {
+    KeyBinding binding;
+    const Value& key = command.values.front();
+    binding.key = key.kind == Value::Kind::number ? fmt::format("{}", key.number) : key.text;
+    binding.place = in.place(command);
+    if (!isKey(binding.key)) {
+        in.reportAt(key, "glib-E16",
+                    fmt::format("Key: '{}' is no key; write a letter, a digit, space, enter, left, "
+                                "right, up or down",
+                                binding.key));
+        return;
+    }
+    if (command.key("restart") != nullptr) {
+        binding.restarts = true;
+        in.scene.keys.push_back(std::move(binding));
+        return;
+    }
+    binding.isHeld = command.key("held") != nullptr;
+    const std::span<const Value> rest =
+        binding.isHeld ? std::span(command.key("held")->values) : std::span(command.values).subspan(1);
+    if (rest.size() < 2) return;
+    const Variable* variable = variableNamed(in, rest.front());
+    if (variable == nullptr) return;
+    binding.variable = variable->name;
+    const bool isNumeric = variable->words.empty() && variable->form != glib::UniformForm::truth;
+    if (binding.isHeld && !isNumeric) {
+        in.reportAt(rest.front(), "glib-E32",
+                    fmt::format("Key: '{}' has no values between its {}, through which a held key "
+                                "could move it",
+                                variable->name, variable->words.empty() ? "two" : "words"));
+        return;
+    }
+    for (const Value& each : rest.subspan(1)) {
+        auto value = valueForKey(in, each, *variable, binding.isHeld);
+        if (!value) return;
+        binding.values.push_back(std::move(*value));
+    }
+    in.scene.keys.push_back(std::move(binding));
+}
+
 }  // namespace
 
 std::span<const CommandAction> variableActions() {
     static constexpr CommandAction kActions[] = {
+        {CommandId::key, doKey},
         {CommandId::let, doLet, InList::isPart},
         {CommandId::bound, doLet, InList::isPart},
         {CommandId::use, doUse},

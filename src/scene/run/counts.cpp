@@ -17,7 +17,7 @@ constexpr std::size_t kMostElements = 10'000'000;
 bool stop(Interpreter& in, const Place& place, std::string_view what, std::size_t most) {
     if (!std::exchange(in.counts.isFull, true))
         in.report(diagnose(
-            "glib-E28", fmt::format("the frame has more than {} {}", base::groupedText(most), what), place));
+            "glib-E15", fmt::format("the frame has more than {} {}", base::groupedText(most), what), place));
     return false;
 }
 

@@ -10,7 +10,7 @@ namespace glibra::scene {
 /// Statements that one frame may execute; those of repetitions and groups count each time.
 inline constexpr std::size_t kMostStatements = 1'000'000;
 
-/// Counts a statement that is about to run. False, with glib-E28, if there are too many.
+/// Counts a statement that is about to run. False, with glib-E15, if there are too many.
 bool countStatement(Interpreter&, const Command& command);
 /// The same for a round of Repeat, whether or not it has statements.
 bool countRound(Interpreter&, const Command& command);

@@ -16,7 +16,6 @@
 #include "glib/text.h"
 #include "scene/run/camera_use.h"
 #include "scene/run/counts.h"
-#include "scene/run/depends.h"
 #include "scene/run/scope.h"
 
 namespace glibra::scene {
@@ -257,7 +256,7 @@ std::optional<std::size_t> wordOf(Interpreter& in, const Value& value,
 
 static std::nullopt_t outside(Interpreter& in, const Value& value, std::string_view what, double number,
                               double least, double most) {
-    return in.reportAt(value, "glib-E26",
+    return in.reportAt(value, "glib-E05",
                        fmt::format("{} {} is not between {} and {}", what, glib::numberText(number),
                                    glib::numberText(least), glib::numberText(most)));
 }
@@ -305,7 +304,7 @@ std::optional<int> integerIn(Interpreter& in, const Value& value, std::string_vi
     const auto whole = wholeOf(in, value);
     if (!whole) return std::nullopt;
     if (*whole >= least && *whole <= most) return static_cast<int>(*whole);
-    return in.reportAt(value, "glib-E26",
+    return in.reportAt(value, "glib-E05",
                        fmt::format("{} {} is not between {} and {}", what, glib::numberText(*whole),
                                    base::groupedText(least), base::groupedText(most)));
 }
@@ -331,7 +330,7 @@ std::optional<std::vector<double>> numbersOf(Interpreter& in, std::span<const Va
 bool fitFloats(Interpreter& in, const Value& value, std::span<const double> numbers) {
     const auto large = std::ranges::find_if_not(numbers, base::fitsFloat);
     if (large == numbers.end()) return true;
-    in.reportAt(value, "glib-E05",
+    in.reportAt(value, "glib-E31",
                 fmt::format("{} is too large for a 32-bit float", glib::numberText(*large)));
     return false;
 }
@@ -410,7 +409,7 @@ std::optional<expression::Value> constantOf(Interpreter& in, std::span<const Val
     expression::Value value;
     if (numbers->size() > 4)
         return in.reportAt(
-            values.front(), "glib-E26",
+            values.front(), "glib-E33",
             fmt::format("{} numbers are not a value here; write an expression", numbers->size()));
     value.type = values[0].kind == Value::Kind::truth ? expression::Type::boolean()
                                                       : expression::Type::vector(numbers->size());
@@ -487,5 +486,47 @@ std::optional<BufferValues> elementsLater(Interpreter& in, const Value& element,
     };
     return BufferValues(first->all().size() * static_cast<std::size_t>(count), make);
 }
+
+// ---- What a scene, or a Once or Step block, depends on.
+
+namespace {
+
+/// What Once writes stays, so it cannot follow a variable of time. Variables that the block sets are its own.
+void checkOnce(Interpreter& in, std::string_view name, expression::Depends depends, const Place& place) {
+    const OpenBlock* block = in.around.block;
+    if (block == nullptr || block->isStep || !any(depends & expression::Depends::variable) ||
+        !changesWithTime(depends) || in.names().isOfBlock(name))
+        return;
+    const auto declared = in.modern.names.find(name);
+    const std::string where =
+        declared != in.modern.names.end() ? fmt::format(" (line {})", declared->second.place.line) : "";
+    in.report(diagnose("memory-E11",
+                       fmt::format("Once reads '{}'{}, which changes with time, but what Once writes stays; "
+                                   "read it in Step",
+                                   name, where),
+                       place));
+}
+
+/// What the scene, or the block that is open, depends on.
+expression::Depends& currentDepends(Interpreter& in) {
+    return in.around.block != nullptr ? in.around.block->depends : in.shared->depends;
+}
+
+}  // namespace
+
+void noteRead(Interpreter& in, std::string_view name, Environment::Slot slot, const Place& place) {
+    checkOnce(in, name, in.names().dependsOf(slot), place);
+    if (in.around.readSlots != nullptr) in.around.readSlots->push_back(slot);
+    if (in.around.block == nullptr || !in.around.block->readSlots.insert(slot).second) return;
+    const std::vector<double> values = in.names().valuesOf(slot);
+    in.around.block->reads.insert(in.around.block->reads.end(), values.begin(), values.end());
+}
+
+void addDepends(Interpreter& in, expression::Depends depends) {
+    currentDepends(in) = currentDepends(in) | depends;
+}
+
+DependsOnly::DependsOnly(Interpreter& in)
+    : all_(currentDepends(in)), before_(std::exchange(all_, expression::Depends::nothing)) {}
 
 }  // namespace glibra::scene

@@ -8,12 +8,36 @@
 #include <vector>
 
 #include "expression/expression.h"
+#include "expression/known_names.h"
 #include "glib/parse/arguments.h"
 #include "glib/script.h"
 #include "scene/buffer_values.h"
 #include "scene/run/state.h"
 
 namespace glibra::scene {
+
+// ---- What a scene, or a Once or Step block, depends on.
+
+/// Remembers that a Once block, or whoever collects it, reads the value of a name at that place. Reports
+/// memory-E11 for a variable that changes with time and that Once reads.
+void noteRead(Interpreter&, std::string_view name, Environment::Slot slot, const Place& place);
+
+/// Remembers what the scene, or the block that is open, depends on.
+void addDepends(Interpreter&, expression::Depends depends);
+
+/// Collects what the evaluations during its life depend on. At its end the scene or block depends on it too.
+class DependsOnly {
+  public:
+    explicit DependsOnly(Interpreter& in);
+    DependsOnly(const DependsOnly&) = delete;
+    DependsOnly& operator=(const DependsOnly&) = delete;
+    ~DependsOnly() { all_ = all_ | before_; }
+    [[nodiscard]] expression::Depends depends() const { return all_; }
+
+  private:
+    expression::Depends& all_;
+    expression::Depends before_;
+};
 
 WrittenAt writtenAt(const Interpreter&, const Value& value);
 
@@ -32,7 +56,7 @@ std::optional<bool> truthOf(Interpreter&, const Value& value);
 
 /// The index of a word among `words`: a word as written, or an expression whose value is one of them.
 std::optional<std::size_t> wordOf(Interpreter&, const Value& value, std::span<const std::string_view> words);
-/// A number from `least` to `most`. Nothing with glib-E26 reported: "Step: the rate 0 is not between 1e-06
+/// A number from `least` to `most`. Nothing with glib-E05 reported: "Step: the rate 0 is not between 1e-06
 /// and 1,000,000".
 std::optional<double> numberIn(Interpreter&, const Value& value, std::string_view what, double least,
                                double most);
@@ -52,9 +76,9 @@ std::optional<int> integerIn(Interpreter&, const Value& value, std::string_view 
 /// an expression has no value. The values must not be words or texts.
 std::optional<std::vector<double>> numbersOf(Interpreter&, std::span<const Value> values);
 
-/// The same for numbers that are kept as 32-bit floats. Nothing, with glib-E05, if one is too large.
+/// The same for numbers that are kept as 32-bit floats. Nothing, with glib-E31, if one is too large.
 std::optional<std::vector<double>> floatsOf(Interpreter&, std::span<const Value> values);
-/// False with glib-E05 reported if 32-bit floats do not hold the numbers of a value.
+/// False with glib-E31 reported if 32-bit floats do not hold the numbers of a value.
 bool fitFloats(Interpreter&, const Value& value, std::span<const double> numbers);
 
 /// The same with the place of each number.

@@ -10,7 +10,6 @@
 
 #include "base/suggest.h"
 #include "expression/known_names.h"
-#include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/texture_parts.h"
 
@@ -91,7 +90,7 @@ class PartReader {
         }
         if (declared == nullptr) return unknown();
         if (declared->kind != NameKind::texture && declared->kind != NameKind::buffer)
-            return refuse("glib-E27", fmt::format("'{}' is {}, not a texture or buffer", name_.name,
+            return refuse("glib-E34", fmt::format("'{}' is {}, not a texture or buffer", name_.name,
                                                   wordOfKind(declared->kind)));
         if (std::holds_alternative<std::monostate>(declared->object)) return std::nullopt;
         if (const auto* buffer = std::get_if<BufferIndex>(&declared->object))
@@ -103,7 +102,7 @@ class PartReader {
     std::optional<ObjectView> readOf(const ObjectView& object) {
         if (name_.index.empty()) return readParts(object);
         const bool isBuffer = std::holds_alternative<BufferView>(object);
-        return refuse("glib-E27", fmt::format("'{}' is {}, not an array", name_.name,
+        return refuse("glib-E34", fmt::format("'{}' is {}, not an array", name_.name,
                                               wordOfKind(isBuffer ? NameKind::buffer : NameKind::texture)));
     }
 
@@ -132,7 +131,7 @@ class PartReader {
         for (const auto& [name, declared] : in_.modern.names)
             if (name.starts_with(mesh)) names.push_back(name);
         if (names.empty()) return std::nullopt;  // the mesh has an error
-        return refuse("glib-E27",
+        return refuse("glib-E34",
                       fmt::format("'{}' is no buffer; the mesh has {}", value_.text, fmt::join(names, ", ")));
     }
 
@@ -159,7 +158,7 @@ class PartReader {
             if (!readPart(texture, value_.path[i], view)) return std::nullopt;
         if (cube_ || face_) {
             if (!cube_ || !face_)
-                return refuse("glib-E26", fmt::format("{0}: a part of several cube maps has a layer and a "
+                return refuse("glib-E35", fmt::format("{0}: a part of several cube maps has a layer and a "
                                                       "face: {0}.layer(0).face(0)",
                                                       name_.name));
             view.layer = 6 * *cube_ + *face_;
@@ -190,7 +189,7 @@ class PartReader {
                                                                       : view.layer;
         if (number || (isCubes && part.name != "level" && view.layer)) return twice(part), false;
         if (part.index.empty()) {
-            refuse("glib-E26", fmt::format("{0}.{1} needs a number: {0}.{1}(0)", name_.name, part.name));
+            refuse("glib-E35", fmt::format("{0}.{1} needs a number: {0}.{1}(0)", name_.name, part.name));
             return false;
         }
         constexpr int kMost = 16'384;
@@ -205,7 +204,7 @@ class PartReader {
     bool isLayerInRange(const Texture& texture, const TextureView& view) {
         const auto layers = layersOf(texture, view.level.value_or(0));
         if (!layers || *view.layer < *layers) return true;
-        refuse("glib-E26",
+        refuse("glib-E05",
                fmt::format("{}.layer: {} is not between 0 and {}", name_.name, *view.layer, *layers - 1));
         return false;
     }
@@ -231,14 +230,14 @@ class PartReader {
             return std::nullopt;
         if (part.name == "prev")
             return refuse(
-                "glib-E27",
+                "glib-E35",
                 fmt::format("'{0}' has no part 'prev'; write 'history' where it is declared", name_.name));
         if (!hasHistory) std::erase(parts, "prev");
         for (const auto& [name, declared] : in_.modern.names)
             if (declared.kind == NameKind::sampler) parts.push_back(name);
         std::string help = base::suggestion(part.name, parts);
         if (help.empty() && !parts.empty()) help = fmt::format("; it has {}", fmt::join(parts, ", "));
-        return refuse("glib-E27", fmt::format("'{}' has no part '{}'{}", name_.name, part.name, help));
+        return refuse("glib-E35", fmt::format("'{}' has no part '{}'{}", name_.name, part.name, help));
     }
 
     std::nullopt_t surplusIndex(const NamePart& part) {
@@ -262,7 +261,7 @@ std::optional<View> viewOf(Interpreter& in, const Value& value, std::string_view
     const auto object = objectNamed(in, value);
     if (!object) return std::nullopt;
     if (const auto* view = std::get_if<View>(&*object)) return *view;
-    return in.reportAt(value, "glib-E27", fmt::format("'{}' is not {}", value.text, wanted));
+    return in.reportAt(value, "glib-E34", fmt::format("'{}' is not {}", value.text, wanted));
 }
 
 }  // namespace
@@ -270,7 +269,7 @@ std::optional<View> viewOf(Interpreter& in, const Value& value, std::string_view
 bool declareName(Interpreter& in, const Command& command, const std::string& name, NameKind kind) {
     const auto refuse = [&](std::string text) {
         const Value& value = command.values.front();
-        in.reportAt(value, "glib-E27", std::move(text));
+        in.reportAt(value, "glib-E36", std::move(text));
         return false;
     };
     if (isReserved(name, kind))
@@ -344,7 +343,9 @@ std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, boo
     const auto computes = [&](ProgramIndex program) {
         return in.scene.programs[program].hasStage(glsl::Stage::compute);
     };
-    const auto refuse = [&](std::string text) { return in.reportAt(name, "glib-E27", std::move(text)); };
+    const auto refuse = [&](const char* id, std::string text) {
+        return in.reportAt(name, id, std::move(text));
+    };
     auto known = in.modern.programs.find(name.text);
     if (known == in.modern.programs.end()) known = in.modern.programs.find(wordBehind(in, name.text));
     if (known == in.modern.programs.end()) {
@@ -352,11 +353,12 @@ std::optional<ProgramIndex> programNamed(Interpreter& in, const Value& name, boo
         std::vector<std::string_view> names;
         for (const auto& [each, program] : in.modern.programs)
             if (computes(program) == isCompute) names.push_back(each);
-        return refuse(fmt::format("no program '{}' is declared before this line{}", name.text,
-                                  base::suggestion(name.text, names)));
+        return refuse("glib-E27", fmt::format("no program '{}' is declared before this line{}", name.text,
+                                              base::suggestion(name.text, names)));
     }
     if (computes(known->second) == isCompute) return known->second;
-    return refuse(isCompute ? fmt::format("program '{}' has no compute stage; write Compute before its "
+    return refuse("glib-E34",
+                  isCompute ? fmt::format("program '{}' has no compute stage; write Compute before its "
                                           "Program statement, because a stage is for one program alone",
                                           name.text)
                             : fmt::format("program '{}' has a compute stage; Dispatch runs it", name.text));

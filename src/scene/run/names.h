@@ -10,7 +10,7 @@
 
 namespace glibra::scene {
 
-/// Declares the name that the statement's first value states. False with glib-E27 if it has a meaning
+/// Declares the name that the statement's first value states. False with glib-E36 if it has a meaning
 /// already.
 bool declareName(Interpreter&, const Command&, const std::string& name, DeclaredName::Kind kind);
 /// Sets the object of a declared name.
@@ -34,7 +34,7 @@ std::string wordBehind(Interpreter&, const std::string& name);
 /// True for the word `window`.
 bool isWindow(const Value& value);
 
-/// The program of that name, if it draws or if it computes, as wanted. Nothing with glib-E27 reported.
+/// The program of that name, if it draws or if it computes, as wanted. Nothing with glib-E27 or E34 reported.
 std::optional<ProgramIndex> programNamed(Interpreter&, const Value& name, bool isCompute);
 
 }  // namespace glibra::scene

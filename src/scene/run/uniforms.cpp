@@ -13,7 +13,6 @@
 #include "base/suggest.h"
 #include "glib/text.h"
 #include "scene/run/camera_use.h"
-#include "scene/run/depends.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"

@@ -146,7 +146,7 @@ Result<Golden> GoldenStore::read(const Shot& shot, std::string variant) const {
     const fs::path path = file(shot, variant);
     if (!allowOutside_ && !isBelow(path, folder_) && !isBelow(path, suiteFolder_))
         return diagnose(
-            "file-E02",
+            "file-E14",
             fmt::format("cannot read '{0}': it is a link to a place outside of the golden folder; "
                         "--allow-outside follows it",
                         path.string()),

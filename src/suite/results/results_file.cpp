@@ -80,18 +80,18 @@ Diagnostic cannotShow(const fs::path& path, int problem) {
         case EACCES:
         case EINVAL:
             return diagnose(
-                "file-E02",
+                "file-E14",
                 fmt::format("cannot read '{}': it is not in the folder of the results, nor below the "
                             "folders of the suite, its scenes and the library",
                             name));
         case ELOOP:
-            return diagnose("file-E02", fmt::format("cannot read '{}': links are not followed here", name));
+            return diagnose("file-E14", fmt::format("cannot read '{}': links are not followed here", name));
         case ENOTSUP:
-            return diagnose("file-E02", fmt::format("cannot read '{}': it is not an ordinary file", name));
+            return diagnose("file-E14", fmt::format("cannot read '{}': it is not an ordinary file", name));
         case EFBIG:
             return diagnose("file-E09", fmt::format("'{}' is too large to be shown", name));
         default:
-            return diagnose("file-E02", fmt::format("cannot read '{}': {}", name,
+            return diagnose("file-E14", fmt::format("cannot read '{}': {}", name,
                                                     std::generic_category().message(problem)));
     }
 }

@@ -29,7 +29,7 @@ inline constexpr std::uint64_t kLargestShownPicture = 256ULL << 20;
 Result<std::vector<std::byte>> readNamed(const std::filesystem::path& path,
                                          const std::filesystem::path& resultsFolder, const base::Roots& roots,
                                          std::uint64_t largest = kLargestShownPicture);
-/// The file-E02 for a file that could not be opened, with the reason in words.
+/// The file-E14 for a file that could not be opened, with the reason in words.
 Diagnostic cannotShow(const std::filesystem::path& path, int problem);
 
 /// Writes the whole file, in the order of `run.shots`, with its end line if the run is complete. The file

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "glib/modern/statement_table.h"
 #include "glib/number.h"
 
 namespace glibra::view {
@@ -68,7 +69,7 @@ std::string stepText(std::span<const glib::Script* const> scripts) {
             const bool opens = command.partner != Command::kNoPartner && command.partner > i;
             const bool isInBlock = blockEnd > i || (blockEnd == i && i > 0);
             if (opens && command.id != CommandId::pass) blockEnd = std::max(blockEnd, command.partner);
-            if (isStage(command.id) || (!isInBlock && glib::drawsFrame(command.id))) continue;
+            if (isStage(command.id) || (!isInBlock && !glib::restartsSimulation(command.id))) continue;
             add(command, text);
         }
         text += '\f';
