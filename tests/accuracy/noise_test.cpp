@@ -12,7 +12,7 @@ namespace {
 
 TEST(NoiseVolume, TexelsHaveTheirValuesAtTheirPlaces) {
     const std::vector<float> exact = exactTexels(8);
-    const NoiseVolume volume(8, noiseFormats()[4], exact);
+    const NoiseVolume volume(8, kNoiseFormats[4], exact);
     for (int i = 0; i < 8; ++i) {
         const glm::dvec3 place(i / 8., (7 - i) / 8., .125);
         const Octaves found = volume.at(place), wanted = exactNoise(place);
@@ -84,7 +84,7 @@ TEST_F(Noise, RepeatingHidesTheSeamAndClampingDoesNot) {
 
 TEST_F(Noise, APixelIsWhatTheTableGivesThere) {
     Bench bench({.quick = true});
-    const NoiseVolume volume(16, noiseFormats()[4], exactTexels(16));
+    const NoiseVolume volume(16, kNoiseFormats[4], exactTexels(16));
     const Texels texture = volume.upload(bench);
     const NoisePlane plane{.corner = {-.3, .2, .1}, .across = {1.4, .1, .2}, .up = {.1, .9, -.7}};
     for (const NoiseShader shader : {NoiseShader::driverFilter, NoiseShader::shaderFilter}) {

@@ -21,7 +21,9 @@ namespace glibra::bench {
 struct Failed : std::exception {
     Diagnostics diagnostics;
     explicit Failed(Diagnostics why) : diagnostics(std::move(why)) {}
-    [[nodiscard]] const char* what() const noexcept override { return diagnostics.front().text.c_str(); }
+    [[nodiscard]] const char* what() const noexcept override {
+        return diagnostics.empty() ? "no reason is known" : diagnostics.front().text.c_str();
+    }
 };
 
 /// The value. Throws Failed with the errors if there is none.

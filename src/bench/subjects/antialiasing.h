@@ -54,4 +54,6 @@ struct Pattern {
 /// pixel, and the integrals over that width and over the square of the pixel.
 std::vector<Pattern> patterns(Bench& bench);
 
+std::vector<Figure> measureAntialiasing(Bench& bench);
+
 }  // namespace glibra::bench

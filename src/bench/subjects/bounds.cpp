@@ -9,7 +9,7 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kVisible = 8. / 255;
+constexpr double kVisibleChange = 8. / 255;
 constexpr double kMostColored = .002;  ///< twice what small pictures allow
 
 /// The names and values of the Bound variables of a scene.
@@ -103,9 +103,10 @@ std::vector<Figure> measureBounds(Bench& bench) {
                                                {"values of the scene", &stated},
                                                {"finest values", &finest}})
                 each.figure.add(
-                    curve, {1. * count, scene.name,
-                            budget::ContourShifts(drawn->picture, finest.picture).ofChangesAbove(kVisible),
-                            drawn->time});
+                    curve,
+                    {1. * count, scene.name,
+                     budget::ContourShifts(drawn->picture, finest.picture).ofChangesAbove(kVisibleChange),
+                     drawn->time});
             if (values.isKept) {
                 each.unknown += (each.unknown.empty() ? "" : ", ") + scene.name;
                 continue;
@@ -117,7 +118,7 @@ std::vector<Figure> measureBounds(Bench& bench) {
                 each.worst = ratio;
                 each.worstScene = scene.name;
             }
-            const double colored = shifts.shareOfSmoothChangesAbove(kVisible, each.bound);
+            const double colored = shifts.shareOfSmoothChangesAbove(kVisibleChange, each.bound);
             if (colored > kMostColored)
                 each.figure.note("{}: {} of 1000 pixels have another colour", scene.name,
                                  numberText(1000 * colored));

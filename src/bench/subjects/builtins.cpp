@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/subjects/subjects.h"
-
 namespace glibra::bench {
 
 // The errors that GLSL 4.60, section 4.7.1, allows the built-in functions: absolute, for component i of the

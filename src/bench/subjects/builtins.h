@@ -88,4 +88,6 @@ std::string toText(const std::vector<PrecisionRow>& rows);
 /// "0.25" or, for two arguments, "0.25, 3": the numbers that the function reads.
 std::string argumentsText(const BuiltinFunction& function, const std::array<float, 8>& arguments);
 
+std::vector<Figure> measureBuiltins(Bench& bench);
+
 }  // namespace glibra::bench

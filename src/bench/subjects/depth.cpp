@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "bench/subjects/subjects.h"
-
 namespace glibra::bench {
 namespace {
 
@@ -15,14 +13,6 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< for a ga
 constexpr const char* kOrderReference =
     "the order of the two distances, known in double; theory: one step of the buffer times z^2 (f - n) / (f "
     "n)";
-
-constexpr std::array kKinds{
-    DepthKind{"16 bit", gpu::TexelFormat::depth16, 16},
-    DepthKind{"24 bit", gpu::TexelFormat::depth24, 24},
-    DepthKind{"32 bit float", gpu::TexelFormat::depth32f, 24},
-    DepthKind{"32 bit float, reversed, -1..1", gpu::TexelFormat::depth32f, 24, true},
-    DepthKind{"32 bit float, reversed, 0..1", gpu::TexelFormat::depth32f, 24, true, true},
-};
 
 /// The spacing at `value` of floats with `bits` bits of mantissa.
 double spacing(double value, int bits) {
@@ -234,12 +224,8 @@ Figure depthCost(Bench& bench) {
 
 }  // namespace
 
-std::span<const DepthKind> depthKinds() {
-    return kKinds;
-}
-
 std::vector<DepthKind> usableKinds(const gpu::Capabilities& capabilities) {
-    std::vector<DepthKind> usable(kKinds.begin(), kKinds.end());
+    std::vector<DepthKind> usable(kDepthKinds.begin(), kDepthKinds.end());
     std::erase_if(usable,
                   [&](const DepthKind& kind) { return kind.isZeroToOne && !capabilities.atLeast(4, 5); });
     return usable;

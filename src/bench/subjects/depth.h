@@ -2,6 +2,7 @@
 // Depth formats and mappings, the gap that one step of each stands for, and pairs of surfaces drawn with
 // them.
 
+#include <array>
 #include <vector>
 
 #include "bench/core/device.h"
@@ -17,8 +18,13 @@ struct DepthKind {
     bool isZeroToOne = false;  ///< normalised depth runs from 0 to 1 (glClipControl, GL 4.5), not from -1
     [[nodiscard]] bool isFloat() const { return format == gpu::TexelFormat::depth32f; }
 };
-/// 16 bit, 24 bit, 32 bit float, and reversed 32 bit float with either range.
-std::span<const DepthKind> depthKinds();
+inline constexpr std::array kDepthKinds{
+    DepthKind{"16 bit", gpu::TexelFormat::depth16, 16},
+    DepthKind{"24 bit", gpu::TexelFormat::depth24, 24},
+    DepthKind{"32 bit float", gpu::TexelFormat::depth32f, 24},
+    DepthKind{"32 bit float, reversed, -1..1", gpu::TexelFormat::depth32f, 24, true},
+    DepthKind{"32 bit float, reversed, 0..1", gpu::TexelFormat::depth32f, 24, true, true},
+};
 /// Those that this driver supports.
 std::vector<DepthKind> usableKinds(const gpu::Capabilities& capabilities);
 
@@ -61,5 +67,7 @@ class DepthPicture {
     Canvas canvas_;
     Shader shader_;
 };
+
+std::vector<Figure> measureDepth(Bench& bench);
 
 }  // namespace glibra::bench

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/subjects/subjects.h"
-
 namespace glibra::bench {
 namespace {
 

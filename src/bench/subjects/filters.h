@@ -59,4 +59,6 @@ class FilterChain {
     std::vector<Pass> passes_;
 };
 
+std::vector<Figure> measureFilters(Bench& bench);
+
 }  // namespace glibra::bench

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "bench/core/device.h"
-#include "bench/subjects/subjects.h"
 #include "geometry/shapes/sphere.h"
 #include "geometry/shapes/torus.h"
 

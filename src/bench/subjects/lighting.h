@@ -7,6 +7,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "bench/core/bench.h"
+
 namespace glibra::bench {
 
 enum class LitSurface { sphere, torus };
@@ -30,5 +32,7 @@ double highlight(Highlight model, const glm::dvec3& normal, const glm::dvec3& li
 
 /// Ambient + diffuse + highlight, which add up to 1.
 double intensity(Highlight model, const glm::dvec3& normal, const glm::dvec3& light, double exponent);
+
+std::vector<Figure> measureLighting(Bench& bench);
 
 }  // namespace glibra::bench

@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "bench/subjects/antialiasing.h"
-#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

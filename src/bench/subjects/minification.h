@@ -5,6 +5,8 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "bench/core/bench.h"
+
 namespace glibra::bench {
 
 inline constexpr int kCardSide = 512;  ///< texels
@@ -17,5 +19,7 @@ std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& texels, int si
 /// Interpolates a repeating square of bytes bilinearly in double. `place` is in texels; the centre of texel i
 /// is at i + 1/2. The result is in 0..1.
 double bilinear(const std::vector<std::uint8_t>& texels, int side, const glm::dvec2& place);
+
+std::vector<Figure> measureMinification(Bench& bench);
 
 }  // namespace glibra::bench

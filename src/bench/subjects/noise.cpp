@@ -8,7 +8,6 @@
 #include <map>
 #include <numeric>
 
-#include "bench/subjects/subjects.h"
 #include "noise/tables.h"
 
 namespace glibra::bench {
@@ -16,11 +15,6 @@ namespace {
 
 constexpr int kNoiseSide = 256;
 constexpr const char* kNoiseReference = "the noise function itself, in double";
-constexpr std::array<NoiseFormat, 5> kNoiseFormats{{{"8 bit, cut off", gpu::TexelFormat::rgba8, 255, true},
-                                                    {"8 bit, rounded", gpu::TexelFormat::rgba8, 255},
-                                                    {"16 bit", gpu::TexelFormat::rgba16, 65535},
-                                                    {"half float", gpu::TexelFormat::rgba16f},
-                                                    {"float", gpu::TexelFormat::rgba32f}}};
 constexpr const NoiseFormat& kCutOff = kNoiseFormats[0];
 constexpr const NoiseFormat& kRounded = kNoiseFormats[1];
 constexpr const NoiseFormat& kFloat = kNoiseFormats[4];
@@ -302,10 +296,6 @@ Figure seamFigure(Bench& bench, ExactTexels& exact) {
 }
 
 }  // namespace
-
-std::span<const NoiseFormat, 5> noiseFormats() {
-    return kNoiseFormats;
-}
 
 Octaves exactNoise(const glm::dvec3& place) {
     Octaves values{};

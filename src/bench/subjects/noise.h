@@ -15,8 +15,12 @@ struct NoiseFormat {
     double steps = 0;       ///< of the values 0..1 that it keeps; 0: floats
     bool isCutOff = false;  ///< as in scenes (noise::noise3Texels), otherwise rounded to nearest
 };
-/// 8 bit, cut off; 8 bit, rounded; 16 bit; half float; float.
-std::span<const NoiseFormat, 5> noiseFormats();
+inline constexpr std::array<NoiseFormat, 5> kNoiseFormats{
+    {{"8 bit, cut off", gpu::TexelFormat::rgba8, 255, true},
+     {"8 bit, rounded", gpu::TexelFormat::rgba8, 255},
+     {"16 bit", gpu::TexelFormat::rgba16, 65535},
+     {"half float", gpu::TexelFormat::rgba16f},
+     {"float", gpu::TexelFormat::rgba32f}}};
 
 /// One value per octave.
 using Octaves = std::array<double, noise::kOctaves>;
@@ -69,5 +73,7 @@ class NoisePicture {
     Canvas canvas_;
     Shader shader_;
 };
+
+std::vector<Figure> measureNoise(Bench& bench);
 
 }  // namespace glibra::bench

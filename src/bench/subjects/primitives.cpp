@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "bench/core/device.h"
-#include "bench/subjects/subjects.h"
 #include "geometry/shapes/cone.h"
 #include "geometry/shapes/cylinder.h"
 #include "geometry/shapes/soccerball.h"

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "bench/core/bench.h"
 #include "geometry/mesh.h"
 #include "geometry/shapes/teapot_patches.h"
 
@@ -47,5 +48,7 @@ PatchPoint patchPoint(const geometry::Patch& patch, const glm::dvec2& st);
 /// The parameters, within 0..1, of the point of the patch that is nearest to `point`, searched from `start`
 /// by damped Gauss-Newton steps.
 glm::dvec2 nearestOnPatch(const geometry::Patch& patch, const glm::dvec3& point, glm::dvec2 start);
+
+std::vector<Figure> measurePrimitives(Bench& bench);
 
 }  // namespace glibra::bench

@@ -155,14 +155,14 @@ Setting settingOf(double value, std::string label, std::vector<Ray> rays) {
     return setting;
 }
 
-using Choice = double Outcome::*;
+using Measured = double Outcome::*;
 
 Point rayPoint(const Setting& setting, double error, const Timing& time, double bytes) {
     return {setting.value, setting.label, error, time, bytes};
 }
 
 void addRayCurve(Figure& figure, Bench& bench, const RayShader& method, std::span<const Setting> settings,
-                 Choice choice) {
+                 Measured choice) {
     for (const Setting& setting : settings) {
         std::vector<Four> inputs;
         for (const Ray& ray : setting.rays) {
@@ -180,7 +180,7 @@ void addRayCurve(Figure& figure, Bench& bench, const RayShader& method, std::spa
 
 /// Adds a curve for each method to the figure, by the distance of rays that pass the centre between the two
 /// radii.
-void addCurves(Figure& figure, Bench& bench, double smallest, double largest, Choice choice) {
+void addCurves(Figure& figure, Bench& bench, double smallest, double largest, Measured choice) {
     figure.settingName = "distance of the ray's origin in radii";
     figure.alternatives = Alternatives::setting;
     std::vector<Setting> settings;

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "bench/subjects/primitives.h"
-#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -406,7 +405,8 @@ Figure crackFigure(Bench& bench) {
         .reference =
             fmt::format("the neighbour's own vertex at the same place of the edge; {} edges have the same "
                         "control points bit for bit, {} of them run the other way",
-                        shared.size(), std::ranges::count_if(shared, &SharedEdge::isReversed))};
+                        shared.size(), std::ranges::count_if(shared, &SharedEdge::isReversed)),
+        .alternatives = Alternatives::setting};
     const std::vector<float> levels =
         bench.pick(std::vector<float>{1, 3, 8, 32}, {1, 2, 3, 4, 5.5, 7, 8, 11.3F, 16, 24, 32, 45.9F, 62});
     for (const Surface* surface : {&kBernstein, &kInterpolated, &kSymmetric})
@@ -471,7 +471,8 @@ Figure levelGapFigure(Bench& bench) {
                   .settingName = "lower tessellation level",
                   .errorName = "largest gap",
                   .errorUnit = "teapot units",
-                  .reference = "the other side's polyline, in double; equal levels leave no gap"};
+                  .reference = "the other side's polyline, in double; equal levels leave no gap",
+                  .alternatives = Alternatives::setting};
     const ControlPoints all = turnedTeapot();
     constexpr std::size_t kFirst = 16 * std::size_t{geometry::kTeapotSpout};
     for (const std::string_view spacing : kSpacings) {

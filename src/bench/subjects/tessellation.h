@@ -91,4 +91,6 @@ class PnTriangle {
     std::array<glm::dvec3, 10> points_{};  ///< b(i,j,k), i falling, then j falling
 };
 
+std::vector<Figure> measureTessellation(Bench& bench);
+
 }  // namespace glibra::bench

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "bench/core/device.h"
-#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "bench/core/bench.h"
+
 namespace glibra::bench {
 
 /// side^3 texels, x fastest, 0..1. The density is trilinear between texel centres and constant beyond the
@@ -55,5 +57,7 @@ struct VolumeLight {
 
 /// The midpoint rule with `steps` steps along the cube's diagonal; shorter rays have proportionally fewer.
 VolumeLight integrate(const VolumeField& field, const VolumeRay& ray, double strength, int steps);
+
+std::vector<Figure> measureVolume(Bench& bench);
 
 }  // namespace glibra::bench
