@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "bench/core/run.h"
 #include "bench/subjects/antialiasing.h"
 
 namespace glibra::bench {

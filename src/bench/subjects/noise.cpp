@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "bench/core/run.h"
 #include "noise/tables.h"
 
 namespace glibra::bench {
