@@ -95,11 +95,9 @@ ORDER = {
     },
     "bench": {
         "core": set(),
-        "reference": set(),
-        "draw": {"core", "reference"},
-        "subjects": {"core", "reference", "draw"},
+        "subjects": {"core"},
         "report": {"core"},
-        "program": {"core", "reference", "draw", "subjects", "report"},
+        "program": {"core", "subjects", "report"},
     },
     "view": {
         "style": set(),

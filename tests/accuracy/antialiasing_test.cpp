@@ -3,11 +3,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "bench/core/fit.h"
-#include "bench/draw/offscreen.h"
-#include "bench/draw/patterns.h"
-#include "bench/reference/coverage.h"
-#include "bench/reference/pixel_filter.h"
+#include "bench/core/device.h"
+#include "bench/core/figure.h"
+#include "bench/subjects/antialiasing.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 
@@ -36,24 +34,25 @@ TEST(Coverage, AreasOfAnyTriangleAddUpAndReachBeyondThePictureWithoutHarm) {
 
 TEST(PixelFilter, EveryFilterKeepsAConstantAndItsWeightsMatchItsDefinition) {
     const std::vector<float> constant(40 * 40, .625F);
-    for (const PixelFilter filter : kPixelFilters) {
+    for (const PixelFilter& filter : pixelFilters()) {
         for (const double each : reduce(constant, 10, 10, 4, filter)) EXPECT_NEAR(each, .625, 1e-14);
-        EXPECT_GT(weightOf(filter, 0), 0);
-        EXPECT_EQ(weightOf(filter, radiusOf(filter) + .001), 0);
+        EXPECT_GT(filter.weight(0), 0);
+        EXPECT_EQ(filter.weight(filter.radius + .001), 0);
     }
-    EXPECT_NEAR(weightOf(PixelFilter::mitchell, 0), 8. / 9, 1e-15);
-    EXPECT_NEAR(weightOf(PixelFilter::mitchell, 1), 1. / 18, 1e-15);
-    EXPECT_NEAR(weightOf(PixelFilter::lanczos2, 1), 0, 1e-15);
-    EXPECT_NEAR(weightOf(PixelFilter::lanczos2, 1.5), -.06355, 5e-4);
+    const PixelFilter &mitchell = pixelFilters()[3], &lanczos = pixelFilters()[4];
+    EXPECT_NEAR(mitchell.weight(0), 8. / 9, 1e-15);
+    EXPECT_NEAR(mitchell.weight(1), 1. / 18, 1e-15);
+    EXPECT_NEAR(lanczos.weight(1), 0, 1e-15);
+    EXPECT_NEAR(lanczos.weight(1.5), -.06355, 5e-4);
 }
 
 TEST(PixelFilter, BoxIsTheMeanOfAPixelsSamplesAndTentReachesTheNeighbours) {
     std::vector<float> samples(6 * 6, 0.F);
     samples[2 * 6 + 2] = 1;  // upper left sample of the middle pixel
-    const std::vector<double> box = reduce(samples, 3, 3, 2, PixelFilter::box);
+    const std::vector<double> box = reduce(samples, 3, 3, 2);
     EXPECT_DOUBLE_EQ(box[4], .25);
     EXPECT_DOUBLE_EQ(box[0], 0);
-    const std::vector<double> tent = reduce(samples, 3, 3, 2, PixelFilter::tent);
+    const std::vector<double> tent = reduce(samples, 3, 3, 2, pixelFilters()[1]);
     EXPECT_GT(tent[0], tent[8]);
     // Weights of the middle pixel along one axis: .25 .75 .75 .25 for samples 1 to 4.
     EXPECT_DOUBLE_EQ(tent[4], .375 * .375);
@@ -72,9 +71,7 @@ TEST_F(Antialiasing, ErrorOnEdgesFallsAsTheGridsDistanceTimesItsRoot) {
 
 TEST_F(Antialiasing, MultisamplingHelpsEdgesAndNothingElse) {
     Bench bench({.quick = true});
-    Result<gpu::Context*> context = bench.context();
-    ASSERT_TRUE(context);
-    const bool isSoftware = (*context)->capabilities().isSoftware;
+    const bool isSoftware = bench.capabilities().isSoftware;
     for (const Figure& each : figures) {
         const Curve& multi = each.curves.front();
         if (multi.points.size() < 2) GTEST_SKIP() << "this driver has one sample only";
@@ -109,23 +106,11 @@ TEST_F(Antialiasing, OneSampleOfAnIntegratedStripeBeatsSixteenOfAStep) {
 
 TEST_F(Antialiasing, ManySamplesAgreeWithTheExactIntegrals) {
     Bench bench({.quick = true});
-    Result<gpu::Context*> context = bench.context();
-    ASSERT_TRUE(context);
-    const gpu::Capabilities& capabilities = (*context)->capabilities();
-    Result<std::vector<Pattern>> all = patterns(capabilities);
-    ASSERT_TRUE(all);
     constexpr int kSide = 32, kFactor = 32;
-    Result<gpu::Target> target =
-        gpu::Target::window(capabilities, kSide * kFactor, kSide * kFactor, gpu::TexelFormat::r32f);
-    ASSERT_TRUE(target);
-    for (const Pattern& pattern : *all) {
+    const Canvas canvas(bench, kSide * kFactor, kSide * kFactor, gpu::TexelFormat::r32f);
+    for (const Pattern& pattern : patterns(bench)) {
         if (!pattern.exact) continue;
-        target->bind();
-        target->clearColor(0, {});
-        pattern.draw(pattern.programs.front(), kSide);
-        Result<std::vector<float>> samples = readFloats(capabilities, *target, 1);
-        ASSERT_TRUE(samples);
-        const std::vector<double> means = reduce(*samples, kSide, kSide, kFactor, PixelFilter::box);
+        const std::vector<double> means = reduce(pattern.drawn(canvas, kSide), kSide, kSide, kFactor);
         const std::vector<double> exact = pattern.exact(kSide);
         for (std::size_t i = 0; i < exact.size(); ++i)
             EXPECT_NEAR(means[i], exact[i], .04) << pattern.name << " pixel " << i;

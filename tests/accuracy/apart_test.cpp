@@ -1,4 +1,4 @@
-#include "bench/core/apart.h"
+#include "bench/core/bench.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

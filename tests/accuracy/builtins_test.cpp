@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "bench/subjects/builtin_precision.h"
+#include "bench/subjects/builtins.h"
 #include "gpu/context/context.h"
 
 namespace glibra::bench {
@@ -192,14 +192,12 @@ TEST(BuiltinFunctions, PrintTheArgumentsTheyRead) {
 }
 
 TEST(PrecisionOfTheDriver, IsMeasuredOnTheIntendedArguments) {
-    const Result<gpu::Context> context = gpu::openContext();
-    ASSERT_TRUE(context);
-    const Result<std::vector<PrecisionRow>> rows = precisionTable(context->capabilities(), 16);
-    ASSERT_TRUE(rows);
+    Bench bench({});
+    const std::vector<PrecisionRow> rows = precisionTable(bench, 16);
     std::size_t sweeps = 0;
     for (const BuiltinFunction& function : builtinFunctions()) sweeps += function.sweeps.size();
-    EXPECT_EQ(rows->size(), sweeps);
-    for (const PrecisionRow& row : *rows) {
+    EXPECT_EQ(rows.size(), sweeps);
+    for (const PrecisionRow& row : rows) {
         EXPECT_EQ(row.fragment.samples, 256U);
         // Exact operations, rounded: the result for another argument would differ by millions of units.
         const std::string_view name = row.function->name;
@@ -210,7 +208,7 @@ TEST(PrecisionOfTheDriver, IsMeasuredOnTheIntendedArguments) {
                 << name << " over " << row.sweep->words;
         }
     }
-    EXPECT_NE(toText(*rows).find("inversesqrt"), std::string::npos);
+    EXPECT_NE(toText(rows).find("inversesqrt"), std::string::npos);
 }
 
 }  // namespace

@@ -5,8 +5,7 @@
 #include <set>
 #include <string>
 
-#include "bench/core/paired.h"
-#include "bench/subjects/claim.h"
+#include "bench/core/bench.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include "bench/core/fit.h"
-#include "bench/draw/depth_target.h"
-#include "bench/reference/depth_kinds.h"
+#include "bench/core/figure.h"
+#include "bench/subjects/depth.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 
@@ -20,8 +19,8 @@ double kept(double z, double near, double far, int bits) {
 }
 
 TEST_F(Depth, OneStepInTheoryIsWhereTheRoundedDepthChangesForSure) {
-    for (const DepthKind& kind : depthKinds()) {
-        if (kind.isFloat) continue;
+    for (const DepthKind& kind : kDepthKinds) {
+        if (kind.isFloat()) continue;
         for (const double z : {1.5, 20., 700., 5000.}) {
             const double gap = depthStep(kind, 1, 1e4, z);
             if (std::isnan(gap)) continue;
@@ -77,12 +76,8 @@ TEST_F(Depth, PlanesSixteenStepsApartDoNotFightAndThoseAnEighthApartDo) {
 
 TEST_F(Depth, TheStateOfTheContextIsAsBefore) {
     Bench bench({.quick = true});
-    Result<gpu::Context*> context = bench.context();
-    ASSERT_TRUE(context);
-    Result<DepthTarget> target = DepthTarget::create((*context)->capabilities(), GL_DEPTH_COMPONENT32F, 16);
-    ASSERT_TRUE(target);
-    for (const DepthKind& kind : usableKinds((*context)->capabilities()))
-        ASSERT_TRUE(target->drawLayers(kind, 2).empty());
+    for (const DepthKind& kind : usableKinds(bench.capabilities()))
+        DepthPicture(bench, kind, 16).drawLayers(2);
     GLint compare = 0;
     glGetIntegerv(GL_DEPTH_FUNC, &compare);
     EXPECT_EQ(compare, GL_LESS);

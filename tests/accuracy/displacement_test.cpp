@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bench/subjects/displacement.h"
+#include "bench/subjects/scene_pictures.h"
 
 namespace glibra::bench {
 namespace {

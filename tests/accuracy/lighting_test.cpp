@@ -6,8 +6,8 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
-#include "bench/core/fit.h"
-#include "bench/reference/analytic_lighting.h"
+#include "bench/core/figure.h"
+#include "bench/subjects/lighting.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

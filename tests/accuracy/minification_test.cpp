@@ -2,8 +2,8 @@
 
 #include <numeric>
 
-#include "bench/core/fit.h"
-#include "bench/reference/test_card.h"
+#include "bench/core/figure.h"
+#include "bench/subjects/minification.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

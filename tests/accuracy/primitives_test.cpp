@@ -6,9 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "bench/core/fit.h"
-#include "bench/reference/bezier_surface.h"
-#include "bench/reference/solids.h"
+#include "bench/core/figure.h"
+#include "bench/subjects/primitives.h"
 #include "bench/subjects/subjects.h"
 #include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/spheres.h"

@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/report/comparison.h"
-#include "bench/report/csv_report.h"
-#include "bench/report/html_report.h"
-#include "bench/report/json_report.h"
-#include "bench/report/text_report.h"
+#include "bench/core/run.h"
+#include "bench/report/page.h"
+#include "bench/report/reports.h"
 #include "samples.h"
 
 namespace glibra::bench::test {
@@ -88,6 +86,27 @@ TEST(Json, SurvivesARoundTrip) {
     EXPECT_TRUE(std::isinf(after.curves[1].points[2].error));
     EXPECT_EQ(read->subjects[0].diagnostics[0].id, "gpu-E01");
     EXPECT_EQ(read->machine.processor, "Processor <A> & B");
+}
+
+TEST(Json, KeepsEveryDigitAndWhatIsNotMeasured) {
+    Report report = sampleReport();
+    std::vector<Point>& points = report.subjects[0].figures[0].curves[0].points;
+    points = {{.setting = 3, .label = "a \"quoted\" label", .error = 1. / 3},
+              {.setting = 4, .label = "", .error = std::numeric_limits<double>::quiet_NaN()}};
+    points[0].time = Timing{.median = 1e-7, .low = 1e-8, .high = 1. / 7, .repeats = 11};
+    points[1].memory = 1e9;
+    const Result<Report> read = readJsonReport(jsonReport(report), "bench.json");
+    ASSERT_TRUE(read);
+    const std::vector<Point>& back = read->subjects[0].figures[0].curves[0].points;
+    ASSERT_EQ(back.size(), 2U);
+    EXPECT_EQ(back[0].error, 1. / 3);
+    EXPECT_EQ(back[0].label, points[0].label);
+    ASSERT_TRUE(back[0].time);
+    EXPECT_EQ(back[0].time->high, 1. / 7);
+    EXPECT_EQ(back[0].time->repeats, 11);
+    EXPECT_FALSE(back[0].memory);
+    EXPECT_TRUE(std::isnan(back[1].error));
+    EXPECT_EQ(back[1].memory, 1e9);
 }
 
 TEST(Json, ReportsThePlaceOfAnError) {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/core/device.h"
 #include "bench/core/exact.h"
-#include "bench/core/fit.h"
-#include "bench/draw/shader_values.h"
+#include "bench/core/figure.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 
@@ -77,15 +77,13 @@ TEST(ShaderValues, ComeBackInTheirOrder) {
         inputs.push_back({value, 1, 2, 3});
         inputs.push_back({2 * value, 0, 0, 0});
     }
-    const Result<ShaderValues> shader = ShaderValues::create(
-        bench, "vec4 value() { return vec4(given(0).x, given(1).x, given(0).w, 7.); }", inputs, 2);
-    ASSERT_TRUE(shader) << toString(shader.diagnostics.front());
-    const Result<std::vector<Four>> values = shader->values();
-    ASSERT_TRUE(values);
-    ASSERT_EQ(values->size(), 300U);
+    const ShaderValues shader(bench, "vec4 value() { return vec4(given(0).x, given(1).x, given(0).w, 7.); }",
+                              inputs, 2);
+    const std::vector<Four> values = shader.values();
+    ASSERT_EQ(values.size(), 300U);
     for (std::size_t i = 0; i < 300; ++i)
-        EXPECT_EQ((*values)[i], (Four{static_cast<float>(i), 2 * static_cast<float>(i), 3, 7})) << i;
-    EXPECT_FALSE(ShaderValues::create(bench, "vec4 value() { return 1; }", inputs));
+        EXPECT_EQ(values[i], (Four{static_cast<float>(i), 2 * static_cast<float>(i), 3, 7})) << i;
+    EXPECT_THROW(ShaderValues(bench, "vec4 value() { return 1; }", inputs), Failed);
 }
 
 TEST(Curves, ConvergeWithTheOrdersOfTheirMethods) {

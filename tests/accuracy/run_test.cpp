@@ -13,11 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/core/fit.h"
-#include "bench/core/front.h"
-#include "bench/core/recommendation.h"
-#include "bench/report/log_axis.h"
-#include "bench/report/separate_run.h"
+#include "bench/core/figure.h"
+#include "bench/report/page.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 
@@ -288,21 +285,21 @@ TEST(LogAxis, HasFewDigitsWhereTheyAreEnough) {
     EXPECT_EQ(labels, "1 2 5 10 20 ");
 }
 
-Result<std::vector<Figure>> fails(Bench& /*bench*/) {
-    return diagnose("gpu-E01", "no usable OpenGL driver");
+std::vector<Figure> fails(Bench& /*bench*/) {
+    throw Failed({diagnose("gpu-E01", "no usable OpenGL driver")});
 }
-Result<std::vector<Figure>> works(Bench& /*bench*/) {
+std::vector<Figure> works(Bench& /*bench*/) {
     Figure figure;
     figure.name = "one";
     figure.curves = {{"c", {pointAt(1, .5)}}};
-    return std::vector<Figure>{figure};
+    return {figure};
 }
 
-Result<std::vector<Figure>> crashes(Bench& /*bench*/) {
+std::vector<Figure> crashes(Bench& /*bench*/) {
     std::raise(SIGSEGV);
-    return std::vector<Figure>{};
+    return {};
 }
-Result<std::vector<Figure>> throws(Bench& /*bench*/) {
+std::vector<Figure> throws(Bench& /*bench*/) {
     throw std::runtime_error("no memory for that");
 }
 

@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/core/report.h"
-#include "bench/core/subject.h"
+#include "bench/core/run.h"
 
 namespace glibra::bench::test {
 
@@ -28,12 +27,12 @@ inline Point timedPoint(double setting, double error, double seconds) {
 Report sampleReport();
 
 /// The figures of a subject in a quick run.
-inline std::vector<Figure> quickFigures(Result<std::vector<Figure>> (*measure)(Bench&)) {
+inline std::vector<Figure> quickFigures(Bench::Measure measure) {
     Bench bench({.quick = true});
-    Result<std::vector<Figure>> figures = measure(bench);
-    for (const Diagnostic& each : figures.diagnostics) ADD_FAILURE() << toString(each);
-    EXPECT_TRUE(figures);
-    return figures ? std::move(*figures) : std::vector<Figure>();
+    std::vector<Figure> figures;
+    bench.attempt([&] { figures = measure(bench); });
+    for (const Diagnostic& each : bench.problems()) ADD_FAILURE() << toString(each);
+    return figures;
 }
 
 inline const Figure& figureOf(const std::vector<Figure>& figures, std::string_view name) {

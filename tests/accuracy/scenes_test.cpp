@@ -10,8 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "bench/draw/scene_picture.h"
-#include "bench/subjects/shipped_scenes.h"
+#include "bench/subjects/scene_pictures.h"
 
 namespace glibra::bench {
 namespace {
@@ -97,25 +96,23 @@ float redAt(const image::Image& picture, int x, int y) {
 TEST(SampledPicture, GivesEdgesInTexturesTheShareThatIsCovered) {
     for (const auto& [column, share] : {std::pair(2., 1.F), {3., .375F}, {4., 0.F}}) {
         const TextureScene scene(column);
-        const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
-        ASSERT_TRUE(picture);
-        EXPECT_NEAR(redAt(*picture, 1, 1), share, 1e-5) << column;
+        const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+        EXPECT_NEAR(redAt(picture, 1, 1), share, 1e-5) << column;
     }
 }
 
 TEST(SampledPicture, GivesEdgesTheShareThatIsCovered) {
     const QuadScene scene("vec3(1.)");
-    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
-    ASSERT_TRUE(picture);
-    ASSERT_EQ(picture->width, 8);
+    const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+    ASSERT_EQ(picture.width, 8);
     for (int y = 0; y < 8; ++y) {
-        EXPECT_EQ(redAt(*picture, 2, y), 1);
-        EXPECT_EQ(redAt(*picture, 3, y), .375F);
-        EXPECT_EQ(redAt(*picture, 4, y), 0);
+        EXPECT_EQ(redAt(picture, 2, y), 1);
+        EXPECT_EQ(redAt(picture, 3, y), .375F);
+        EXPECT_EQ(redAt(picture, 4, y), 0);
     }
     const Result<image::Image> plain = scenePicture(context(), scene.path(), {});
     ASSERT_TRUE(plain);
-    const PictureError error = pictureError(*picture, *plain);
+    const PictureError error = pictureError(picture, *plain);
     EXPECT_NEAR(error.rootMeanSquare, .375 / std::sqrt(8), 1e-6);
     EXPECT_NEAR(error.differing, 1. / 8, 1e-12);
     EXPECT_GT(error.flip, 0);
@@ -124,45 +121,41 @@ TEST(SampledPicture, GivesEdgesTheShareThatIsCovered) {
 TEST(SampledPicture, ShowsShadersThePlaceOfEachSample) {
     // Half of every pixel; a sample in the middle alone gives all or nothing.
     const QuadScene scene("vec3(step(.5, fract(gl_FragCoord.x + .001)))");
-    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
-    ASSERT_TRUE(picture);
-    EXPECT_EQ(redAt(*picture, 1, 4), .5F);
+    const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+    EXPECT_EQ(redAt(picture, 1, 4), .5F);
 }
 
 TEST(SampledPicture, LimitsEachSampleToTheRangeOfAScreen) {
     const QuadScene scene("vec3(4., -4., 0.)");
-    const Result<image::Image> picture = sampledPicture(context(), scene.path(), {}, 8);
-    ASSERT_TRUE(picture);
-    EXPECT_EQ(redAt(*picture, 1, 1), 1);
-    EXPECT_EQ(redAt(*picture, 3, 1), .375F);  // 3 of 8 columns of samples
+    const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+    EXPECT_EQ(redAt(picture, 1, 1), 1);
+    EXPECT_EQ(redAt(picture, 3, 1), .375F);  // 3 of 8 columns of samples
 }
 
 TEST(SampledPicture, OfOneSampleIsThePicture) {
-    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
-    ASSERT_TRUE(scenes);
+    const std::vector<ShippedScene> scenes = shippedScenes();
     RenderOptions options;
     options.width = options.height = 64;
-    for (const ShippedScene& scene : *scenes) {
+    for (const ShippedScene& scene : scenes) {
         if (!scene.name.starts_with("shading/") && !scene.name.starts_with("tessellation/")) continue;
-        const Result<image::Image> sampled = sampledPicture(context(), scene.path, options, 1);
+        const image::Image sampled = sampledPicture(context(), scene.path, options, 1);
         const Result<image::Image> plain = scenePicture(context(), scene.path, options);
-        ASSERT_TRUE(sampled && plain) << scene.name;
-        const PictureError error = pictureError(*sampled, *plain);
+        ASSERT_TRUE(plain) << scene.name;
+        const PictureError error = pictureError(sampled, *plain);
         EXPECT_LT(error.rootMeanSquare, .5 / 255) << scene.name;
         EXPECT_EQ(error.differing, 0) << scene.name;
     }
 }
 
 TEST(ShippedScenesOfTheBench, AreThoseOfTheLibraryAndTheirSlidersExist) {
-    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
-    ASSERT_TRUE(scenes);
+    const std::vector<ShippedScene> scenes = shippedScenes();
     std::size_t files = 0;
     for (const auto& each : fs::recursive_directory_iterator(GLIBRA_SOURCE_DIR "/glib"))
         files += each.path().extension() == ".glib" ? 1 : 0;
-    EXPECT_EQ(scenes->size(), files);
-    EXPECT_TRUE(std::ranges::is_sorted(*scenes, {}, &ShippedScene::name));
+    EXPECT_EQ(scenes.size(), files);
+    EXPECT_TRUE(std::ranges::is_sorted(scenes, {}, &ShippedScene::name));
     int finest = 0;
-    for (const ShippedScene& scene : *scenes) {
+    for (const ShippedScene& scene : scenes) {
         std::ostringstream text;
         text << std::ifstream(scene.path, std::ios::binary).rdbuf();
         for (const std::string& set : scene.finest) {

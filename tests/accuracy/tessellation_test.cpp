@@ -4,10 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "bench/core/fit.h"
-#include "bench/draw/tessellator.h"
-#include "bench/reference/pn_triangle.h"
+#include "bench/core/figure.h"
 #include "bench/subjects/subjects.h"
+#include "bench/subjects/tessellation.h"
 #include "samples.h"
 
 namespace glibra::bench::test {
@@ -72,23 +71,17 @@ TEST_F(Tessellation, NeighboursOfDifferentLevelsLeaveGapsThatShrinkWithTheSquare
 
 TEST_F(Tessellation, TheSpacingsDivideAsTheirNamesSay) {
     Bench bench({.quick = true});
-    Result<gpu::Context*> context = bench.context();
-    ASSERT_TRUE(context);
     for (const auto& [spacing, segments] :
-         {std::pair(Spacing::equal, 4), {Spacing::fractionalEven, 4}, {Spacing::fractionalOdd, 5}}) {
-        Result<Tessellator> octant =
-            Tessellator::create((*context)->capabilities(), Evaluation::sphereOctant, spacing, {});
-        ASSERT_TRUE(octant);
+         {std::pair(kSpacings[0], 4), {kSpacings[1], 4}, {kSpacings[2], 5}}) {
+        const Tessellator octant(bench, kSphereOctant, spacing, {});
         // 3.2 is rounded up to an integer, to an even one, and to an odd one.
-        Result<std::vector<TessellatedVertex>> vertices = octant->capture({.outer = 3.2F, .inner = 3.2F});
-        ASSERT_TRUE(vertices);
         std::vector<float> places;
-        for (const TessellatedVertex& each : *vertices)
+        for (const TessellatedVertex& each : octant.capture({.outer = 3.2F, .inner = 3.2F}))
             if (each.coordinate.x == 0) places.push_back(each.coordinate.y);
         std::ranges::sort(places);
         const auto repeated = std::ranges::unique(places);
         places.erase(repeated.begin(), repeated.end());
-        EXPECT_EQ(static_cast<int>(places.size()), segments + 1) << name(spacing);
+        EXPECT_EQ(static_cast<int>(places.size()), segments + 1) << spacing;
     }
 }
 

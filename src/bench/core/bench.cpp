@@ -1,13 +1,95 @@
 #include "bench/core/bench.h"
 
+#include <fmt/format.h>
+#include <link.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <optional>
-#include <utility>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <span>
+#include <system_error>
+
+#include "base/descriptor.h"
 
 namespace glibra::bench {
 namespace {
+
+/// Precedes each text. Functions have the same addresses in a forked process.
+struct Head {
+    Apart::Work work = nullptr;  ///< requests only; null ends the process
+    bool isAnswered = false;     ///< answers only; otherwise the text says why there is none
+    std::size_t size = 0;
+};
+
+bool send(int file, Head head, const std::string& text) {
+    head.size = text.size();
+    return base::writeAll(file, std::as_bytes(std::span(&head, 1))) == 0 && base::writeAll(file, text) == 0;
+}
+
+bool receive(int file, Head& head, std::string& text) {
+    if (!base::receiveAll(file, std::as_writable_bytes(std::span(&head, 1)))) return false;
+    text.resize(head.size);
+    return base::receiveAll(file, std::as_writable_bytes(std::span(text)));
+}
+
+/// Runs one piece of work in a new process, so that the next one finds no driver loaded.
+void answerOnce(int answers, const Head& request, const std::string& text) {
+    const pid_t child = fork();
+    if (child == 0) {
+        try {
+            send(answers, {.isAnswered = true}, request.work(text));
+        } catch (const std::exception&) {
+            _exit(1);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    if (child < 0) {
+        send(answers, {}, std::string("cannot be started: ") + std::strerror(errno));
+        return;
+    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFSIGNALED(status))
+        send(answers, {},
+             fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
+    else if (WEXITSTATUS(status) != 0)
+        send(answers, {}, fmt::format("ended with status {}", WEXITSTATUS(status)));
+}
+
+bool isDriverLoaded() {
+    const auto isDriver = [](dl_phdr_info* library, std::size_t, void*) {
+        const std::string_view path = library->dlpi_name;
+        return path.find("libEGL") != path.npos || path.find("OSMesa") != path.npos ? 1 : 0;
+    };
+    return dl_iterate_phdr(isDriver, nullptr) != 0;
+}
+
+/// Returns false also if the threads cannot be counted.
+bool isSingleThreaded() {
+    std::error_code problem;
+    const std::filesystem::directory_iterator threads("/proc/self/task", problem);
+    return !problem && std::distance(begin(threads), end(threads)) == 1;
+}
+
+[[noreturn]] void serve(int requests, int answers) {
+    // If the parent ends, the closed pipes end this loop.
+    (void)std::signal(SIGPIPE, SIG_IGN);
+    Head request;
+    std::string text;
+    while (receive(requests, request, text) && request.work) answerOnce(answers, request, text);
+    _exit(0);
+}
 
 using Clock = std::chrono::steady_clock;
 
@@ -24,7 +106,78 @@ double percentile(const std::vector<double>& sorted, double fraction) {
     return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
 
+constexpr double kShortestRun = 10e-3;  ///< seconds; shorter work is repeated inside one measurement
+constexpr int kMostInner = 10'000;
+
+double now(bool byProcessor) {
+    timespec time{};
+    ::clock_gettime(byProcessor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double secondsEach(const std::function<void()>& work, int inner, bool byProcessor) {
+    const double start = now(byProcessor);
+    for (int i = 0; i < inner; ++i) work();
+    return (now(byProcessor) - start) / inner;
+}
+
+/// How often the work is repeated inside one measurement. Runs it to warm up.
+int innerOf(const std::function<void()>& work, bool byProcessor) {
+    work();
+    const double once = secondsEach(work, 1, byProcessor);
+    return static_cast<int>(
+        std::clamp(std::ceil(kShortestRun / std::max(once, 1e-9)), 1., double{kMostInner}));
+}
+
 }  // namespace
+
+Apart::Apart() {
+    if (!isSingleThreaded() || isDriverLoaded()) return;
+    std::array<int, 2> requests{}, answers{};
+    if (pipe(requests.data()) != 0) return;
+    if (pipe(answers.data()) != 0) {
+        close(requests[0]);
+        close(requests[1]);
+        return;
+    }
+    process_ = fork();
+    if (process_ == 0) {
+        close(requests[1]);
+        close(answers[0]);
+        serve(requests[0], answers[1]);
+    }
+    close(requests[0]);
+    close(answers[1]);
+    if (process_ < 0) {
+        close(requests[1]);
+        close(answers[0]);
+        return;
+    }
+    requests_ = requests[1];
+    answers_ = answers[0];
+}
+
+Apart::~Apart() {
+    if (process_ <= 0) return;
+    // Closing the pipe is not enough: processes forked since then hold it open too.
+    send(requests_, {}, {});
+    close(requests_);
+    close(answers_);
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+}
+
+std::optional<std::string> Apart::run(Work work, const std::string& request) {
+    if (process_ <= 0) return std::nullopt;
+    Head answer;
+    std::string text;
+    if (!send(requests_, {.work = work}, request) || !receive(answers_, answer, text)) {
+        failure_ = "gave no answer";
+        return std::nullopt;
+    }
+    failure_ = answer.isAnswered ? std::string() : text;
+    return answer.isAnswered ? std::optional(std::move(text)) : std::nullopt;
+}
 
 Timing timingOf(std::vector<double> seconds) {
     std::ranges::sort(seconds);
@@ -58,33 +211,55 @@ Timing timingBy(const std::function<double(int times)>& measure, bool quick, dou
     return timingOf(std::move(taken));
 }
 
+PairedTiming timePairs(const std::function<void()>& first, const std::function<void()>& second, int pairs,
+                       bool byProcessor) {
+    const int innerFirst = innerOf(first, byProcessor), innerSecond = innerOf(second, byProcessor);
+    std::vector<double> firsts, seconds, ratios;
+    for (int i = 0; i < pairs; ++i) {
+        // Each goes first in turn, so that what grows with time favours neither.
+        if (i % 2 == 0) firsts.push_back(secondsEach(first, innerFirst, byProcessor));
+        seconds.push_back(secondsEach(second, innerSecond, byProcessor));
+        if (i % 2 == 1) firsts.push_back(secondsEach(first, innerFirst, byProcessor));
+        ratios.push_back(firsts.back() / std::max(seconds.back(), 1e-12));
+    }
+    return {timingOf(std::move(firsts)), timingOf(std::move(seconds)), timingOf(std::move(ratios))};
+}
+
+std::string verdict(const Timing& ratio, bool mayBeEqual) {
+    constexpr double kNoDifference = .03;  // ratios within this of 1
+    const std::string range = fmt::format("{:.2f} ({:.2f} .. {:.2f})", ratio.median, ratio.low, ratio.high);
+    if (ratio.low > 1 + kNoDifference) return "true here, by " + range;
+    if (ratio.high < 1 - kNoDifference)
+        return fmt::format("false here: the ratio is {}, so the other way is faster by {:.2f}", range,
+                           1 / ratio.median);
+    return fmt::format("{}: no difference here, the ratio is {}", mayBeEqual ? "true here" : "false here",
+                       range);
+}
+
 struct Bench::State {
     Apart apart;  // before anything that loads a driver
     BenchOptions options;
     std::optional<gpu::Context> context;
+    Diagnostics problems;
 };
 
 Bench::Bench(const BenchOptions& options) : state_(std::make_unique<State>()) {
     state_->options = options;
 }
-
 Bench::~Bench() = default;
 
-bool Bench::isQuick() const {
-    return state_->options.quick;
+const BenchOptions& Bench::options() const {
+    return state_->options;
 }
 
-Result<gpu::Context*> Bench::context() {
+gpu::Context& Bench::context() {
     if (!state_->context) {
-        Result<gpu::Context> opened = gpu::openContext({.driver = state_->options.driver});
-        if (!opened) return std::move(opened.diagnostics);
-        state_->context.emplace(std::move(*opened));
+        const BenchOptions& options = state_->options;
+        if (options.filtersInBytes) unsetenv("GALLIVM_PERF");
+        state_->context.emplace(
+            need(gpu::openContext({.driver = options.driver, .floatFiltering = !options.filtersInBytes})));
     }
-    return &*state_->context;
-}
-
-Apart& Bench::apart() {
-    return state_->apart;
+    return *state_->context;
 }
 
 Timing Bench::time(const std::function<void()>& work, double enough) const {
@@ -94,6 +269,31 @@ Timing Bench::time(const std::function<void()>& work, double enough) const {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
     return timingBy(measure, isQuick(), enough);
+}
+
+Timing Bench::timeDrawing(const std::function<void()>& draw) const {
+    return time([&draw] {
+        draw();
+        glFinish();
+    });
+}
+
+void Bench::attempt(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Failed& failed) {
+        for (const Diagnostic& each : failed.diagnostics)
+            if (std::ranges::find(problems(), each.text, &Diagnostic::text) == problems().end())
+                problems().push_back(each);
+    }
+}
+
+Diagnostics& Bench::problems() {
+    return state_->problems;
+}
+
+Apart& Bench::apart() {
+    return state_->apart;
 }
 
 }  // namespace glibra::bench

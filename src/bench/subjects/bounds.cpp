@@ -1,14 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <string>
-#include <utility>
 
-#include "bench/core/fit.h"
-#include "bench/draw/scene_picture.h"
-#include "bench/subjects/shipped_scenes.h"
+#include "bench/subjects/scene_pictures.h"
 #include "bench/subjects/subjects.h"
 #include "budget/contour_shift.h"
 #include "render/scene_renderer.h"
@@ -16,7 +9,7 @@
 namespace glibra::bench {
 namespace {
 
-constexpr double kVisible = 8. / 255;
+constexpr double kVisibleChange = 8. / 255;
 constexpr double kMostColored = .002;  ///< twice what small pictures allow
 
 /// The names and values of the Bound variables of a scene.
@@ -25,24 +18,20 @@ struct BoundValues {
     bool isKept = false;                       ///< the program reports that something is not chosen
 };
 
-Result<BoundValues> valuesWith(gpu::Context& context, const ShippedScene& scene,
-                               const RenderOptions& options) {
+BoundValues valuesWith(Bench& bench, const ShippedScene& scene, const RenderOptions& options) {
     render::Stats stats;
-    const Result<render::SceneRenderer> loaded =
-        render::SceneRenderer::load(context, scene.path, options, stats);
-    if (!loaded) return loaded.diagnostics;
+    Result<render::SceneRenderer> loaded =
+        render::SceneRenderer::load(bench.context(), scene.path, options, stats);
+    const Diagnostics remarks = loaded.diagnostics;
+    const render::SceneRenderer renderer = need(std::move(loaded));
     BoundValues values;
-    for (const scene::Variable& each : loaded->scene().variables) {
+    for (const scene::Variable& each : renderer.scene().variables) {
         if (!each.bound) continue;
         values.set.push_back(fmt::format("{}={}", each.name, each.current.front()));
         values.finest.push_back(fmt::format("{}={}", each.name, each.bound->finest));
+        for (const Diagnostic& remark : remarks)
+            values.isKept |= remark.id == "draw-W07" && remark.subject == each.name;
     }
-    values.isKept = std::ranges::any_of(loaded.diagnostics, [&](const Diagnostic& each) {
-        return each.id == "draw-W07" &&
-               std::ranges::any_of(loaded->scene().variables, [&](const auto& variable) {
-                   return variable.bound && variable.name == each.subject;
-               });
-    });
     return values;
 }
 
@@ -52,104 +41,103 @@ struct DrawnBound {
     Timing time{};
 };
 
-Result<DrawnBound> drawnWith(Bench& bench, gpu::Context& context, const ShippedScene& scene,
-                             const std::vector<std::string>& set) {
+DrawnBound drawnWith(Bench& bench, const ShippedScene& scene, const std::vector<std::string>& set) {
     RenderOptions options;
     options.set = set;
     options.samples = 1;
-    Result<image::Image> picture = scenePicture(context, scene.path, options);
-    if (!picture) return std::move(picture.diagnostics);
-    DrawnBound drawn{std::move(*picture)};
-    drawn.time = bench.time([&] { (void)scenePicture(context, scene.path, options); }, .2);
-    return drawn;
+    return {need(scenePicture(bench.context(), scene.path, options)),
+            bench.time([&] { (void)scenePicture(bench.context(), scene.path, options); }, .2)};
 }
+
+/// One bound, and what is found of it.
+struct MeasuredBound {
+    double bound = 1;
+    Figure figure{};
+    double worst = 0, chosenTime = 0, finestTime = 0;
+    std::string worstScene = "none", unknown{};
+};
 
 }  // namespace
 
-Result<std::vector<Figure>> measureBounds(Bench& bench) {
-    const Result<gpu::Context*> context = bench.context();
-    if (!context) return context.diagnostics;
-    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
-    if (!scenes) return scenes.diagnostics;
-    std::vector<Figure> figures;
-    for (const double bound : {.5, 1., 4.}) {
-        if (bench.isQuick() && bound != 1) continue;
-        figures.push_back(
-            {.name = fmt::format("bound-{}", bound == .5 ? "half" : fmt::format("{:.0f}", bound)),
-             .title = fmt::format("Scenes with Bound under --max-error {}px", bound),
-             .settingName = "scene",
-             .errorName = "contours of 98 of 100 squares",
-             .errorUnit = "pixels",
-             .reference =
-                 "the picture of full size with the finest values; what chooses sees small pictures only",
-             .curves = {{"--max-error"}, {"values of the scene"}, {"finest values"}},
-             .alternatives = Alternatives::none});
-    }
-    std::vector<double> worst(figures.size());
-    std::vector<std::string> worstScene(figures.size(), "none"), unknown(figures.size());
+std::vector<Figure> measureBounds(Bench& bench) {
+    (void)bench.context();
+    std::vector<MeasuredBound> bounds;
+    for (const double bound : bench.pick(std::vector{1.}, {.5, 1., 4.}))
+        bounds.push_back(
+            {bound,
+             {.name = fmt::format("bound-{}", bound == .5 ? "half" : fmt::format("{:.0f}", bound)),
+              .title = fmt::format("Scenes with Bound under --max-error {}px", bound),
+              .settingName = "scene",
+              .errorName = "contours of 98 of 100 squares",
+              .errorUnit = "pixels",
+              .reference =
+                  "the picture of full size with the finest values; what chooses sees small pictures only",
+              .alternatives = Alternatives::none}});
     std::vector<std::string> failures;
-    std::vector<double> chosenTime(figures.size()), finestTime(figures.size());
     int count = 0;
-    for (const ShippedScene& scene : *scenes) {
-        const Result<BoundValues> own = valuesWith(**context, scene, {});
-        if (!own || own->set.empty()) continue;
+    for (const ShippedScene& scene : shippedScenes()) {
+        BoundValues own;
+        try {
+            own = valuesWith(bench, scene, {});
+        } catch (const Failed&) {  // it cannot be drawn, with or without a bound
+        }
+        if (own.set.empty()) continue;
         if (bench.isQuick() && count >= 3) break;
         ++count;
-        const Result<DrawnBound> finest = drawnWith(bench, **context, scene, own->finest);
-        const Result<DrawnBound> stated = drawnWith(bench, **context, scene, own->set);
-        if (!finest || !stated) {
-            const Diagnostics& reasons = finest ? stated.diagnostics : finest.diagnostics;
-            failures.push_back(fmt::format("{} cannot be drawn: {}", scene.name,
-                                           reasons.empty() ? "" : toString(reasons.front())));
+        DrawnBound finest, stated;
+        try {
+            finest = drawnWith(bench, scene, own.finest);
+            stated = drawnWith(bench, scene, own.set);
+        } catch (const Failed& failed) {
+            failures.push_back(
+                fmt::format("{} cannot be drawn: {}", scene.name, toString(failed.diagnostics.front())));
             continue;
         }
-        const auto pointOf = [&](const DrawnBound& drawn) {
-            return Point{
-                .setting = static_cast<double>(count),
-                .label = scene.name,
-                .error = budget::ContourShifts(drawn.picture, finest->picture).ofChangesAbove(kVisible),
-                .time = drawn.time};
-        };
-        for (std::size_t i = 0; i < figures.size(); ++i) {
+        for (MeasuredBound& each : bounds) {
             RenderOptions options;
-            options.maxError = figures.size() == 1 ? 1. : std::array{.5, 1., 4.}.at(i);
-            const Result<BoundValues> values = valuesWith(**context, scene, options);
-            if (!values) return values.diagnostics;
-            const Result<DrawnBound> chosen = drawnWith(bench, **context, scene, values->set);
-            if (!chosen) return chosen.diagnostics;
-            Figure& figure = figures[i];
-            figure.curves[0].points.push_back(pointOf(*chosen));
-            figure.curves[1].points.push_back(pointOf(*stated));
-            figure.curves[2].points.push_back(pointOf(*finest));
-            if (values->isKept) {
-                unknown[i] += (unknown[i].empty() ? "" : ", ") + scene.name;
+            options.maxError = each.bound;
+            const BoundValues values = valuesWith(bench, scene, options);
+            const DrawnBound chosen = drawnWith(bench, scene, values.set);
+            const budget::ContourShifts shifts(chosen.picture, finest.picture);
+            for (const auto& [curve, drawn] : {std::pair("--max-error", &chosen),
+                                               {"values of the scene", &stated},
+                                               {"finest values", &finest}})
+                each.figure.add(
+                    curve,
+                    {1. * count, scene.name,
+                     budget::ContourShifts(drawn->picture, finest.picture).ofChangesAbove(kVisibleChange),
+                     drawn->time});
+            if (values.isKept) {
+                each.unknown += (each.unknown.empty() ? "" : ", ") + scene.name;
                 continue;
             }
-            chosenTime[i] += chosen->time.median;
-            finestTime[i] += finest->time.median;
-            const double ratio = figure.curves[0].points.back().error / options.maxError;
-            if (ratio > worst[i]) {
-                worst[i] = ratio;
-                worstScene[i] = scene.name;
+            each.chosenTime += chosen.time.median;
+            each.finestTime += finest.time.median;
+            const double ratio = each.figure.last(0).error / each.bound;
+            if (ratio > each.worst) {
+                each.worst = ratio;
+                each.worstScene = scene.name;
             }
-            const double colored = budget::ContourShifts(chosen->picture, finest->picture)
-                                       .shareOfSmoothChangesAbove(kVisible, options.maxError);
+            const double colored = shifts.shareOfSmoothChangesAbove(kVisibleChange, each.bound);
             if (colored > kMostColored)
-                figure.findings.push_back(fmt::format("{}: {} of 1000 pixels have another colour", scene.name,
-                                                      numberText(1000 * colored)));
+                each.figure.note("{}: {} of 1000 pixels have another colour", scene.name,
+                                 numberText(1000 * colored));
         }
     }
-    if (count == 0) return diagnose("file-E01", "no scene of the library that has a Bound can be drawn");
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-        figures[i].findings.insert(
-            figures[i].findings.begin(),
-            {fmt::format("the worst error is {:.2f} of the bound ({}), of {} scenes", worst[i], worstScene[i],
-                         count),
-             fmt::format("with the finest values all pictures take {:.2f} times as long",
-                         finestTime[i] / std::max(chosenTime[i], 1e-9)),
-             unknown[i].empty() ? std::string("every value is chosen")
-                                : "not chosen, with a warning, in " + unknown[i]});
-        figures[i].findings.insert(figures[i].findings.end(), failures.begin(), failures.end());
+    if (count == 0)
+        throw Failed({diagnose("file-E01", "no scene of the library that has a Bound can be drawn")});
+    std::vector<Figure> figures;
+    for (MeasuredBound& each : bounds) {
+        std::vector<std::string>& findings = each.figure.findings;
+        findings.insert(findings.begin(),
+                        {fmt::format("the worst error is {:.2f} of the bound ({}), of {} scenes", each.worst,
+                                     each.worstScene, count),
+                         fmt::format("with the finest values all pictures take {:.2f} times as long",
+                                     each.finestTime / std::max(each.chosenTime, 1e-9)),
+                         each.unknown.empty() ? "every value is chosen"
+                                              : "not chosen, with a warning, in " + each.unknown});
+        findings.insert(findings.end(), failures.begin(), failures.end());
+        figures.push_back(std::move(each.figure));
     }
     return figures;
 }

@@ -1,59 +1,76 @@
-#include <fmt/format.h>
+#include "bench/subjects/depth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <string>
-
-#include "bench/core/fit.h"
-#include "bench/draw/depth_target.h"
-#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
 
 constexpr double kNear = 1;  // only ratios matter
 constexpr int kBufferSide = 256;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< for a gap that does not exist
 constexpr const char* kOrderReference =
     "the order of the two distances, known in double; theory: one step of the buffer times z^2 (f - n) / (f "
     "n)";
 
-/// Gaps as shares of the distance, rising.
-std::vector<double> triedGaps(bool isQuick) {
-    const int perOctave = isQuick ? 4 : 8;
-    constexpr int kOctaves = 25;
-    std::vector<double> gaps;
-    for (int i = -kOctaves * perOctave; i <= 0; ++i)
-        gaps.push_back(std::exp2(static_cast<double>(i) / perOctave));
-    return gaps;
+/// The spacing at `value` of floats with `bits` bits of mantissa.
+double spacing(double value, int bits) {
+    int exponent = 0;
+    (void)std::frexp(std::max(value, static_cast<double>(std::numeric_limits<float>::min())), &exponent);
+    return std::ldexp(1., exponent - bits);
+}
+
+// Eye space; z is the distance. uProjection: clip z = x * distance + y.
+constexpr std::string_view kDepthVertex = R"(layout(location = 0) in vec3 aPosition;
+uniform vec2 uProjection;
+void main() {
+    gl_Position = vec4(aPosition.xy, uProjection.x * aPosition.z + uProjection.y, aPosition.z);
+}
+)";
+constexpr std::string_view kDepthFragment = R"(uniform float uBrightness;
+out vec4 fColor;
+void main() { fColor = vec4(uBrightness); }
+)";
+
+/// Clip z as a factor and a constant of the distance, in double.
+glm::dvec2 projection(const DepthKind& kind, double near, double far) {
+    const double span = far - near;
+    const glm::dvec2 usual = kind.isZeroToOne ? glm::dvec2(far, -far * near) / span
+                                              : glm::dvec2(far + near, -2 * far * near) / span;
+    if (!kind.isReversed) return usual;
+    return kind.isZeroToOne ? glm::dvec2(-near, far * near) / span : -usual;
+}
+
+void push(std::vector<float>& vertices, double x, double y, double distance) {
+    for (const double each : {x * distance, y * distance, distance})
+        vertices.push_back(static_cast<float>(each));
 }
 
 /// The smallest gap, as a share of z, such that every gap from there on is resolved at all distances from .7
 /// z to z, which meet the steps of the buffer in every phase; NaN if not even the largest is.
-Result<double> smallestGap(DepthTarget& target, const DepthKind& kind, double far, double z, bool isQuick) {
-    const std::vector<double> gaps = triedGaps(isQuick);
-    const std::size_t jitters = isQuick ? 32 : 96;
+double smallestGap(const DepthPicture& picture, double far, double z, bool isQuick) {
+    constexpr int kOctaves = 25;
+    const int perOctave = isQuick ? 4 : 8, jitters = isQuick ? 32 : 96;
+    std::vector<double> gaps;  // as shares of the distance, rising
+    for (int i = -kOctaves * perOctave; i <= 0; ++i)
+        gaps.push_back(std::exp2(static_cast<double>(i) / perOctave));
     std::vector<DepthPair> pairs;
-    for (std::size_t jitter = 0; jitter < jitters; ++jitter)
+    for (int jitter = 0; jitter < jitters; ++jitter)
         for (const double gap : gaps) {
-            const double there = z * (1 - .3 * static_cast<double>(jitter) / static_cast<double>(jitters));
+            const double there = z * (1 - .3 * jitter / jitters);
             pairs.push_back({there, std::min(there * (1 + gap), far)});
         }
-    Result<std::vector<bool>> isResolved = target.resolvePairs(kind, kNear, far, pairs);
-    if (!isResolved) return std::move(isResolved.diagnostics);
+    const std::vector<bool> isResolved = picture.resolvePairs(kNear, far, pairs);
     std::size_t first = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (!(*isResolved)[i]) first = std::max(first, i % gaps.size() + 1);
+        if (!isResolved[i]) first = std::max(first, i % gaps.size() + 1);
     return first < gaps.size() ? gaps[first] : kNaN;
 }
 
-/// Bits per pixel: 24 bits are stored in 32.
-double bitsKept(const DepthKind& kind) {
-    return kind.format == GL_DEPTH_COMPONENT16 ? 16 : 32;
-}
 /// Bytes of a buffer with `side` x `side` pixels.
 double bufferBytes(const DepthKind& kind, int side) {
-    return bitsKept(kind) / 8 * side * side;
+    return static_cast<double>(gpu::bytesPerTexel(kind.format)) * side * side;
 }
 
 /// The place where a gap is measured.
@@ -62,7 +79,7 @@ struct GapPlace {
     std::string label;
 };
 
-std::string againstTheory(const Curve& measured, const Curve& theory) {
+void noteTheory(Figure& figure, const Curve& measured, const Curve& theory) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (std::size_t i = 0; i < measured.points.size(); ++i) {
         const double steps = measured.points[i].error / theory.points[i].error;
@@ -70,49 +87,41 @@ std::string againstTheory(const Curve& measured, const Curve& theory) {
         least = std::min(least, steps);
         most = std::max(most, steps);
     }
-    if (most == 0) return fmt::format("{}: nothing is resolved", measured.name);
-    return fmt::format("{}: the smallest gap is {:.2g} to {:.2g} times one step in theory", measured.name,
-                       least, most);
+    if (most == 0) return figure.note("{}: nothing is resolved", measured.name);
+    figure.note("{}: the smallest gap is {:.2g} to {:.2g} times one step in theory", measured.name, least,
+                most);
 }
 
 /// A measured curve and a theoretical one for each kind.
-Diagnostics sweep(Figure& figure, const Bench& bench, const gpu::Capabilities& capabilities,
-                  const std::vector<GapPlace>& places) {
+Figure gapFigure(Bench& bench, std::string name, std::string title, std::string settingName,
+                 const std::vector<GapPlace>& places) {
+    Figure figure{.name = std::move(name),
+                  .title = std::move(title),
+                  .settingName = std::move(settingName),
+                  .errorName = "smallest gap that is always resolved",
+                  .errorUnit = "distances",
+                  .reference = kOrderReference,
+                  .alternatives = Alternatives::setting};
     std::vector<Curve> theories;
-    for (const DepthKind& kind : usableKinds(capabilities)) {
-        Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kBufferSide);
-        if (!target) return std::move(target.diagnostics);
+    for (const DepthKind& kind : usableKinds(bench.capabilities())) {
+        const DepthPicture picture(bench, kind, kBufferSide);
         // A scene has no statement that turns depth round.
         Curve curve{.name = std::string(kind.name), .isForScenes = !kind.isReversed};
         Curve theory{.name = fmt::format("theory: {}", kind.name), .theoryOf = figure.curves.size()};
-        for (const GapPlace& place : places) {
-            Result<double> gap = smallestGap(*target, kind, place.far, place.z, bench.isQuick());
-            if (!gap) return std::move(gap.diagnostics);
-            curve.points.push_back({.setting = place.setting,
-                                    .label = place.label,
-                                    .error = *gap,
-                                    .memory = bufferBytes(kind, kBufferSide)});
-            theory.points.push_back({.setting = place.setting,
-                                     .label = place.label,
-                                     .error = depthStep(kind, kNear, place.far, place.z) / place.z});
+        for (const GapPlace& at : places) {
+            curve.points.push_back({at.setting, at.label, smallestGap(picture, at.far, at.z, bench.isQuick()),
+                                    std::nullopt, bufferBytes(kind, kBufferSide)});
+            theory.points.push_back({at.setting, at.label, depthStep(kind, kNear, at.far, at.z) / at.z});
         }
-        figure.findings.push_back(againstTheory(curve, theory));
+        noteTheory(figure, curve, theory);
         figure.curves.push_back(std::move(curve));
         theories.push_back(std::move(theory));
     }
     std::ranges::move(theories, std::back_inserter(figure.curves));
-    if (!capabilities.atLeast(4, 5))
-        figure.findings.emplace_back(
+    if (!bench.capabilities().atLeast(4, 5))
+        figure.note(
             "this driver has no glClipControl (GL 4.5), so that reversed depth in 0..1 is not measured");
-    return {};
-}
-
-std::vector<double> ratios(bool isQuick) {
-    std::vector<double> values;
-    const int perDecade = isQuick ? 1 : 3;
-    for (int i = perDecade; i <= 7 * perDecade; ++i)
-        values.push_back(std::pow(10, static_cast<double>(i) / perDecade));
-    return values;
+    return figure;
 }
 
 /// The geometric mean of one curve's errors over another's, at the points where both have one.
@@ -128,90 +137,67 @@ double meanRatio(const Curve& above, const Curve& below) {
     return count > 0 ? std::exp(sum / count) : kNaN;
 }
 
-Figure gapFigure(std::string name, std::string title, std::string settingName) {
-    return {.name = std::move(name),
-            .title = std::move(title),
-            .settingName = std::move(settingName),
-            .errorName = "smallest gap that is always resolved",
-            .errorUnit = "distances",
-            .reference = kOrderReference,
-            .alternatives = Alternatives::setting};
-}
-
-Result<Figure> gapByRatio(const Bench& bench, const gpu::Capabilities& capabilities) {
-    Figure figure = gapFigure("gap-by-range", "Smallest gap resolved at half the far distance", "far / near");
+Figure gapByRatio(Bench& bench) {
     std::vector<GapPlace> places;
-    for (const double ratio : ratios(bench.isQuick()))
+    const int perDecade = bench.pick(1, 3);
+    for (int i = perDecade; i <= 7 * perDecade; ++i) {
+        const double ratio = std::pow(10, static_cast<double>(i) / perDecade);
         places.push_back({ratio, kNear * ratio, kNear * ratio / 2, fmt::format("{:.3g}:1", ratio)});
-    Diagnostics problems = sweep(figure, bench, capabilities, places);
-    if (!problems.empty()) return problems;
+    }
+    Figure figure = gapFigure(bench, "gap-by-range", "Smallest gap resolved at half the far distance",
+                              "far / near", places);
     for (const Curve& curve : figure.curves) {
         if (curve.theoryOf) continue;
         double widest = 0;
         for (const Point& point : curve.points)
             if (point.error <= .001) widest = std::max(widest, point.setting);
-        figure.findings.push_back(fmt::format(
-            "{}: a gap of 1/1000 of the distance is resolved up to far / near = {:.3g}", curve.name, widest));
+        figure.note("{}: a gap of 1/1000 of the distance is resolved up to far / near = {:.3g}", curve.name,
+                    widest);
     }
-    figure.findings.push_back(
-        fmt::format("floats that are not reversed: their smallest gaps are {:.3g} times those of 24 bits "
-                    "(geometric mean)",
-                    meanRatio(figure.curves[2], figure.curves[1])));
+    figure.note(
+        "floats that are not reversed: their smallest gaps are {:.3g} times those of 24 bits (geometric "
+        "mean)",
+        meanRatio(figure.curves[2], figure.curves[1]));
     return figure;
 }
 
-Result<Figure> gapByDistance(const Bench& bench, const gpu::Capabilities& capabilities) {
-    constexpr double kFar = 1e4;
-    Figure figure =
-        gapFigure("gap-by-distance", "Smallest gap resolved, far / near = 10000", "distance / near");
+Figure gapByDistance(Bench& bench) {
     std::vector<GapPlace> places;
-    for (int octave = 1; octave <= 12; octave += bench.isQuick() ? 3 : 1) {
+    for (int octave = 1; octave <= 12; octave += bench.pick(3, 1)) {
         const double z = std::ldexp(1., octave);
-        places.push_back({z, kFar, z, fmt::format("{:g}", z)});
+        places.push_back({z, 1e4, z, fmt::format("{:g}", z)});
     }
-    Diagnostics problems = sweep(figure, bench, capabilities, places);
-    if (!problems.empty()) return problems;
-    for (const Curve& curve : figure.curves)
-        if (!curve.theoryOf) figure.findings.push_back(orderSentence(curve, "distance", 8));
+    Figure figure = gapFigure(bench, "gap-by-distance", "Smallest gap resolved, far / near = 10000",
+                              "distance / near", places);
+    figure.noteOrders("distance", 8);
     return figure;
 }
 
-Result<Figure> fightingByGap(const Bench& bench, const gpu::Capabilities& capabilities) {
+Figure fightingByGap(Bench& bench) {
     constexpr double kFar = 1e4, kDistance = 1e3;
     Figure figure{.name = "fighting",
                   .title = "Two tilted planes at 1000 times the near distance, far / near = 10000",
                   .settingName = "steps of the buffer between them",
                   .errorName = "pixels in which the farther one wins",
-                  .errorUnit = "",
                   .reference = "the nearer plane, which must be visible in every pixel",
                   .alternatives = Alternatives::none};
-    for (const DepthKind& kind : usableKinds(capabilities)) {
-        Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kBufferSide);
-        if (!target) return std::move(target.diagnostics);
-        Curve curve{.name = std::string(kind.name)};
+    for (const DepthKind& kind : usableKinds(bench.capabilities())) {
+        const DepthPicture picture(bench, kind, kBufferSide);
         double clean = kNaN;
-        for (int half = -6; half <= 12; half += bench.isQuick() ? 2 : 1) {
+        for (int half = -6; half <= 12; half += bench.pick(2, 1)) {
             const double steps = std::exp2(half / 2.);
             const double gap = steps * depthStep(kind, kNear, kFar, kDistance) / kDistance;
-            Result<double> wrong = target->fighting(kind, kNear, kFar, kDistance, gap);
-            if (!wrong) return std::move(wrong.diagnostics);
-            curve.points.push_back({.setting = steps,
-                                    .label = fmt::format("{:.3g} steps", steps),
-                                    .error = *wrong,
-                                    .memory = bufferBytes(kind, kBufferSide)});
-            if (*wrong > 0)
-                clean = kNaN;
-            else if (std::isnan(clean))
-                clean = steps;
+            const double wrong = picture.fighting(kNear, kFar, kDistance, gap);
+            figure.add(kind.name, {steps, fmt::format("{:.3g} steps", steps), wrong, std::nullopt,
+                                   bufferBytes(kind, kBufferSide)});
+            clean = wrong > 0 ? kNaN : std::isnan(clean) ? steps : clean;
         }
-        figure.findings.push_back(
-            fmt::format("{}: no pixel is wrong from {} steps on", curve.name, numberText(clean)));
-        figure.curves.push_back(std::move(curve));
+        figure.note("{}: no pixel is wrong from {} steps on", kind.name, numberText(clean));
     }
     return figure;
 }
 
-Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
+Figure depthCost(Bench& bench) {
     constexpr double kFar = 1e4;
     constexpr int kCostSide = 512, kLayers = 8;
     Figure figure{
@@ -221,36 +207,112 @@ Result<Figure> cost(const Bench& bench, const gpu::Capabilities& capabilities) {
         .errorName = "smallest gap that is always resolved",
         .errorUnit = "distances",
         .reference = kOrderReference};
-    for (const DepthKind& kind : usableKinds(capabilities)) {
-        Result<DepthTarget> target = DepthTarget::create(capabilities, kind.format, kCostSide);
-        if (!target) return std::move(target.diagnostics);
-        Result<double> gap = smallestGap(*target, kind, kFar, kFar / 2, bench.isQuick());
-        if (!gap) return std::move(gap.diagnostics);
-        Diagnostics problems;
-        const Timing timing = bench.time([&] { problems = target->drawLayers(kind, kLayers); });
-        if (!problems.empty()) return problems;
-        figure.curves.push_back({.name = std::string(kind.name),
-                                 .points = {{.setting = bitsKept(kind),
-                                             .label = std::string(kind.name),
-                                             .error = *gap,
-                                             .time = timing,
-                                             .memory = bufferBytes(kind, kCostSide)}},
-                                 .isForScenes = !kind.isReversed});
+    for (const DepthKind& kind : usableKinds(bench.capabilities())) {
+        const DepthPicture picture(bench, kind, kCostSide);
+        figure.add(kind.name,
+                   {8. * static_cast<double>(gpu::bytesPerTexel(kind.format)), std::string(kind.name),
+                    smallestGap(picture, kFar, kFar / 2, bench.isQuick()),
+                    bench.time([&] { picture.drawLayers(kLayers); }), bufferBytes(kind, kCostSide)});
+        figure.curves.back().isForScenes = !kind.isReversed;
     }
-    const Point& standard = figure.curves[1].points.front();
-    const Point& last = figure.curves.back().points.front();
-    figure.findings.push_back(fmt::format(
-        "{} takes {:.2f} times the time of {} and resolves gaps that are {:.3g} times smaller", last.label,
-        last.time->median / standard.time->median, standard.label, standard.error / last.error));
+    const Point &standard = figure.last(1), &last = figure.last(figure.curves.size() - 1);
+    figure.note("{} takes {:.2f} times the time of {} and resolves gaps that are {:.3g} times smaller",
+                last.label, last.time->median / standard.time->median, standard.label,
+                standard.error / last.error);
     return figure;
 }
 
 }  // namespace
 
-Result<std::vector<Figure>> measureDepth(Bench& bench) {
-    Result<gpu::Context*> context = bench.context();
-    if (!context) return std::move(context.diagnostics);
-    return measureEach({gapByRatio, gapByDistance, fightingByGap, cost}, bench, (*context)->capabilities());
+std::vector<DepthKind> usableKinds(const gpu::Capabilities& capabilities) {
+    std::vector<DepthKind> usable(kDepthKinds.begin(), kDepthKinds.end());
+    std::erase_if(usable,
+                  [&](const DepthKind& kind) { return kind.isZeroToOne && !capabilities.atLeast(4, 5); });
+    return usable;
+}
+
+double depthStep(const DepthKind& kind, double near, double far, double z) {
+    constexpr int kMantissa = 24;  // bits of the floats that coordinates are kept in
+    double step = 1 / (std::ldexp(1., kind.bits) - 1);
+    if (kind.isFloat()) {
+        const double usual = far * (z - near) / (z * (far - near));
+        step = spacing(kind.isReversed ? near * (far - z) / (z * (far - near)) : usual, kind.bits);
+        if (!kind.isZeroToOne) step = std::max(step, spacing(std::abs(2 * usual - 1), kind.bits) / 2);
+    }
+    const double perDistance = step * (far - near) / (far * near);
+    const double inBuffer = perDistance * z < 1 ? perDistance * z * z / (1 - perDistance * z) : far;
+    const double gap = inBuffer + spacing(z, kMantissa);
+    return z + gap <= far ? gap : kNaN;
+}
+
+DepthPicture::DepthPicture(Bench& bench, const DepthKind& kind, int side)
+    : kind_(kind),
+      canvas_(bench, side, side, gpu::TexelFormat::rgba8, 1, kind.format),
+      shader_(bench, kDepthVertex, kDepthFragment) {}
+
+void DepthPicture::draw(double near, double far, const std::vector<Layer>& layers) const {
+    canvas_.clear({}, kind_.isReversed ? 0 : 1);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(kind_.isReversed ? GL_GREATER : GL_LESS);
+    if (kind_.isZeroToOne) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    shader_.set("uProjection", glm::vec2(projection(kind_, near, far)));
+    for (const Layer& each : layers) {
+        shader_.set("uBrightness", each.brightness);
+        Vertices({{each.vertices}}).draw(shader_, each.primitive);
+    }
+    glFinish();
+    glDisable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    if (kind_.isZeroToOne) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+std::vector<bool> DepthPicture::resolvePairs(double near, double far,
+                                             std::span<const DepthPair> pairs) const {
+    std::vector<float> back, front;
+    const auto side = static_cast<std::size_t>(canvas_.width());
+    const auto middle = [&](std::size_t pixel) {
+        return (static_cast<double>(pixel) + .5) * 2 / canvas_.width() - 1;
+    };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const double x = middle(i % side), y = middle(i / side);
+        push(back, x, y, pairs[i].back);
+        push(front, x, y, pairs[i].front);
+    }
+    draw(near, far, {{GL_POINTS, std::move(back), .5}, {GL_POINTS, std::move(front), 1}});
+    const std::vector<float> pixels = canvas_.pixels(1);
+    std::vector<bool> isResolved;
+    for (std::size_t i = 0; i < pairs.size(); ++i)  // pictures start at the top
+        isResolved.push_back(pixels[(side - 1 - i / side) * side + i % side] == 1);
+    return isResolved;
+}
+
+double DepthPicture::fighting(double near, double far, double distance, double gap) const {
+    const auto plane = [&](double scale, double width, double height) {
+        std::vector<float> vertices;
+        // Two triangles as a strip. On a plane, 1 / distance is linear over the picture.
+        for (const double y : {-height, height})
+            for (const double x : {-width, width}) push(vertices, x, y, distance * scale / (1 - .2 * y));
+        return vertices;
+    };
+    draw(near, far,
+         {{GL_TRIANGLE_STRIP, plane(1 + gap, 1.7, 1.3), .5}, {GL_TRIANGLE_STRIP, plane(1, 1, 1), 1}});
+    const std::vector<float> pixels = canvas_.pixels(1);
+    const auto wrong = std::ranges::count_if(pixels, [](float each) { return each != 1; });
+    return static_cast<double>(wrong) / static_cast<double>(pixels.size());
+}
+
+void DepthPicture::drawLayers(int layers) const {
+    std::vector<Layer> all;
+    for (int layer = layers; layer > 0; --layer) {
+        Layer& each = all.emplace_back(Layer{GL_TRIANGLE_STRIP, {}, 1. / layer});
+        for (const double y : {-1., 1.})
+            for (const double x : {-1., 1.}) push(each.vertices, x, y, layer + .5);
+    }
+    draw(1, layers + 2, all);
+}
+
+std::vector<Figure> measureDepth(Bench& bench) {
+    return {gapByRatio(bench), gapByDistance(bench), fightingByGap(bench), depthCost(bench)};
 }
 
 }  // namespace glibra::bench

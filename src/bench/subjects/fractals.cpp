@@ -1,12 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <glm/vec2.hpp>
-#include <utility>
 
-#include "bench/draw/shader_values.h"
+#include "bench/core/device.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
@@ -132,7 +128,7 @@ constexpr FractalMethod kFractalMethods[] = {
     {"CPU, float by perturbation", perturbed, true},
 };
 
-constexpr const char* kPlainShader = R"(uniform {0}vec2 uCentre;
+constexpr std::string_view kPlainShader = R"(uniform {0}vec2 uCentre;
 uniform {1} uSpacing;
 vec4 value() {{
     {0}vec2 c = uCentre + uSpacing * {0}vec2(given(0).xy), z = {0}vec2(0);
@@ -146,7 +142,7 @@ vec4 value() {{
 }}
 )";
 
-constexpr const char* kPerturbedShader = R"(uniform float uSpacing;
+constexpr std::string_view kPerturbedShader = R"(uniform float uSpacing;
 uniform vec2 uOrbit[{0}];
 vec4 value() {{
     vec2 c = uSpacing * given(0).xy, d = vec2(0);
@@ -168,115 +164,89 @@ struct FractalShader {
 };
 
 std::vector<FractalShader> fractalShaders() {
-    return {{"shader, float", fmt::format(fmt::runtime(kPlainShader), "", "float", kMostIterations), false},
-            {"shader, double", fmt::format(fmt::runtime(kPlainShader), "d", "double", kMostIterations), true},
-            {"shader, float by perturbation", fmt::format(fmt::runtime(kPerturbedShader), kMostIterations),
-             false}};
+    return {{"shader, float", fmt::format(kPlainShader, "", "float", kMostIterations)},
+            {"shader, double", fmt::format(kPlainShader, "d", "double", kMostIterations), true},
+            {"shader, float by perturbation", fmt::format(kPerturbedShader, kMostIterations)}};
 }
 
 /// Uniforms that a method does not have are ignored.
-void setFractalView(const gpu::Program& program, const FractalView& view, bool isDouble) {
-    program.use();
-    const auto location = [&](const char* name) { return glGetUniformLocation(program.id(), name); };
+void setFractalView(const Shader& shader, const FractalView& view, bool isDouble) {
     const Pair<Deep> middle = centre();
-    const std::vector<glm::vec2> orbit = centreOrbit();
-    if (isDouble) {
-        glUniform2d(location("uCentre"), static_cast<double>(middle.x), static_cast<double>(middle.y));
-        glUniform1d(location("uSpacing"), view.spacing());
-    } else {
-        glUniform2f(location("uCentre"), static_cast<float>(middle.x), static_cast<float>(middle.y));
-        glUniform1f(location("uSpacing"), static_cast<float>(view.spacing()));
-    }
-    glUniform2fv(location("uOrbit"), kMostIterations, &orbit[0].x);
-}
-
-double wrongShare(const Counts& truth, const Counts& counts) {
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-        if (counts[i] != truth[i]) ++wrong;
-    return static_cast<double>(wrong) / static_cast<double>(truth.size());
+    const glm::dvec2 place(static_cast<double>(middle.x), static_cast<double>(middle.y));
+    if (isDouble)
+        shader.setDouble("uCentre", place).setDouble("uSpacing", view.spacing());
+    else
+        shader.set("uCentre", glm::vec2(place)).set("uSpacing", view.spacing());
+    shader.set("uOrbit", centreOrbit());
 }
 
 struct Case {
     FractalView view;
     Counts truth{};
+
+    [[nodiscard]] Point point(const Counts& counts, const Timing& time, double bytes) const {
+        double wrong = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) wrong += counts[i] != truth[i] ? 1 : 0;
+        return {view.zoom, fmt::format("zoom {:.0e}", view.zoom), wrong / static_cast<double>(truth.size()),
+                time, bytes};
+    }
 };
 
-Point zoomPoint(const FractalView& view, double error, const Timing& time, double bytes) {
-    return {.setting = view.zoom,
-            .label = fmt::format("zoom {:.0e}", view.zoom),
-            .error = error,
-            .time = time,
-            .memory = bytes};
-}
-
-Result<Curve> fractalShaderCurve(Bench& bench, const FractalShader& method, const std::vector<Case>& cases) {
+void addFractalCurve(Figure& figure, Bench& bench, const FractalShader& method,
+                     const std::vector<Case>& cases) {
     std::vector<Four> offsets;
     const FractalView& any = cases.front().view;
     for (int j = 0; j < any.side; ++j)
         for (int i = 0; i < any.side; ++i)
             offsets.push_back({static_cast<float>(any.offset(i)), static_cast<float>(any.offset(j)), 0, 0});
-    const Result<ShaderValues> shader = ShaderValues::create(bench, method.glsl, offsets);
-    if (!shader) return shader.diagnostics;
-    Curve curve{method.name, {}};
+    const ShaderValues values(bench, method.glsl, offsets);
     for (const Case& each : cases) {
-        setFractalView(shader->program(), each.view, method.isDouble);
-        const Result<std::vector<Four>> values = shader->values();
-        if (!values) return values.diagnostics;
+        setFractalView(values.shader(), each.view, method.isDouble);
         Counts counts;
-        for (const Four& value : *values) counts.push_back(static_cast<int>(value[0]));
-        curve.points.push_back(zoomPoint(each.view, wrongShare(each.truth, counts),
-                                         bench.time([&] { shader->compute(); }), shader->bytes()));
+        for (const Four& value : values.values()) counts.push_back(static_cast<int>(value[0]));
+        figure.add(method.name, each.point(counts, bench.time([&] { values.compute(); }), values.bytes()));
     }
-    return curve;
 }
 
-std::string limitSentence(const Curve& curve) {
+void noteLimit(Figure& figure, const Curve& curve) {
     const auto first =
         std::ranges::find_if(curve.points, [](const Point& each) { return each.error > kTolerable; });
     if (first == curve.points.end())
-        return fmt::format("{}: at most {:.2g} % of the pixels are wrong up to {}", curve.name,
-                           100 * std::ranges::max(curve.points, {}, &Point::error).error,
-                           curve.points.back().label);
-    return fmt::format("{}: {:.2g} % of the pixels are wrong at {}, and more beyond", curve.name,
-                       100 * first->error, first->label);
+        figure.note("{}: at most {:.2g} % of the pixels are wrong up to {}", curve.name,
+                    100 * std::ranges::max(curve.points, {}, &Point::error).error, curve.points.back().label);
+    else
+        figure.note("{}: {:.2g} % of the pixels are wrong at {}, and more beyond", curve.name,
+                    100 * first->error, first->label);
 }
 
 }  // namespace
 
-Result<std::vector<Figure>> measureFractals(Bench& bench) {
-    Figure figure;
-    figure.name = "mandelbrot";
-    figure.settingName = "zoom";
-    figure.errorName = "share of wrong pixels";
-    figure.reference = "the number of iterations with 113 bits of mantissa (Boost.Multiprecision)";
-    figure.alternatives = Alternatives::setting;
-    figure.countsWrong = true;
+std::vector<Figure> measureFractals(Bench& bench) {
+    Figure figure{.name = "mandelbrot",
+                  .title = "The Mandelbrot set around a Misiurewicz point",
+                  .settingName = "zoom",
+                  .errorName = "share of wrong pixels",
+                  .reference = "the number of iterations with 113 bits of mantissa (Boost.Multiprecision)",
+                  .alternatives = Alternatives::setting,
+                  .countsWrong = true};
     std::vector<Case> cases;
-    const int side = bench.isQuick() ? 32 : 64;
-    figure.title = "The Mandelbrot set around a Misiurewicz point";
-    for (int decade = 0; decade <= 15; decade += bench.isQuick() ? 5 : 1) {
-        Case& each = cases.emplace_back(Case{{side, std::pow(10., decade)}});
+    for (int decade = 0; decade <= 15; decade += bench.pick(5, 1)) {
+        Case& each = cases.emplace_back(Case{{bench.pick(32, 64), std::pow(10., decade)}});
         countIterations<Quad>(each.view, each.truth);
     }
-    Diagnostics problems;
     Counts counts;
-    for (const FractalMethod& method : kFractalMethods) {
-        Curve& curve = figure.curves.emplace_back(Curve{.name = method.name, .isForScenes = false});
+    for (const FractalMethod& method : kFractalMethods)
         for (const Case& each : cases) {
             const Timing time = bench.time([&] { method.draw(each.view, counts); });
             const std::size_t orbit = method.hasOrbit ? kMostIterations * sizeof(glm::vec2) : 0;
-            curve.points.push_back(zoomPoint(each.view, wrongShare(each.truth, counts), time,
-                                             static_cast<double>(counts.size() * sizeof(int) + orbit)));
+            figure.add(method.name,
+                       each.point(counts, time, static_cast<double>(counts.size() * sizeof(int) + orbit)));
+            figure.curves.back().isForScenes = false;
         }
-    }
-    for (const FractalShader& method : fractalShaders()) {
-        Result<Curve> curve = fractalShaderCurve(bench, method, cases);
-        if (!hasError(problems)) append(problems, std::move(curve.diagnostics));
-        if (curve) figure.curves.push_back(std::move(*curve));
-    }
-    for (const Curve& curve : figure.curves) figure.findings.push_back(limitSentence(curve));
-    return {std::vector{std::move(figure)}, std::move(problems)};
+    for (const FractalShader& method : fractalShaders())
+        bench.attempt([&] { addFractalCurve(figure, bench, method, cases); });
+    for (const Curve& curve : figure.curves) noteLimit(figure, curve);
+    return {std::move(figure)};
 }
 
 }  // namespace glibra::bench

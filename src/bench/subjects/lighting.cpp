@@ -1,17 +1,11 @@
-#include <fmt/format.h>
+#include "bench/subjects/lighting.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <optional>
 
-#include "bench/core/fit.h"
-#include "bench/draw/lit_mesh.h"
-#include "bench/draw/offscreen.h"
-#include "bench/reference/analytic_lighting.h"
-#include "bench/subjects/subjects.h"
+#include "bench/core/device.h"
 #include "geometry/shapes/cylinders.h"
 #include "geometry/shapes/spheres.h"
 
@@ -19,10 +13,59 @@ namespace glibra::bench {
 namespace {
 
 constexpr double kExponent = 32;
+constexpr double kSeen = 1.05;  ///< half the side of the square of eye space that a picture of a mesh shows
 
-/// The light for sphere and torus, neither along the view nor in a plane of symmetry.
-glm::dvec3 obliqueLight() {
-    return glm::normalize(glm::dvec3(.5, .7, 1));
+constexpr std::string_view kModel = R"(uniform vec3 uLight;
+uniform float uExponent;
+uniform mat3 uToEye;
+float intensity(vec3 n) {
+    float facing = dot(n, uLight);
+    float shine = facing > 0. ? pow(max(reflect(-uLight, n).z, 0.), uExponent) : 0.;
+    return .1 + .5 * max(facing, 0.) + .4 * shine;
+}
+)";
+constexpr std::string_view kLitVertex = R"(layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal;
+uniform float uScale;
+out vec3 vModel;
+out vec3 vNormal;
+out float vIntensity;
+void main() {
+    vModel = aPosition;
+    vNormal = uToEye * aNormal;
+    vIntensity = intensity(vNormal);
+    vec3 eye = uToEye * aPosition;
+    gl_Position = vec4(eye.xy * uScale, -.5 * eye.z, 1.);
+}
+)";
+/// Red is the intensity, for which there is a place, green is 1 on the surface.
+constexpr std::string_view kLitFragment = R"(in vec3 vModel;
+in vec3 vNormal;
+in float vIntensity;
+uniform float uRing;
+out vec4 fColor;
+void main() {{
+    fColor = vec4({}, 1., 0., 1.);
+}}
+)";
+/// The highlight alone on a unit sphere that fills the target.
+constexpr std::string_view kHighlightFragment = R"(in vec2 vPlace;
+uniform vec3 uLight;
+uniform float uExponent;
+out vec4 fColor;
+void main() {{
+    vec2 p = vPlace * 2. - 1.;
+    float depth = 1. - dot(p, p);
+    vec3 n = vec3(p, sqrt(max(depth, 0.)));
+    float shine = dot(n, uLight) > 0. ? pow(max({}, 0.), uExponent) : 0.;
+    fColor = vec4(shine, depth >= 0. ? 1. : 0., 0., 1.);
+}}
+)";
+
+Shader highlightShader(Bench& bench, Highlight model) {
+    return {bench, fmt::format(kHighlightFragment, model == Highlight::reflection
+                                                       ? "reflect(-uLight, n).z"
+                                                       : "dot(n, normalize(uLight + vec3(0., 0., 1.)))")};
 }
 
 struct Difference {
@@ -33,8 +76,7 @@ struct Difference {
 /// Compares the pixels that both cover.
 Difference difference(const std::vector<float>& drawn, const std::vector<std::optional<double>>& reference) {
     Difference found;
-    double sum = 0;
-    std::size_t count = 0;
+    double sum = 0, count = 0;
     for (std::size_t i = 0; i < reference.size(); ++i) {
         if (!reference[i] || drawn[2 * i + 1] < .5F) continue;
         const double value = drawn[2 * i], error = value - *reference[i];
@@ -43,7 +85,7 @@ Difference difference(const std::vector<float>& drawn, const std::vector<std::op
         found.brightest = std::max(found.brightest, value);
         found.wanted = std::max(found.wanted, *reference[i]);
     }
-    if (count > 0) found.rootMeanSquare = std::sqrt(sum / static_cast<double>(count));
+    if (count > 0) found.rootMeanSquare = std::sqrt(sum / count);
     return found;
 }
 
@@ -61,24 +103,10 @@ std::vector<std::optional<double>> overPixels(LitSurface surface, int side, doub
     return values;
 }
 
-geometry::Mesh meshOf(LitSurface surface, int slices) {
-    return surface == LitSurface::sphere ? geometry::sphere(1, slices, slices / 2)
-                                         : geometry::torus(kRingRadius, kTubeRadius, slices / 2, slices);
-}
-
-struct NamedMethod {
-    LightingMethod method;
-    std::string_view name;
-};
-constexpr std::array<NamedMethod, 4> kNamedMethods{
-    {{LightingMethod::perVertex, "per vertex (Gouraud)"},
-     {LightingMethod::interpolated, "per fragment, normals as interpolated"},
-     {LightingMethod::renormalised, "per fragment, normals renormalised"},
-     {LightingMethod::analytic, "per fragment, analytic normals"}}};
-
-template <LitSurface surface>
-Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities) {
+Figure surfaceFigure(Bench& bench, LitSurface surface) {
     const bool isSphere = surface == LitSurface::sphere;
+    // Neither along the view nor in a plane of symmetry.
+    const glm::dvec3 light = glm::normalize(glm::dvec3(.5, .7, 1));
     Figure figure{
         .name = isSphere ? "sphere" : "torus",
         .title = isSphere ? "Lit sphere: by vertex and by fragment" : "Lit torus: by vertex and by fragment",
@@ -88,36 +116,43 @@ Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities
         .reference =
             "Phong lighting in double at the point of the analytic surface that each pixel's ray "
             "meets; no mesh, no interpolation"};
-    const int side = bench.isQuick() ? 96 : 384, most = bench.isQuick() ? 64 : 512;
-    const auto wanted = overPixels(surface, side, kSeen, [](const glm::dvec3& normal) {
-        return intensity(Highlight::reflection, normal, obliqueLight(), kExponent);
+    const int side = bench.pick(96, 384), most = bench.pick(64, 512);
+    const auto wanted = overPixels(surface, side, kSeen, [&](const glm::dvec3& normal) {
+        return intensity(Highlight::reflection, normal, light, kExponent);
     });
-    Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
-    if (!target) return std::move(target.diagnostics);
-    for (const NamedMethod& method : kNamedMethods) {
-        Result<gpu::Program> program =
-            lightingProgram(capabilities, surface, method.method, obliqueLight(), kExponent);
-        if (!program) return std::move(program.diagnostics);
-        Curve curve{.name = std::string(method.name)};
+    const Canvas canvas(bench, side, side, gpu::TexelFormat::rgba32f);
+    const std::pair<const char*, const char*> methods[] = {
+        {"per vertex (Gouraud)", "vIntensity"},
+        {"per fragment, normals as interpolated", "intensity(vNormal)"},
+        {"per fragment, normals renormalised", "intensity(normalize(vNormal))"},
+        {"per fragment, analytic normals",
+         isSphere ? "intensity(normalize(uToEye * vModel))"
+                  : "intensity(uToEye * normalize(vModel - vec3(normalize(vModel.xy) * uRing, 0.)))"}};
+    for (const auto& [name, expression] : methods) {
+        const Shader shader(bench, fmt::format("{}{}", kModel, kLitVertex),
+                            std::string(kModel) + fmt::format(kLitFragment, expression));
+        shader.set("uToEye", isSphere ? glm::mat3(1) : glm::mat3(torusRotation()))
+            .set("uScale", 1 / kSeen)
+            .set("uRing", kRingRadius)
+            .set("uExponent", kExponent)
+            .set("uLight", glm::vec3(light));
+        Curve curve{.name = name};
         for (int slices = 8; slices <= most; slices *= 2) {
-            const Result<LitMesh> mesh = LitMesh::create(meshOf(surface, slices));
-            if (!mesh) return mesh.diagnostics;
-            const Timing time = bench.time([&] {
-                mesh->draw(*program, *target);
-                glFinish();
+            const Vertices mesh(isSphere ? geometry::sphere(1, slices, slices / 2)
+                                         : geometry::torus(kRingRadius, kTubeRadius, slices / 2, slices),
+                                true);
+            const Timing time = bench.timeDrawing([&] {
+                canvas.clear();
+                glEnable(GL_DEPTH_TEST);
+                mesh.draw(shader);
+                glDisable(GL_DEPTH_TEST);
             });
-            const Result<std::vector<float>> drawn = readFloats(capabilities, *target, 2);
-            if (!drawn) return drawn.diagnostics;
-            const Difference found = difference(*drawn, wanted);
-            curve.points.push_back({.setting = static_cast<double>(slices),
-                                    .label = fmt::format("{} slices", slices),
-                                    .error = found.rootMeanSquare,
-                                    .time = time,
-                                    .memory = mesh->bytes()});
+            const Difference found = difference(canvas.pixels(2), wanted);
+            curve.points.push_back(
+                {1. * slices, fmt::format("{} slices", slices), found.rootMeanSquare, time, mesh.bytes()});
             if (slices == 16)
-                figure.findings.push_back(
-                    fmt::format("{}: with 16 slices the brightest pixel is {:.3f}, exactly {:.3f}",
-                                method.name, found.brightest, found.wanted));
+                figure.note("{}: with 16 slices the brightest pixel is {:.3f}, exactly {:.3f}", name,
+                            found.brightest, found.wanted);
         }
         figure.findings.push_back(orderSentence(curve, "slices"));
         figure.curves.push_back(std::move(curve));
@@ -125,42 +160,37 @@ Result<Figure> surfaceFigure(Bench& bench, const gpu::Capabilities& capabilities
     return figure;
 }
 
-double targetBytes(const gpu::Target& target) {
-    return static_cast<double>(target.width()) * target.height() * 4 * sizeof(float);
-}
+/// Highlights alone over the sphere drawn as a rectangle, compared with those of the reflection.
+class HighlightPicture {
+  public:
+    /// The light is at that angle (degrees) to the view, tilted so that no row or column is special.
+    HighlightPicture(Bench& bench, int side, double angle, double exponent)
+        : canvas_(bench, side, side, gpu::TexelFormat::rgba32f) {
+        const double a = angle * std::numbers::pi / 180;
+        light_ = {std::sin(a) * .8, std::sin(a) * .6, std::cos(a)};
+        wanted_ = overPixels(LitSurface::sphere, side, 1, [&](const glm::dvec3& normal) {
+            return highlight(Highlight::reflection, normal, light_, exponent);
+        });
+    }
+    void draw(const Shader& shader) const {
+        canvas_.bind();
+        shader.draw();
+    }
+    /// The root mean square of the differences.
+    [[nodiscard]] double error(const Shader& shader, double exponent) const {
+        shader.set("uLight", glm::vec3(light_)).set("uExponent", exponent);
+        draw(shader);
+        return difference(canvas_.pixels(2), wanted_).rootMeanSquare;
+    }
+    [[nodiscard]] double bytes() const { return canvas_.bytes(); }
 
-/// The light at that angle (degrees) to the view, tilted so that no row or column is special.
-glm::dvec3 lightAt(double angle) {
-    const double a = angle * std::numbers::pi / 180;
-    return {std::sin(a) * .8, std::sin(a) * .6, std::cos(a)};
-}
+  private:
+    Canvas canvas_;
+    glm::dvec3 light_;
+    std::vector<std::optional<double>> wanted_;
+};
 
-std::vector<std::optional<double>> highlights(int side, const glm::dvec3& light, double exponent) {
-    return overPixels(LitSurface::sphere, side, 1, [&](const glm::dvec3& normal) {
-        return highlight(Highlight::reflection, normal, light, exponent);
-    });
-}
-
-/// The root mean square of highlights alone over the sphere drawn as a rectangle.
-Result<double> highlightError(const gpu::Capabilities& capabilities, const gpu::Program& program,
-                              const gpu::Target& target, const glm::dvec3& light, double exponent,
-                              const std::vector<std::optional<double>>& wanted) {
-    setVector(program, "uLight", light);
-    setFloats(program, "uExponent", {static_cast<float>(exponent)});
-    target.bind();
-    drawWhole(program);
-    const Result<std::vector<float>> drawn = readFloats(capabilities, target, 2);
-    if (!drawn) return drawn.diagnostics;
-    return difference(*drawn, wanted).rootMeanSquare;
-}
-
-std::string bestFactor(const Curve& curve) {
-    const auto best = std::ranges::min_element(curve.points, {}, &Point::error);
-    return fmt::format("{}: a factor of {} is best; {} remains, {} with the exponent unchanged", curve.name,
-                       best->setting, numberText(best->error), numberText(curve.points.front().error));
-}
-
-Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilities) {
+Figure halfVectorFigure(Bench& bench) {
     Figure figure{.name = "half-vector",
                   .title = "Highlight by the half vector: which exponent matches the reflection",
                   .settingName = "factor on the exponent",
@@ -168,34 +198,27 @@ Result<Figure> halfVectorFigure(Bench& bench, const gpu::Capabilities& capabilit
                   .errorUnit = "of the highlight",
                   .reference = "the reflection's highlight in double on the analytic sphere",
                   .alternatives = Alternatives::none};
-    const int side = bench.isQuick() ? 64 : 192;
-    const int stepsAUnit = bench.isQuick() ? 2 : 8;
-    Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
-    if (!target) return std::move(target.diagnostics);
-    Result<gpu::Program> half = highlightProgram(capabilities, Highlight::halfVector);
-    if (!half) return std::move(half.diagnostics);
+    const int stepsAUnit = bench.pick(2, 8);
+    const Shader half = highlightShader(bench, Highlight::halfVector);
     for (const double angle : {20., 90.})
         for (const double exponent : {8., 32., 128.}) {
             Curve curve{.name = fmt::format("exponent {}, light at {} degrees", exponent, angle)};
-            const glm::dvec3 light = lightAt(angle);
-            const auto wanted = highlights(side, light, exponent);
+            const HighlightPicture picture(bench, bench.pick(64, 192), angle, exponent);
             for (int i = 0; i <= 5 * stepsAUnit; ++i) {
                 const double factor = 1 + static_cast<double>(i) / stepsAUnit;
-                const Result<double> error =
-                    highlightError(capabilities, *half, *target, light, exponent * factor, wanted);
-                if (!error) return error.diagnostics;
-                curve.points.push_back({.setting = factor,
-                                        .label = fmt::format("{} times", factor),
-                                        .error = *error,
-                                        .memory = targetBytes(*target)});
+                curve.points.push_back({factor, fmt::format("{} times", factor),
+                                        picture.error(half, exponent * factor), std::nullopt,
+                                        picture.bytes()});
             }
-            figure.findings.push_back(bestFactor(curve));
+            const auto best = std::ranges::min_element(curve.points, {}, &Point::error);
+            figure.note("{}: a factor of {} is best; {} remains, {} with the exponent unchanged", curve.name,
+                        best->setting, numberText(best->error), numberText(curve.points.front().error));
             figure.curves.push_back(std::move(curve));
         }
     return figure;
 }
 
-Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) {
+Figure modelFigure(Bench& bench) {
     Figure figure{.name = "highlight-models",
                   .title = "Reflection and half vector by the angle of the light, exponent 32",
                   .settingName = "angle between light and view, degrees",
@@ -203,52 +226,76 @@ Result<Figure> modelFigure(Bench& bench, const gpu::Capabilities& capabilities) 
                   .errorUnit = "of the highlight",
                   .reference = "the reflection's highlight in double on the analytic sphere",
                   .alternatives = Alternatives::setting};
-    const int side = bench.isQuick() ? 64 : 256;
-    Result<gpu::Target> target = gpu::Target::window(capabilities, side, side, gpu::TexelFormat::rgba32f);
-    if (!target) return std::move(target.diagnostics);
-    struct Row {
-        Highlight model;
-        double factor;
-        std::string name;
-    };
-    for (const Row& row :
-         {Row{Highlight::reflection, 1, "reflection"}, Row{Highlight::halfVector, 1, "half vector"},
-          Row{Highlight::halfVector, 4, "half vector, exponent times 4"}}) {
-        Result<gpu::Program> program = highlightProgram(capabilities, row.model);
-        if (!program) return std::move(program.diagnostics);
-        Curve curve{.name = row.name};
+    const Shader reflection = highlightShader(bench, Highlight::reflection),
+                 half = highlightShader(bench, Highlight::halfVector);
+    const std::tuple<const char*, Shader, double> rows[] = {
+        {"reflection", reflection, 1}, {"half vector", half, 1}, {"half vector, exponent times 4", half, 4}};
+    for (const auto& [name, shader, factor] : rows)
         for (const double angle : {10., 30., 50., 70., 90., 110., 130., 150.}) {
-            const glm::dvec3 light = lightAt(angle);
-            const Result<double> error =
-                highlightError(capabilities, *program, *target, light, kExponent * row.factor,
-                               highlights(side, light, kExponent));
-            if (!error) return error.diagnostics;
-            curve.points.push_back({.setting = angle,
-                                    .label = fmt::format("{} degrees", angle),
-                                    .error = *error,
-                                    .time = bench.time([&] {
-                                        target->bind();
-                                        drawWhole(*program);
-                                        glFinish();
-                                    }),
-                                    .memory = targetBytes(*target)});
+            const HighlightPicture picture(bench, bench.pick(64, 256), angle, kExponent);
+            const double error = picture.error(shader, kExponent * factor);
+            figure.add(name, {angle, fmt::format("{} degrees", angle), error,
+                              bench.timeDrawing([&] { picture.draw(shader); }), picture.bytes()});
         }
-        figure.curves.push_back(std::move(curve));
-    }
     const auto medianOf = [&](std::size_t curve) { return figure.curves[curve].points[1].time->median; };
-    figure.findings.push_back(fmt::format("a frame by the half vector takes {:.2f} times that by reflection",
-                                          medianOf(1) / medianOf(0)));
+    figure.note("a frame by the half vector takes {:.2f} times that by reflection",
+                medianOf(1) / medianOf(0));
     return figure;
+}
+
+/// Signed distance from the torus around the z axis.
+double torusDistance(const glm::dvec3& p) {
+    return glm::length(glm::dvec2(glm::length(glm::dvec2(p)) - kRingRadius, p.z)) - kTubeRadius;
 }
 
 }  // namespace
 
-Result<std::vector<Figure>> measureLighting(Bench& bench) {
-    const Result<gpu::Context*> context = bench.context();
-    if (!context) return context.diagnostics;
-    return measureEach(
-        {surfaceFigure<LitSurface::sphere>, surfaceFigure<LitSurface::torus>, halfVectorFigure, modelFigure},
-        bench, (*context)->capabilities());
+glm::dmat3 torusRotation() {
+    constexpr double kAngle = 50 * std::numbers::pi / 180;
+    const double c = std::cos(kAngle), s = std::sin(kAngle);
+    return {{1, 0, 0}, {0, c, -s}, {0, s, c}};
+}
+
+std::optional<glm::dvec3> normalAt(LitSurface surface, double x, double y) {
+    if (surface == LitSurface::sphere) {
+        const double zSquared = 1 - x * x - y * y;
+        return zSquared < 0 ? std::nullopt : std::optional(glm::dvec3(x, y, std::sqrt(zSquared)));
+    }
+    // Sphere tracing: steps as long as the distance never pass through the surface (Hart 1996).
+    constexpr double kHit = 1e-12, kReach = 1.5;
+    constexpr int kMostSteps = 2000;
+    const glm::dmat3 toModel = glm::transpose(torusRotation());
+    const glm::dvec3 direction = toModel * glm::dvec3(0, 0, -1);
+    glm::dvec3 p = toModel * glm::dvec3(x, y, kReach);
+    double travelled = 0;
+    for (int i = 0; i < kMostSteps && travelled < 2 * kReach; ++i) {
+        const double step = torusDistance(p);
+        if (step < kHit) {
+            const glm::dvec2 ring = glm::normalize(glm::dvec2(p)) * kRingRadius;
+            return glm::transpose(toModel) * glm::normalize(p - glm::dvec3(ring, 0));
+        }
+        p += direction * step;
+        travelled += step;
+    }
+    return std::nullopt;
+}
+
+double highlight(Highlight model, const glm::dvec3& normal, const glm::dvec3& light, double exponent) {
+    const glm::dvec3 viewer(0, 0, 1);
+    const double facing = glm::dot(normal, light);
+    if (facing <= 0) return 0;
+    const double cosine = model == Highlight::reflection ? glm::dot(2 * facing * normal - light, viewer)
+                                                         : glm::dot(normal, glm::normalize(light + viewer));
+    return std::pow(std::max(cosine, 0.0), exponent);
+}
+
+double intensity(Highlight model, const glm::dvec3& normal, const glm::dvec3& light, double exponent) {
+    return .1 + .5 * std::max(glm::dot(normal, light), 0.0) + .4 * highlight(model, normal, light, exponent);
+}
+
+std::vector<Figure> measureLighting(Bench& bench) {
+    return {surfaceFigure(bench, LitSurface::sphere), surfaceFigure(bench, LitSurface::torus),
+            halfVectorFigure(bench), modelFigure(bench)};
 }
 
 }  // namespace glibra::bench

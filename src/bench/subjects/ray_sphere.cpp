@@ -1,17 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
-#include <span>
-#include <utility>
 
+#include "bench/core/device.h"
 #include "bench/core/exact.h"
-#include "bench/core/fit.h"
-#include "bench/draw/shader_values.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
@@ -162,122 +155,97 @@ Setting settingOf(double value, std::string label, std::vector<Ray> rays) {
     return setting;
 }
 
-using Choice = double Outcome::*;
+using Measured = double Outcome::*;
 
 Point rayPoint(const Setting& setting, double error, const Timing& time, double bytes) {
-    return {.setting = setting.value, .label = setting.label, .error = error, .time = time, .memory = bytes};
+    return {setting.value, setting.label, error, time, bytes};
 }
 
-Curve cpuRayCurve(const Bench& bench, const RayMethod& method, std::span<const Setting> settings,
-                  Choice choice) {
-    Curve curve{method.name, {}};
-    std::vector<double> hits(kRays);
-    for (const Setting& setting : settings) {
-        const auto compute = [&] { std::ranges::transform(setting.rays, hits.begin(), method.hit); };
-        compute();
-        curve.points.push_back(rayPoint(setting, judge(setting.truths, hits).*choice, bench.time(compute),
-                                        kRays * static_cast<double>(sizeof(Ray) + sizeof(double))));
-    }
-    return curve;
-}
-
-Result<Curve> shaderRayCurve(Bench& bench, const RayShader& method, std::span<const Setting> settings,
-                             Choice choice) {
-    Curve curve{method.name, {}};
+void addRayCurve(Figure& figure, Bench& bench, const RayShader& method, std::span<const Setting> settings,
+                 Measured choice) {
     for (const Setting& setting : settings) {
         std::vector<Four> inputs;
         for (const Ray& ray : setting.rays) {
             inputs.push_back({ray.origin.x, ray.origin.y, ray.origin.z, 0});
             inputs.push_back({ray.direction.x, ray.direction.y, ray.direction.z, 0});
         }
-        const Result<ShaderValues> shader = ShaderValues::create(bench, method.glsl, inputs, 2);
-        if (!shader) return shader.diagnostics;
-        const Result<std::vector<Four>> values = shader->values();
-        if (!values) return values.diagnostics;
+        const ShaderValues values(bench, method.glsl, inputs, 2);
         std::vector<double> hits;
-        for (const Four& each : *values)
+        for (const Four& each : values.values())
             hits.push_back(each[1] > .5F ? static_cast<double>(each[0]) : kMissed);
-        curve.points.push_back(rayPoint(setting, judge(setting.truths, hits).*choice,
-                                        bench.time([&] { shader->compute(); }), shader->bytes()));
-    }
-    return curve;
-}
-
-void addCurves(Figure& figure, Bench& bench, std::span<const Setting> settings, Choice choice,
-               Diagnostics& problems) {
-    for (const RayMethod& method : kRayMethods) {
-        figure.curves.push_back(cpuRayCurve(bench, method, settings, choice));
-        figure.curves.back().isForScenes = false;
-    }
-    for (const RayShader& method : kRayShaders) {
-        Result<Curve> curve = shaderRayCurve(bench, method, settings, choice);
-        if (!hasError(problems)) append(problems, std::move(curve.diagnostics));
-        if (curve) figure.curves.push_back(std::move(*curve));
+        figure.add(method.name, rayPoint(setting, judge(setting.truths, hits).*choice,
+                                         bench.time([&] { values.compute(); }), values.bytes()));
     }
 }
 
-std::vector<Setting> byDistance(const Bench& bench, double smallest, double largest) {
+/// Adds a curve for each method to the figure, by the distance of rays that pass the centre between the two
+/// radii.
+void addCurves(Figure& figure, Bench& bench, double smallest, double largest, Measured choice) {
+    figure.settingName = "distance of the ray's origin in radii";
+    figure.alternatives = Alternatives::setting;
     std::vector<Setting> settings;
-    for (int decade = 0; decade <= 6; decade += bench.isQuick() ? 3 : 1) {
+    for (int decade = 0; decade <= 6; decade += bench.pick(3, 1)) {
         const double distance = decade == 0 ? 1.5 : std::pow(10., decade);
         settings.push_back(settingOf(distance, fmt::format("distance {:.6g}", distance),
                                      raysFrom(distance, smallest, largest)));
     }
-    return settings;
+    std::vector<double> hits(kRays);
+    for (const RayMethod& method : kRayMethods)
+        for (const Setting& setting : settings) {
+            const auto compute = [&] { std::ranges::transform(setting.rays, hits.begin(), method.hit); };
+            compute();
+            figure.add(method.name,
+                       rayPoint(setting, judge(setting.truths, hits).*choice, bench.time(compute),
+                                kRays * static_cast<double>(sizeof(Ray) + sizeof(double))));
+            figure.curves.back().isForScenes = false;
+        }
+    for (const RayShader& method : kRayShaders)
+        bench.attempt([&] { addRayCurve(figure, bench, method, settings, choice); });
 }
 
-Figure hitFigure(Bench& bench, Diagnostics& problems) {
-    Figure figure;
-    figure.name = "hit";
-    figure.title = "Where the ray meets the sphere, by distance";
-    figure.settingName = "distance of the ray's origin in radii";
-    figure.errorName = "largest error along the ray";
-    figure.errorUnit = "radii";
-    figure.reference =
-        "the exact root for the same floats, with 100 digits (Boost.Multiprecision); 2048 rays through "
-        "the inner .9 of the sphere";
-    figure.alternatives = Alternatives::setting;
-    addCurves(figure, bench, byDistance(bench, 0, .9), &Outcome::distance, problems);
-    for (const Curve& curve : figure.curves) figure.findings.push_back(orderSentence(curve, "distance", 10));
-    const Point &bad = figure.curves[0].points.back(), &good = figure.curves[2].points.back();
-    figure.findings.push_back(fmt::format("at {}: textbook {} radii, stable {} radii, both in float",
-                                          bad.label, numberText(bad.error), numberText(good.error)));
+Figure hitFigure(Bench& bench) {
+    Figure figure{.name = "hit",
+                  .title = "Where the ray meets the sphere, by distance",
+                  .errorName = "largest error along the ray",
+                  .errorUnit = "radii",
+                  .reference =
+                      "the exact root for the same floats, with 100 digits (Boost.Multiprecision); 2048 "
+                      "rays through the inner .9 of the sphere"};
+    addCurves(figure, bench, 0, .9, &Outcome::distance);
+    figure.noteOrders("distance", 10);
+    figure.note("at {}: textbook {} radii, stable {} radii, both in float", figure.last(0).label,
+                numberText(figure.last(0).error), numberText(figure.last(2).error));
     return figure;
 }
 
-Figure decisionFigure(Bench& bench, Diagnostics& problems) {
-    Figure figure;
-    figure.name = "decision";
-    figure.title = "Rays near the outline that hit or miss wrongly";
-    figure.settingName = "distance of the ray's origin in radii";
-    figure.errorName = "share of wrong rays";
-    figure.reference =
-        "the sign of the exact discriminant with 100 digits; 2048 rays that pass the centre at .99 to 1.01 "
-        "radii";
-    figure.alternatives = Alternatives::setting;
-    figure.countsWrong = true;
-    addCurves(figure, bench, byDistance(bench, .99, 1.01), &Outcome::wrong, problems);
-    const Point &bad = figure.curves[0].points.back(), &good = figure.curves[2].points.back();
-    for (const Curve& curve : {figure.curves[0], figure.curves[2]}) {
+Figure decisionFigure(Bench& bench) {
+    Figure figure{.name = "decision",
+                  .title = "Rays near the outline that hit or miss wrongly",
+                  .errorName = "share of wrong rays",
+                  .reference =
+                      "the sign of the exact discriminant with 100 digits; 2048 rays that pass the "
+                      "centre at .99 to 1.01 radii",
+                  .countsWrong = true};
+    addCurves(figure, bench, .99, 1.01, &Outcome::wrong);
+    for (const std::size_t i : {0U, 2U}) {
+        const Curve& curve = figure.curves[i];
         const auto first =
             std::ranges::find_if(curve.points, [](const Point& each) { return each.error > 0; });
-        figure.findings.push_back(
-            first == curve.points.end()
-                ? fmt::format("{}: no ray is wrong up to {}", curve.name, curve.points.back().label)
-                : fmt::format("{}: the first wrong rays at {}", curve.name, first->label));
+        if (first == curve.points.end())
+            figure.note("{}: no ray is wrong up to {}", curve.name, curve.points.back().label);
+        else
+            figure.note("{}: the first wrong rays at {}", curve.name, first->label);
     }
-    figure.findings.push_back(fmt::format(
+    figure.note(
         "at {}: {:.1f} % of the rays are wrong with the textbook formula, {:.1f} % with the stable one",
-        bad.label, 100 * bad.error, 100 * good.error));
+        figure.last(0).label, 100 * figure.last(0).error, 100 * figure.last(2).error);
     return figure;
 }
 
 }  // namespace
 
-Result<std::vector<Figure>> measureRaySphere(Bench& bench) {
-    Diagnostics problems;
-    std::vector<Figure> figures{hitFigure(bench, problems), decisionFigure(bench, problems)};
-    return {std::move(figures), std::move(problems)};
+std::vector<Figure> measureRaySphere(Bench& bench) {
+    return {hitFigure(bench), decisionFigure(bench)};
 }
 
 }  // namespace glibra::bench

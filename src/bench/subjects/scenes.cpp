@@ -1,18 +1,11 @@
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <optional>
-#include <string>
+#include <span>
 
-#include "bench/core/fit.h"
-#include "bench/draw/scene_picture.h"
-#include "bench/subjects/shipped_scenes.h"
+#include "bench/subjects/scene_pictures.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
@@ -72,7 +65,8 @@ std::string slowestOf(const std::vector<render::Stats::GpuTime>& times) {
                        secondsText(slowest->milliseconds * kSecondsInMillisecond));
 }
 
-Result<MeasuredScene> measureScene(Bench& bench, gpu::Context& context, const ShippedScene& scene) {
+MeasuredScene measureScene(Bench& bench, const ShippedScene& scene) {
+    gpu::Context& context = bench.context();
     RenderOptions options;
     if (bench.isQuick()) options.width = options.height = 64;
     MeasuredScene measured{.scene = &scene};
@@ -82,9 +76,7 @@ Result<MeasuredScene> measureScene(Bench& bench, gpu::Context& context, const Sh
         way.samples = kWays[i].samples;
         way.maxError = kWays[i].maxError;
         way.overrideCounts = kWays[i].overrideCounts;
-        Result<image::Image> picture = scenePicture(context, scene.path, way);
-        if (!picture) return std::move(picture.diagnostics);
-        pictures[i] = std::move(*picture);
+        pictures[i] = need(scenePicture(context, scene.path, way));
         measured.bytes[i] = scenePictureBytes(context, scene.path, way);
         if (const auto times = sceneGpuTimes(context, scene.path, way)) {
             measured.gpuTimes[i] = secondsOf(*times);
@@ -95,51 +87,37 @@ Result<MeasuredScene> measureScene(Bench& bench, gpu::Context& context, const Sh
     }
     measured.width = pictures.front().width;
     measured.height = pictures.front().height;
-
     const Thoroughness thorough = thoroughness(bench);
     const int side = measured.times[kPlain].median < thorough.slow ? thorough.samplesASide : 4;
     RenderOptions best = options;
     best.set = scene.finest;
     best.maxError = 1. / thorough.finest;
     best.overrideCounts = true;
-    const Result<image::Image> reference = sampledPicture(context, scene.path, best, side);
-    if (!reference) return reference.diagnostics;
+    const image::Image reference = sampledPicture(context, scene.path, best, side);
     measured.referenceSamples = side * side;
-    for (std::size_t i = 0; i < kWays.size(); ++i) measured.errors[i] = pictureError(*reference, pictures[i]);
+    for (std::size_t i = 0; i < kWays.size(); ++i) measured.errors[i] = pictureError(reference, pictures[i]);
     return measured;
-}
-
-std::string sizeText(const MeasuredScene& each) {
-    return fmt::format("{} x {}", each.width, each.height);
 }
 
 /// Scenes by one measure of their error, largest first; one curve per way.
 Figure ranked(std::vector<MeasuredScene> all, Figure figure, double (*errorOf)(const PictureError&)) {
     std::ranges::sort(all, std::ranges::greater(),
                       [&](const MeasuredScene& each) { return errorOf(each.errors.front()); });
-    for (std::size_t i = 0; i < kWays.size(); ++i) {
-        Curve curve{.name = std::string(kWays[i].name)};
+    for (std::size_t i = 0; i < kWays.size(); ++i)
         for (std::size_t rank = 0; rank < all.size(); ++rank)
-            curve.points.push_back({.setting = static_cast<double>(rank + 1),
-                                    .label = all[rank].scene->name,
-                                    .error = errorOf(all[rank].errors[i]),
-                                    .time = all[rank].times[i],
-                                    .memory = all[rank].bytes[i],
-                                    .gpuTime = all[rank].gpuTimes[i]});
-        figure.curves.push_back(std::move(curve));
-    }
+            figure.add(kWays[i].name,
+                       {static_cast<double>(rank + 1), all[rank].scene->name, errorOf(all[rank].errors[i]),
+                        all[rank].times[i], all[rank].bytes[i], all[rank].gpuTimes[i]});
     constexpr std::size_t kNamed = 10;
-    for (std::size_t rank = 0; rank < std::min(kNamed, all.size()); ++rank) {
-        const MeasuredScene& each = all[rank];
-        figure.findings.push_back(fmt::format(
-            "{} ({}): {}, with 4 samples {}; {} and {}", each.scene->name, sizeText(each),
-            numberText(errorOf(each.errors[kPlain])), numberText(errorOf(each.errors[kFourSamples])),
-            secondsText(each.times[kPlain].median), secondsText(each.times[kFourSamples].median)));
-    }
+    for (const MeasuredScene& each : std::span(all).first(std::min(kNamed, all.size())))
+        figure.note("{} ({} x {}): {}, with 4 samples {}; {} and {}", each.scene->name, each.width,
+                    each.height, numberText(errorOf(each.errors[kPlain])),
+                    numberText(errorOf(each.errors[kFourSamples])), secondsText(each.times[kPlain].median),
+                    secondsText(each.times[kFourSamples].median));
     return figure;
 }
 
-double median(std::vector<double> values) {
+double medianOf(std::vector<double> values) {
     std::ranges::sort(values);
     return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
 }
@@ -158,7 +136,7 @@ std::string comparison(const std::vector<MeasuredScene>& all, std::size_t way) {
     return fmt::format(
         "{}: {:.2f} of the error in {:.2f} of the time of one sample (medians over the scenes); {} of {} "
         "scenes are faster",
-        kWays[way].name, median(better), median(longer), faster, all.size());
+        kWays[way].name, medianOf(better), medianOf(longer), faster, all.size());
 }
 
 /// How long the scenes take, and what the ways gain.
@@ -171,7 +149,7 @@ std::vector<std::string> overall(const std::vector<MeasuredScene>& all) {
     return {
         fmt::format("{} scenes; half of the pictures take less than {} (parse, plan, upload, draw, read), "
                     "the longest takes {}: {}",
-                    all.size(), secondsText(median(times)), secondsText(slowest->times[kPlain].median),
+                    all.size(), secondsText(medianOf(times)), secondsText(slowest->times[kPlain].median),
                     slowest->scene->name),
         comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
 }
@@ -208,27 +186,21 @@ std::string slowOnes(const std::vector<MeasuredScene>& all) {
 
 }  // namespace
 
-Result<std::vector<Figure>> measureScenes(Bench& bench) {
-    const Result<gpu::Context*> context = bench.context();
-    if (!context) return context.diagnostics;
-    const Result<std::vector<ShippedScene>> scenes = shippedScenes();
-    if (!scenes) return scenes.diagnostics;
+std::vector<Figure> measureScenes(Bench& bench) {
+    (void)bench.context();
+    const std::vector<ShippedScene> scenes = shippedScenes();
     std::vector<MeasuredScene> all;
     std::vector<std::string> failures;
     Diagnostics reasons;
     const Thoroughness thorough = thoroughness(bench);
-    for (std::size_t i = 0; i < scenes->size(); i += thorough.stride) {
-        const ShippedScene& scene = (*scenes)[i];
-        Result<MeasuredScene> measured = measureScene(bench, **context, scene);
-        if (measured) {
-            all.push_back(*measured);
-            continue;
+    for (std::size_t i = 0; i < scenes.size(); i += thorough.stride) try {
+            all.push_back(measureScene(bench, scenes[i]));
+        } catch (const Failed& failed) {
+            failures.push_back(
+                fmt::format("{} cannot be drawn: {}", scenes[i].name, toString(failed.diagnostics.front())));
+            append(reasons, failed.diagnostics);
         }
-        failures.push_back(
-            fmt::format("{} cannot be drawn: {}", scene.name, toString(measured.diagnostics.front())));
-        append(reasons, std::move(measured.diagnostics));
-    }
-    if (all.empty()) return reasons;
+    if (all.empty()) throw Failed(reasons);
     const std::string reference = fmt::format(
         "the mean of {} pictures shifted by parts of a pixel, passes into textures by parts of a texel, with "
         "the finest tessellation of the scene's sliders and meshes within 1/{} of a pixel of their surfaces",
@@ -238,7 +210,6 @@ Result<std::vector<Figure>> measureScenes(Bench& bench) {
                       .title = std::move(title),
                       .settingName = "rank of the scene",
                       .errorName = std::move(error),
-                      .errorUnit = "",
                       .reference = reference,
                       .alternatives = Alternatives::setting};
     };

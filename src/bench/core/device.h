@@ -1,0 +1,187 @@
+#pragma once
+// What subjects draw with, as handles to the objects of `gpu` that pictures of scenes are made of: programs
+// with uniforms by name, canvases with their pixels, textures, meshes. Whatever the driver refuses throws
+// Failed. Copies of a handle share the object.
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <span>
+
+#include "bench/core/bench.h"
+#include "geometry/mesh.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/framebuffer.h"
+#include "gpu/object/program.h"
+#include "gpu/object/sampler.h"
+#include "gpu/object/texture.h"
+#include "gpu/object/vertex_array.h"
+
+namespace glibra::bench {
+
+inline constexpr double kByte = 255;  ///< errors of pictures are in steps of a byte
+
+/// The captured outputs of a draw.
+struct Captured {
+    std::vector<float> values;  ///< vertex after vertex; the outputs of each in the order of their names
+    int primitives = 0;
+};
+
+class Shader {
+  public:
+    /// Each source without a #version gets `#version 410 core` as its first line. `captured` names the
+    /// outputs of the last stage before rasterisation that capture() reads. gpu-E02 with the driver's log if
+    /// it does not build.
+    Shader(Bench& bench, std::span<const gpu::StageSource> stages, std::vector<std::string> captured = {});
+    Shader(Bench& bench, std::string_view vertex, std::string_view fragment);
+    /// Covers the target with one triangle, which gives `in vec2 vPlace`: (0, 0) at the lower left corner of
+    /// the target, (1, 1) at the upper right one.
+    Shader(Bench& bench, std::string_view fragment);
+
+    /// Sets a uniform by its name. Doubles are rounded to float. Names that are not active are ignored.
+    const Shader& set(const char* name, int value) const;  ///< or the texture unit of a sampler
+    const Shader& set(const char* name, double value) const;
+    const Shader& set(const char* name, const glm::vec2& value) const;
+    const Shader& set(const char* name, const glm::vec3& value) const;
+    const Shader& set(const char* name, const glm::vec4& value) const;
+    const Shader& set(const char* name, const glm::mat3& value) const;
+    const Shader& set(const char* name, const glm::mat4& value) const;
+    const Shader& set(const char* name, std::span<const glm::vec2> values) const;
+    /// A uniform whose type in GLSL is double, dvec2 or dmat4.
+    const Shader& setDouble(const char* name, double value) const;
+    const Shader& setDouble(const char* name, const glm::dvec2& value) const;
+    const Shader& setDouble(const char* name, const glm::dmat4& value) const;
+    [[nodiscard]] bool has(const char* name) const { return location(name) >= 0; }
+    [[nodiscard]] GLuint id() const { return program_->id(); }
+    void use() const { program_->use(); }
+
+    /// Draws vertices without buffers; the vertex shader works from gl_VertexID.
+    void draw(GLenum primitive = GL_TRIANGLES, int count = 3, int first = 0) const;
+
+    /// Draws `count` vertices without buffers and without rasterising, and returns the captured outputs of
+    /// the program, `floatsPerVertex` each. `captures` is the primitive in the buffer: GL_POINTS, GL_LINES or
+    /// GL_TRIANGLES. The buffer has room for `mostVertices`; further vertices are lost (gpu-E03).
+    [[nodiscard]] Captured capture(GLenum primitive, int count, GLenum captures, int floatsPerVertex,
+                                   int mostVertices) const;
+
+  private:
+    [[nodiscard]] GLint location(const char* name) const;
+    std::shared_ptr<const gpu::Program> program_;
+    const gpu::Capabilities* capabilities_;
+};
+
+/// A substitute for a window.
+class Canvas {
+  public:
+    Canvas(Bench& bench, int width, int height, gpu::TexelFormat format, int samples = 1,
+           gpu::TexelFormat depth = gpu::TexelFormat::depth24);
+    void bind() const { target_->bind(); }
+    /// Binds it, and clears colour and depth.
+    void clear(const std::array<float, 4>& rgba = {}, float depth = 1) const;
+    /// `components` (1 to 4) floats per pixel, rows from top to bottom, after resolving the samples. Waits
+    /// for the drawing. Byte formats give 0..1.
+    [[nodiscard]] std::vector<float> pixels(int components = 4) const;
+    [[nodiscard]] int width() const { return target_->width(); }
+    [[nodiscard]] int height() const { return target_->height(); }
+    [[nodiscard]] int samples() const { return target_->samples(); }
+    /// Bytes of the colours.
+    [[nodiscard]] double bytes() const;
+
+  private:
+    std::shared_ptr<const gpu::Target> target_;
+    const gpu::Capabilities* capabilities_;
+};
+
+/// Reads the first `components` floats of every pixel.
+std::vector<float> pixelsOf(const gpu::Capabilities& capabilities, const gpu::Target& target, int components);
+
+/// The texels of a level, from the span of their components.
+template <class Component>
+gpu::Texels texelsOf(std::span<const Component> values, int components) {
+    return {std::as_bytes(values), components,
+            std::is_same_v<Component, float>           ? gpu::TexelType::f32
+            : std::is_same_v<Component, std::uint16_t> ? gpu::TexelType::u16
+                                                       : gpu::TexelType::u8};
+}
+
+class Texels {
+  public:
+    /// One level; 3D if its depth is not 1. It is read linearly and does not repeat.
+    template <class Component>
+    Texels(Bench& bench, gpu::TexelFormat format, gpu::TextureSize size, const std::vector<Component>& values,
+           int components = 1)
+        : Texels(need(gpu::Texture::create(
+              bench.capabilities(),
+              size.depth > 1 ? gpu::TextureShape::texture3D : gpu::TextureShape::texture2D, format, size,
+              texelsOf(std::span(values), components)))) {}
+    explicit Texels(gpu::Texture texture) : texture_(std::make_shared<gpu::Texture>(std::move(texture))) {
+        sampledBy(
+            {.wrap = {gpu::Wrap::clampToEdge, gpu::Wrap::clampToEdge, gpu::Wrap::clampToEdge}, .border = {}});
+    }
+    /// Sets how it is read.
+    const Texels& sampledBy(const gpu::SamplerState& state) {
+        sampler_ = std::make_shared<const gpu::Sampler>(state);
+        return *this;
+    }
+    void bind(int unit) const {
+        texture_->bind(unit);
+        sampler_->bind(unit);
+    }
+    [[nodiscard]] gpu::Texture& texture() const { return *texture_; }
+    [[nodiscard]] double bytes() const;
+
+  private:
+    std::shared_ptr<gpu::Texture> texture_;
+    std::shared_ptr<const gpu::Sampler> sampler_;
+};
+
+/// Vertices, and indices if there are any, on the device. Attributes have the locations 0, 1 ...
+class Vertices {
+  public:
+    struct Values {
+        std::span<const float> values;
+        int components = 3;
+    };
+    explicit Vertices(const std::vector<Values>& attributes, std::span<const std::uint32_t> indices = {});
+    /// The positions of a mesh, and its normals if `withNormals`.
+    explicit Vertices(const geometry::Mesh& mesh, bool withNormals);
+    void draw(const Shader& shader, GLenum primitive = GL_TRIANGLES) const;
+    [[nodiscard]] double bytes() const;
+
+  private:
+    std::vector<gpu::Buffer> buffers_;  ///< the last one: the indices, if there are any
+    std::optional<gpu::VertexArray> array_;
+    int count_ = 0;
+    bool isIndexed_ = false;
+};
+
+using Four = std::array<float, 4>;
+
+/// Evaluates a GLSL function for many inputs, one pixel each, in the driver's arithmetic.
+class ShaderValues {
+  public:
+    /// `glsl` defines `vec4 value()` in GLSL 4.10, which reads the inputs of its pixel as given(0), given(1)
+    /// ... `inputs` holds `inputsPerValue` vectors per value.
+    ShaderValues(Bench& bench, std::string_view glsl, std::span<const Four> inputs, int inputsPerValue = 1);
+
+    /// Draws and waits for it.
+    void compute() const;
+    /// Draws. The results, one vector per value.
+    [[nodiscard]] std::vector<Four> values() const;
+    /// Bytes of the inputs and the results.
+    [[nodiscard]] double bytes() const { return inputs_.bytes() + canvas_.bytes(); }
+    /// The program, for setting uniforms of `glsl`.
+    [[nodiscard]] const Shader& shader() const { return shader_; }
+
+  private:
+    std::size_t count_;
+    Texels inputs_;
+    Canvas canvas_;
+    Shader shader_;
+};
+
+}  // namespace glibra::bench

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bench/core/device.h"
+#include "bench/subjects/subjects.h"
+
+namespace glibra::bench {
+namespace {
+
+/// What turns makes 17 turns in 10 seconds, at 60 frames per second: after k frames k * 17 / 600 turns, whose
+/// fraction follows from integers.
+constexpr long long kTurns = 17, kFramesOfTurns = 600;
+constexpr double kRate = 60. * kTurns / kFramesOfTurns;
+
+/// What a shader computes the fraction of a turn from: seconds, whole seconds, the rest of them, and seconds
+/// reduced to a period in double.
+struct ClockMethod {
+    const char *name, *glsl;
+};
+constexpr ClockMethod kClockMethods[] = {
+    {"seconds as a float", "fract(given(0).x * 1.7)"},
+    {"seconds as a float, reduced to ten in the shader", "fract(mod(given(0).x, 10.) * 1.7)"},
+    {"whole seconds and their rest", "fract(fract(given(0).y * 1.7) + given(0).z * 1.7)"},
+    {"seconds reduced to ten in double", "fract(given(0).w * 1.7)"}};
+
+double turnsApart(double a, double b) {
+    const double apart = std::abs(a - b);
+    return std::min(apart, std::abs(1 - apart));
+}
+
+Figure clockFigure(Bench& bench) {
+    Figure figure{
+        .name = "clock",
+        .title = "The fraction of a turn, 1.7 turns per second, by the time since the start",
+        .settingName = "seconds since the start",
+        .errorName = "largest error",
+        .errorUnit = "turns",
+        .reference = "the fraction from the number of frames, in integers; 600 frames, 60 per second",
+        .alternatives = Alternatives::setting};
+    const std::pair<const char*, long long> times[] = {
+        {"1 minute", 60},   {"10 minutes", 600},  {"1 hour", 3600},    {"1 day", 86400},
+        {"1 week", 604800}, {"1 month", 2592000}, {"1 year", 31536000}};
+    for (const ClockMethod& method : kClockMethods)
+        for (const auto& [label, seconds] : times) {
+            std::vector<Four> inputs;
+            for (long long frame = 60 * seconds; frame < 60 * seconds + kFramesOfTurns; ++frame) {
+                const double t = static_cast<double>(frame) / 60, whole = std::floor(t);
+                inputs.push_back({static_cast<float>(t), static_cast<float>(whole),
+                                  static_cast<float>(t - whole), static_cast<float>(std::fmod(t, 10.))});
+            }
+            const ShaderValues values(bench, fmt::format("vec4 value() {{ return vec4({}); }}", method.glsl),
+                                      inputs);
+            double largest = 0;
+            long long frame = 60 * seconds;
+            for (const Four& each : values.values()) {
+                const long long turns = frame++ * kTurns % kFramesOfTurns;
+                largest = std::max(largest, turnsApart(static_cast<double>(each[0]),
+                                                       static_cast<double>(turns) / kFramesOfTurns));
+            }
+            figure.add(method.name, {1. * static_cast<double>(seconds), label, largest,
+                                     bench.time([&] { values.compute(); }), values.bytes()});
+        }
+    figure.noteOrders("seconds", 600);
+    for (const Curve& curve : figure.curves) {
+        const auto late =
+            std::ranges::find_if(curve.points, [](const Point& each) { return each.error > .01; });
+        if (late == curve.points.end())
+            figure.note("{}: within a hundredth of a turn up to {}", curve.name, curve.points.back().label);
+        else
+            figure.note("{}: more than a hundredth of a turn off after {}", curve.name, late->label);
+    }
+    return figure;
+}
+
+/// A place on a unit circle and its speed, moved by a step h of one method. Without friction it stays there.
+struct OrbitMethod {
+    const char *name, *glsl;
+    int evaluations;  ///< of the force in a step
+};
+constexpr OrbitMethod kOrbitMethods[] = {
+    {"Euler", "vec2 a = -x; x += h * v; v += h * a;", 1},
+    {"Euler, speed first", "v -= h * x; x += h * v;", 1},
+    {"leapfrog", "v -= .5 * h * x; x += h * v; v -= .5 * h * x;", 1},
+    {"midpoint", "vec2 m = x + .5 * h * v, w = v - .5 * h * x; x += h * w; v -= h * m;", 2},
+    {"Runge-Kutta 4",
+     "vec2 k1 = v, l1 = -x, k2 = v + .5 * h * l1, l2 = -(x + .5 * h * k1), k3 = v + .5 * h * l2, "
+     "l3 = -(x + .5 * h * k2), k4 = v + h * l3, l4 = -(x + h * k3); "
+     "x += h / 6. * (k1 + 2. * (k2 + k3) + k4); v += h / 6. * (l1 + 2. * (l2 + l3) + l4);",
+     4}};
+
+Figure orbitFigure(Bench& bench) {
+    constexpr int kOrbits = 8;
+    Figure figure{.name = "integrators",
+                  .title = "A body on a circle under a spring, after eight turns in a shader",
+                  .settingName = "steps per turn",
+                  .errorName = "distance from the place",
+                  .errorUnit = "radii",
+                  .reference = "the closed form: after whole turns it is where it began"};
+    const Four nothing{};
+    for (const OrbitMethod& method : kOrbitMethods) {
+        const ShaderValues values(bench,
+                                  fmt::format(R"(uniform int uSteps;
+uniform float uStep;
+vec4 value() {{
+    float h = uStep;
+    vec2 x = vec2(1., 0.), v = vec2(0., 1.);
+    for (int i = 0; i < uSteps; ++i) {{ {} }}
+    return vec4(x, v);
+}}
+)",
+                                              method.glsl),
+                                  std::span(&nothing, 1));
+        for (int steps = 16; steps <= bench.pick(1024, 4096); steps *= 2) {
+            values.shader().set("uSteps", kOrbits * steps).set("uStep", 2 * std::numbers::pi / steps);
+            const Four found = values.values().front();
+            figure.add(method.name,
+                       {1. * steps, fmt::format("{} steps per turn", steps),
+                        std::hypot(static_cast<double>(found[0]) - 1, static_cast<double>(found[1])),
+                        bench.time([&] { values.compute(); }), values.bytes()});
+        }
+    }
+    figure.noteOrders("steps");
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> measureTime(Bench& bench) {
+    return {clockFigure(bench), orbitFigure(bench)};
+}
+
+}  // namespace glibra::bench
