@@ -7,22 +7,15 @@
 #include <utility>
 
 #include "glsl/parse/usage.h"
+#include "glsl/read/condition.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
 
 constexpr int kDeepestExpression = 300;
-
-/// How strongly an operator binds its two operands.
-struct Operator {
-    std::string_view text;
-    int level;
-};
-constexpr Operator kOperators[] = {{"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},
-                                   {"&", 6},  {"==", 7}, {"!=", 7}, {"<", 8},  {">", 8},
-                                   {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9}, {"+", 10},
-                                   {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
+constexpr int kMostSuffixes = 32;                ///< what is longer is not read as one operand
+constexpr std::size_t kDeepestStatement = 1000;  ///< what is nested deeper counts as if it were not nested
 
 Type typeOfNumber(std::string_view text) {
     const bool hex = text.starts_with("0x") || text.starts_with("0X");
@@ -213,7 +206,7 @@ class BodyParser {
     // ---- Nodes
 
     std::uint32_t make(NodeKind kind, Range range, std::uint32_t token,
-                       std::initializer_list<std::uint32_t> children = {}, const Type& type = {}) {
+                       std::initializer_list<std::uint32_t> children = {}, Type type = {}) {
         const auto id = static_cast<std::uint32_t>(bodies_.nodes.size());
         Node& node = bodies_.nodes.emplace_back();
         node.kind = kind;
@@ -314,6 +307,10 @@ class BodyParser {
 
     // ---- Statements. Each function gets the index to begin at and gives the one to go on at.
 
+    void open(std::uint32_t node, std::uint32_t close = kNone) {
+        if (open_.size() < kDeepestStatement) open_.push_back({node, close});
+    }
+
     /// A statement is whole, and so are those that it ends.
     std::uint32_t finish(std::uint32_t node, std::uint32_t at, std::uint32_t end) {
         while (!open_.empty()) {
@@ -358,7 +355,7 @@ class BodyParser {
         return finish(node, at + 1, end);
     }
     std::uint32_t openBlock(std::uint32_t at) {
-        open_.push_back({make(NodeKind::block, {at, at}, at), matches_[at]});
+        open(make(NodeKind::block, {at, at}, at), matches_[at]);
         return at + 1;
     }
 
@@ -436,12 +433,12 @@ class BodyParser {
         if (isHead(at, end)) {
             const std::uint32_t node = make(headKind(first), {at, at}, at);
             const std::uint32_t body = head(at, node);
-            open_.push_back({node, kNone});
+            open(node);
             const bool isScoped = first == "for" || first == "while";
             return isScoped && text(body) == "{" ? openBlock(body) : body;
         }
         if (first == "do") {
-            open_.push_back({make(NodeKind::doLoop, {at, at}, at), kNone});
+            open(make(NodeKind::doLoop, {at, at}, at));
             return at + 1;
         }
         if (first == "case" || first == "default") {
@@ -619,23 +616,23 @@ class BodyParser {
         std::uint32_t node = unary();
         int level = 0;  // of the operators in `node`
         while (at_ < end_) {
-            const auto* const found = std::find_if(std::begin(kOperators), std::end(kOperators),
-                                                   [&](const Operator& each) { return each.text == peek(); });
-            if (found == std::end(kOperators) || found->level <= lowest) break;
+            const std::string_view sign = peek();
+            const int strength = levelOf(sign);
+            if (strength <= lowest) break;
             const std::uint32_t op = at_++;
-            const std::uint32_t operand = binary(found->level);
+            const std::uint32_t operand = binary(strength);
             const Type left = typeOf(node), right = typeOf(operand);
-            const Type joined = binaryType(found->text, left, right);
-            const bool compares = found->text == "==" || found->text == "!=";
+            const Type joined = binaryType(sign, left, right);
+            const bool compares = sign == "==" || sign == "!=";
             if (left.numeric() && right.numeric() &&
                 (compares ? left.columns != right.columns || left.rows != right.rows : !joined.known()))
                 bodies_.mismatches.push_back({op, left, right});
-            if (level == found->level) {
+            if (level == strength) {
                 append(node, operand);
                 bodies_.nodes[node].end = at_;
             } else {
                 node = make(NodeKind::chain, {first, at_}, op, {node, operand});
-                level = found->level;
+                level = strength;
             }
             bodies_.nodes[node].type = joined;
         }
@@ -674,7 +671,9 @@ class BodyParser {
     std::uint32_t postfix() {
         const std::uint32_t first = at_;
         std::uint32_t node = primary();
-        while (at_ < end_) {
+        for (int suffixes = 1; at_ < end_; ++suffixes) {
+            if (suffixes % kMostSuffixes == 0)
+                node = make(NodeKind::unknown, {first, at_}, first, {}, typeOf(node));
             const std::uint32_t op = at_;
             const Type type = typeOf(node);
             if (peek() == "[") {

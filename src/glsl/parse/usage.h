@@ -1,6 +1,7 @@
 #pragma once
 // Which names a stage declares, uses and changes.
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -47,5 +48,15 @@ bool globalIntegerValue(const Unit& unit, Range range, long long& value);
 
 /// The text of an array size outside of all functions: a number, if its value is known.
 std::string sizeText(const Unit& unit, Range range);
+
+/// The body of main with its braces; nothing if there is no main, or several.
+std::optional<Range> bodyOfMain(const Unit& unit);
+
+/// True if the statement that begins at `at` is directly in the braces of `body`, is not governed by an if,
+/// else or loop, and comes after no return.
+bool isAlwaysExecuted(const Unit& unit, Range body, std::uint32_t at);
+
+/// True for a literal 1 of type int or float.
+bool isLiteralOne(std::string_view number);
 
 }  // namespace glibra::glsl
