@@ -6,7 +6,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "glsl/parse/usage.h"
 #include "glsl/read/condition.h"
 #include "glsl/read/words.h"
 

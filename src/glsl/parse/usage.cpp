@@ -70,12 +70,6 @@ unsigned builtinOutputs(std::string_view function) {
     return found == kWritingFunctions.end() ? 0U : found->arguments;
 }
 
-bool isAssignment(std::string_view text) {
-    static constexpr std::array<std::string_view, 11> kAssignments = {
-        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
-    return std::ranges::find(kAssignments, text) != kAssignments.end();
-}
-
 bool isIdle(const Unit& unit, Range range) {
     for (std::uint32_t i = range.first; i < range.end; ++i) {
         const std::string_view text = unit.text(i);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "glsl/parse/unit.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 
@@ -15,14 +16,6 @@ void findUsage(Unit& unit);
 
 /// The arguments that a built-in function writes, as bits: `modf(x, whole)`.
 unsigned builtinOutputs(std::string_view function);
-
-/// True for "=", "+=", "<<=", ...
-bool isAssignment(std::string_view text);
-
-/// True for "++" and "--".
-constexpr bool isStep(std::string_view text) {
-    return text == "++" || text == "--";
-}
 
 /// True if the evaluation of the expression changes nothing: no assignment, and no call but of constructors.
 bool isIdle(const Unit& unit, Range range);
