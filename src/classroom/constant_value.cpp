@@ -1,11 +1,12 @@
 #include "classroom/constant_value.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <set>
-#include <utility>
 #include <vector>
+
+#include "glsl/parse/usage.h"
+#include "glsl/read/condition.h"
 
 namespace glibra::classroom {
 namespace {
@@ -30,27 +31,6 @@ Value numberOf(std::string_view text) {
     if (read.ec != std::errc() || rest.find_first_not_of("uUfFlL") != std::string_view::npos)
         return std::nullopt;
     return value;
-}
-
-/// How strongly an operator of two operands binds; 0 for other tokens.
-int strengthOf(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, int>, 14> kOperators{{{"||", 1},
-                                                                                  {"^^", 2},
-                                                                                  {"&&", 3},
-                                                                                  {"==", 4},
-                                                                                  {"!=", 4},
-                                                                                  {"<", 5},
-                                                                                  {">", 5},
-                                                                                  {"<=", 5},
-                                                                                  {">=", 5},
-                                                                                  {"+", 6},
-                                                                                  {"-", 6},
-                                                                                  {"*", 7},
-                                                                                  {"/", 7},
-                                                                                  {"%", 7}}};
-    for (const auto& [name, strength] : kOperators)
-        if (text == name) return strength;
-    return 0;
 }
 
 Value applied(std::string_view op, const Value& a, const Value& b) {
@@ -94,7 +74,7 @@ class Evaluation {
 
     Value operation(int least) {
         Value value = operand();
-        for (int strength = strengthOf(text()); strength >= least; strength = strengthOf(text())) {
+        for (int strength = glsl::levelOf(text()); strength >= least; strength = glsl::levelOf(text())) {
             const std::string_view op = text();
             ++at_;
             value = applied(op, value, operation(strength + 1));
@@ -131,7 +111,7 @@ class Evaluation {
         if (!token.isWord) return failed();
         if (text() == "(" || text() == "[" || text() == ".") {
             // What a function returns, and parts of a value, are not known.
-            while (at_ < code_.size() && strengthOf(text()) == 0 && text() != ")") skip();
+            while (at_ < code_.size() && glsl::levelOf(text()) == 0 && text() != ")") skip();
             return std::nullopt;
         }
         const auto found = known_.find(token.text);
@@ -159,9 +139,7 @@ class Evaluation {
 };
 
 bool changes(std::string_view text) {
-    static const std::set<std::string_view> kSigns{
-        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--", "[", "."};
-    return kSigns.contains(text);
+    return glsl::isAssignment(text) || glsl::isStep(text) || text == "[" || text == ".";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "classroom/constant_value.h"
 #include "classroom/normal_form.h"
+#include "glsl/parse/usage.h"
 #include "glsl/read/token.h"
 
 namespace glibra::classroom {
@@ -18,9 +19,7 @@ namespace {
 constexpr std::size_t kLeastRounds = 8, kMostTokensRead = 1'000'000;
 
 bool isAssignment(std::string_view text) {
-    static const std::set<std::string_view> kSigns{
-        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"};
-    return kSigns.contains(text);
+    return glsl::isAssignment(text) || glsl::isStep(text);
 }
 
 /// The bodies of functions, statement by statement. Tokens are marked and removed at the end of a round.

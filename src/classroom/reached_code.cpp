@@ -9,6 +9,7 @@
 
 #include "classroom/normal_form.h"
 #include "glsl/parse/types.h"
+#include "glsl/parse/usage.h"
 #include "glsl/read/report.h"
 #include "glsl/read/source.h"
 #include "glsl/read/stage_text.h"
@@ -228,16 +229,12 @@ std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens) {
 }
 
 bool hasEffect(std::string_view name) {
-    static const std::set<std::string_view> kWithOutputs{"modf",       "frexp",        "uaddCarry",
-                                                         "usubBorrow", "umulExtended", "imulExtended"};
-    return kWithOutputs.contains(name) || name.starts_with("image") || name.starts_with("atomic") ||
+    return glsl::builtinOutputs(name) != 0 || name.starts_with("image") || name.starts_with("atomic") ||
            name.starts_with("emit") || name.starts_with("Emit") || name.starts_with("End") ||
            name.ends_with("arrier");
 }
 
 OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {
-    static const std::set<std::string_view> kAssignments{
-        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"};
     OwnFunctions own;
     std::multimap<std::string_view, std::string_view> callers;  // by what they call
     std::vector<std::string_view> open;
@@ -257,7 +254,7 @@ OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {
                 effect = effect || hasEffect(each);
             }
             effect = effect || each == "discard" || each == "out" || each == "inout";
-            if (kAssignments.contains(each))
+            if (glsl::isAssignment(each) || glsl::isStep(each))
                 effect = effect || !locals.contains(targetOf(tokens, item.begin, i));
         }
         if (effect) open.push_back(name);

@@ -4,7 +4,6 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
-#include "glsl/parse/body_walk.h"
 #include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
@@ -61,7 +60,7 @@ void parse(Unit& unit) {
     }
     const auto parseText = [&] {
         unit.syntax = parseSyntax(unit.view);
-        unit.bodies = walkBodies(unit.view, unit.syntax);
+        unit.bodies = parseBodies(unit.view, unit.syntax);
     };
     parseText();
     if (unit.request->shim && renameOwnOverloads(unit)) parseText();

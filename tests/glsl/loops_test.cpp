@@ -79,6 +79,12 @@ TEST(Loops, InsideOthersMultiply) {
     EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) n++; for (int i = 0; i < uN; ++i) n++;"), 2000);
 }
 
+TEST(Loops, UnderAConditionEndBeforeItsElse) {
+    EXPECT_EQ(rounds("if (uM > 1.) for (int i = 0; i < uN; ++i) n++; else for (int i = 0; i < 50; ++i) n++;"),
+              1050);
+    EXPECT_EQ(rounds("for (int i = 0; i < uN && n < 3 || n > 5; ++i) n++;"), 0) << "|| may go on";
+}
+
 TEST(Loops, ThatCompilersUnrollCountZero) {
     EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) for (int j = 0; j < 32; ++j) n++;"), 1000);
     EXPECT_EQ(rounds("for (int i = 0; i < uN; ++i) for (int j = 0; j < 33; ++j) n++;"), 34'000);
@@ -238,6 +244,11 @@ TEST(Loops, RecordThatTheyAreLeftWhileTheyGoOn) {
                              "glibra_cutLoops[1] = 1; }", "early_fragment_tests"})
         EXPECT_NE(source.find(each), std::string::npos) << each << "\n" << source;
     EXPECT_NE(source.find("case 1: break;"), std::string::npos) << "it leaves no loop\n" << source;
+    request.stages.front().text =
+        "#version 430\nout vec4 c;\nvoid main() {\nif (gl_FragCoord.x > 1.) while (c.x < 9.) c++; else "
+        "c--;\n}\n";
+    const std::string branches = translate(request).stages.front().source;
+    EXPECT_NE(branches.find("glibra_cutLoops[0] = 1; } else c--;"), std::string::npos) << branches;
     request.recordsLoops = false;
     EXPECT_EQ(translate(request).stages.front().source.find("glibra_goes"), std::string::npos);
 }

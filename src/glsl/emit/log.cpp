@@ -1,5 +1,7 @@
 #include "glsl/emit/log.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,12 +16,78 @@
 #include "glsl/emit/log_advice.h"
 #include "glsl/emit/log_line.h"
 #include "glsl/emit/log_phrases.h"
-#include "glsl/emit/other_stage.h"
 #include "glsl/read/source.h"
 #include "glsl/read/token.h"
 
 namespace glibra::glsl {
 namespace {
+
+// ---- Shaders that stand under the word of another stage: the text of a geometry stage after Vertex
+
+struct OtherStage {
+    std::string text;  ///< of a message
+    UserPlace place;   ///< of the word
+};
+
+/// A word of one stage alone (GLSL 4.60, 7.1 and 8), and the word of the scene language for that stage.
+struct StageWord {
+    std::string_view word;
+    Stage stage;
+    std::string_view command;
+};
+constexpr std::array kStageWords = std::to_array<StageWord>({
+    {"EmitVertex", Stage::geometry, "Geometry"},
+    {"EndPrimitive", Stage::geometry, "Geometry"},
+    {"gl_out", Stage::tessControl, "TessControl"},
+    {"gl_TessCoord", Stage::tessEvaluation, "TessEvaluation"},
+    {"gl_GlobalInvocationID", Stage::compute, "Compute"},
+    {"gl_LocalInvocationID", Stage::compute, "Compute"},
+    {"gl_WorkGroupID", Stage::compute, "Compute"},
+    {"gl_FragCoord", Stage::fragment, "Fragment"},
+    {"gl_FragDepth", Stage::fragment, "Fragment"},
+    {"gl_FrontFacing", Stage::fragment, "Fragment"},
+    {"discard", Stage::fragment, "Fragment"},
+    {"gl_VertexID", Stage::vertex, "Vertex"},
+});
+constexpr std::array<std::string_view, kStageCount> kStageNames{
+    "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
+
+/// The place of the word in the text; npos if it is not there.
+std::size_t findWord(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool begins = at == 0 || !base::isOfName(text[at - 1]);
+        if (begins && (end == text.size() || !base::isOfName(text[end]))) return at;
+    }
+    return std::string_view::npos;
+}
+
+/// For a stage that does not compile: its first word that only another stage can have, such as EmitVertex in
+/// a vertex stage. Nothing if there is no such word.
+std::optional<OtherStage> findOtherStage(const TranslatedStage& stage) {
+    const std::string_view source = stage.source;
+    const StageWord* first = nullptr;
+    std::size_t at = std::string_view::npos;
+    for (const StageWord& each : kStageWords) {
+        if (each.stage == stage.stage) continue;
+        if (const std::size_t found = findWord(source, each.word); found < at) {
+            at = found;
+            first = &each;
+        }
+    }
+    if (first == nullptr) return std::nullopt;
+    const std::string_view before = source.substr(0, at);
+    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+    const std::size_t start = before.rfind('\n') + 1;
+    const auto nameOf = [](Stage of) { return kStageNames.at(static_cast<std::size_t>(of)); };
+    return OtherStage{
+        fmt::format("'{}' belongs to a {} stage, but this is a {} stage; if the whole text is one, "
+                    "write '{}' before it",
+                    first->word, nameOf(first->stage), nameOf(stage.stage), first->command),
+        userPlace(stage, {line, static_cast<int>(at - start) + 1})};
+}
+
+// ---- Lines of a log
 
 std::string userName(const TranslatedProgram& program, const std::string& emitted) {
     if (const auto found = program.userNames.find(emitted); found != program.userNames.end())

@@ -5,30 +5,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "glsl/parse/unit.h"
 #include "glsl/types/counted_loop.h"
 
 namespace glibra::glsl {
 
-/// Looks at ranges of a stage's tokens. The work is limited, because functions are read once per call and a
-/// hostile source can nest them.
-class TokenSearch {
+/// Finds out what variables and expressions are. The work is limited, because functions are read once per
+/// call and a hostile source can nest them.
+class FormulaSearch {
   public:
-    explicit TokenSearch(const Unit& unit) : unit_(unit) {}
-
-    [[nodiscard]] const Unit& unit() const { return unit_; }
-    [[nodiscard]] std::string_view text(std::uint32_t at) const { return unit_.text(at); }
-    [[nodiscard]] bool isWord(std::uint32_t at) const { return unit_.view[at].kind == TokenKind::word; }
-    /// The index of the bracket that closes the one at `at`; past the end if there is none.
-    [[nodiscard]] std::uint32_t match(std::uint32_t at) const { return unit_.bodies.matches[at]; }
-    [[nodiscard]] bool opens(std::uint32_t at) const;
+    explicit FormulaSearch(const Unit& unit) : unit_(unit) {}
 
     /// Counts tokens that are looked at; false when the limit is reached and the search has to stop.
     bool spend(std::size_t tokens);
-    /// The ranges between the separators in a range. Separators inside brackets do not count.
-    [[nodiscard]] std::vector<Range> parts(Range range, std::string_view separator) const;
     /// True if the token at `at` changes the variable of that name.
     [[nodiscard]] bool isChange(std::string_view name, std::uint32_t at) const;
     /// True if a token in the range changes it, or if the limit is reached.
@@ -38,22 +28,25 @@ class TokenSearch {
     /// declaration gives it.
     const LocalVariable* keptLocal(std::uint32_t at);
 
-    /// The value of an expression; nothing if it depends on anything that a Formula does not have.
-    std::optional<Formula> formula(Range range);
+    /// The value of an expression, or of a chain without its first operand; nothing if it depends on anything
+    /// that a Formula does not have.
+    std::optional<Formula> formula(std::uint32_t expression, bool skipsFirst = false);
 
   private:
-    bool append(Range range, Formula& to);
-    bool sum(std::uint32_t& at, std::uint32_t end, Formula& to);
-    bool product(std::uint32_t& at, std::uint32_t end, Formula& to);
-    bool operand(std::uint32_t& at, std::uint32_t end, Formula& to);
-    bool primary(std::uint32_t& at, std::uint32_t end, Formula& to);
-    bool call(std::string_view function, Range inside, Formula& to);
+    [[nodiscard]] std::string_view text(std::uint32_t at) const { return unit_.text(at); }
+    [[nodiscard]] const Node& node(std::uint32_t id) const { return unit_.bodies.nodes[id]; }
+
+    bool append(std::uint32_t expression, Formula& to);
+    bool add(std::uint32_t expression, Formula& to, bool skipsFirst);
+    bool chain(std::uint32_t expression, Formula& to, bool skipsFirst);
+    bool prefix(const Node& expression, Formula& to);
+    bool call(const Node& call, Formula& to);
     bool name(std::uint32_t at, Formula& to);
-    bool local(std::uint32_t at, Formula& to);
-    /// A size with its component, or a member of a block, at `at`; `at` moves behind it.
-    bool measure(std::uint32_t& at, std::uint32_t end, Formula& to);
-    /// "imageSize(uMap)" for a call in the range; empty if it is none.
-    std::string sizeCall(Range range);
+    /// A size with its component, or a member of a block.
+    bool measure(std::uint32_t expression, Formula& to);
+    [[nodiscard]] bool isBlockName(std::string_view name, bool asInstance) const;
+    /// "imageSize(uMap)" for a call of it; empty for all else.
+    [[nodiscard]] std::string sizeCall(std::uint32_t expression) const;
 
     const Unit& unit_;
     std::size_t spent_ = 0;

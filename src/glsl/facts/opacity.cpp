@@ -5,7 +5,6 @@
 #include <string>
 
 #include "glsl/facts/facts.h"
-#include "glsl/parse/straight_line.h"
 #include "glsl/parse/usage.h"
 
 namespace glibra::glsl {

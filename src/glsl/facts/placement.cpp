@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "glsl/facts/facts.h"
-#include "glsl/parse/straight_line.h"
 #include "glsl/parse/usage.h"
 
 namespace glibra::glsl {
@@ -49,9 +48,7 @@ class PlacementSearch {
     explicit PlacementSearch(const Unit& unit) : unit_(unit) {}
 
     Placement find() {
-        const std::optional<Range> value = positionInMain();
-        if (!value) return Placement::unknown;
-        switch (meaning(*value)) {
+        switch (meaning(positionInMain())) {
             case Meaning::clip:
                 return Placement::vertex;
             case Meaning::clipPoint:
@@ -62,73 +59,60 @@ class PlacementSearch {
     }
 
   private:
-    /// The right side of the only assignment to gl_Position, if main always executes it.
-    std::optional<Range> positionInMain() {
-        const auto writes = unit_.writes.find("gl_Position");
-        if (writes == unit_.writes.end() || writes->second.size() != 1) return std::nullopt;
-        const std::uint32_t at = writes->second.front();
-        const std::optional<Range> main = bodyOfMain(unit_);
-        if (!main || !isAlwaysExecuted(unit_, *main, at)) return std::nullopt;
-        body_ = *main;
-        const std::uint32_t end = endOfStatement(at);
-        if (unit_.text(at + 1) != "=" || end == kNone) return std::nullopt;
-        return Range{at + 2, end};
-    }
+    [[nodiscard]] const Node& node(std::uint32_t id) const { return unit_.bodies.nodes[id]; }
 
-    [[nodiscard]] std::uint32_t endOfStatement(std::uint32_t at) const {
-        for (std::uint32_t i = at; i < body_.end; ++i)
-            if (unit_.text(i) == ";") return i;
-        return kNone;
+    /// The right side of the only assignment to gl_Position, if main always executes it; or kNone.
+    std::uint32_t positionInMain() {
+        const auto writes = unit_.writes.find("gl_Position");
+        if (writes == unit_.writes.end() || writes->second.size() != 1) return kNone;
+        const std::uint32_t at = writes->second.front(), name = unit_.bodies.nodeOf[at];
+        const std::optional<Range> main = bodyOfMain(unit_);
+        if (name == kNone || !main || !isAlwaysExecuted(unit_, *main, at)) return kNone;
+        body_ = *main;
+        const std::uint32_t assignment = node(name).parent;
+        return assignment != kNone && unit_.text(at + 1) == "=" ? node(assignment).lastChild : kNone;
     }
 
     /// The meaning of factors joined by '*'; `other` for all other expressions.
-    Meaning meaning(Range range) {
+    Meaning meaning(std::uint32_t id) {
         constexpr int kDeepest = 16;
-        if (range.empty() || depth_ >= kDeepest) return Meaning::other;
+        if (id == kNone || depth_ >= kDeepest) return Meaning::other;
+        const Node& it = node(id);
         ++depth_;
         Meaning all = Meaning::other;
-        std::uint32_t at = range.first;
-        for (bool isFirst = true; at < range.end; isFirst = false) {
-            if (!isFirst && unit_.text(at++) != "*") {
-                all = Meaning::other;
-                break;
+        if (it.kind == NodeKind::name) all = name(it.token);
+        if (it.kind == NodeKind::group) all = meaning(it.child);
+        if (it.kind == NodeKind::call) all = call(it);
+        if (it.kind == NodeKind::chain)
+            for (const std::uint32_t each : unit_.bodies.children(id)) {
+                const bool isFirst = each == it.child;
+                if (!isFirst && unit_.text(node(each).first - 1) != "*") all = Meaning::other;
+                all = isFirst ? meaning(each) : product(all, meaning(each));
             }
-            const Meaning one = factor(at, range.end);
-            all = isFirst ? one : product(all, one);
-            if (all == Meaning::other) break;
-        }
         --depth_;
         return all;
     }
 
-    /// The meaning of the factor at `at`, which moves to the index after it.
-    Meaning factor(std::uint32_t& at, std::uint32_t end) {
-        const std::string_view text = unit_.text(at);
-        const bool opens = text == "(";
-        const std::uint32_t open = opens ? at : at + 1;
-        if (!opens && unit_.text(open) != "(") return name(at++);
-        const std::uint32_t close = unit_.bodies.matches[open];
-        if (close >= end) return Meaning::other;
-        const Range inside{open + 1, close};
-        const std::uint32_t word = at;
-        at = close + 1;
-        if (opens) return meaning(inside);
-        if (unit_.isUserName(text)) return Meaning::other;
-        if (text == "ftransform" && inside.empty() && unit_.bodies.roles[word] == WordRole::global)
+    Meaning call(const Node& call) {
+        const std::string_view function = unit_.text(call.token);
+        if (unit_.isUserName(function)) return Meaning::other;
+        if (function == "ftransform" && call.child == kNone &&
+            unit_.bodies.roles[call.token] == WordRole::global)
             return Meaning::clip;
-        return text == "vec4" ? constructed(inside) : Meaning::other;
+        return function == "vec4" && call.child != kNone ? constructed(call) : Meaning::other;
     }
 
     /// The meaning of vec4(vertex) or vec4(vertex.xyz, 1.).
-    Meaning constructed(Range inside) {
-        const bool isPoint = inside.end - inside.first == 5 && unit_.text(inside.first + 1) == "." &&
-                             unit_.text(inside.first + 2) == "xyz" && unit_.text(inside.first + 3) == "," &&
-                             isLiteralOne(unit_.text(inside.first + 4));
-        if (isPoint) {
-            const Meaning whole = name(inside.first);
+    Meaning constructed(const Node& call) {
+        const Node& first = node(call.child);
+        if (first.next != kNone) {
+            const bool isPoint = first.kind == NodeKind::member && unit_.text(first.token) == "xyz" &&
+                                 first.next == call.lastChild && isLiteralOne(unit_.text(call.end - 2)) &&
+                                 node(first.next).kind == NodeKind::number;
+            const Meaning whole = isPoint ? meaning(first.child) : Meaning::other;
             return whole == Meaning::vertex || whole == Meaning::point ? Meaning::point : Meaning::other;
         }
-        const Meaning whole = meaning(inside);
+        const Meaning whole = meaning(call.child);
         return isVector(whole) ? whole : Meaning::other;
     }
 
@@ -179,7 +163,7 @@ class PlacementSearch {
         for (std::uint32_t i = body_.first; i < body_.end; ++i)
             if (unit_.text(i) == text && unit_.bodies.roles[i] == WordRole::local && isWrittenAt(unit_, i))
                 return Meaning::other;
-        const Meaning initial = meaning(declared->initializer);
+        const Meaning initial = meaning(declared->value);
         const std::string_view wanted = isVector(initial) ? "vec4" : "mat4";
         return declared->typeWord == wanted && declared->type.arrayDepth == 0 ? initial : Meaning::other;
     }

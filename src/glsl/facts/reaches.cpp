@@ -122,7 +122,7 @@ class SubscriptSearch {
             if (unit_.text(at) != array || unit_.text(at + 1) != "[") continue;
             const bool isOfInstance = at >= 2 && unit_.text(at - 1) == "." && unit_.text(at - 2) == instance;
             if (instance.empty() ? unit_.bodies.roles[at] != WordRole::global : !isOfInstance) continue;
-            const std::uint32_t close = search_.match(at + 1);
+            const std::uint32_t close = unit_.bodies.matches.at(at + 1);
             if (close >= unit_.view.size() || found.size() == kMost) continue;
             ElementSubscript one{std::string(array), {}, 0, unit_.place(at)};
             const Range subscript{at + 2, close};
@@ -137,11 +137,11 @@ class SubscriptSearch {
     /// The number of the invocation, vertex or instance that the range is; empty if it is another value or
     /// one that the stage limits.
     std::string numberIn(Range range) {
-        const bool isCast = range.end > range.first + 3 && search_.text(range.first + 1) == "(" &&
-                            search_.match(range.first + 1) + 1 == range.end &&
-                            (search_.text(range.first) == "int" || search_.text(range.first) == "uint");
+        const bool isCast = range.end > range.first + 3 && unit_.text(range.first + 1) == "(" &&
+                            unit_.bodies.matches.at(range.first + 1) + 1 == range.end &&
+                            (unit_.text(range.first) == "int" || unit_.text(range.first) == "uint");
         if (isCast) return numberIn({range.first + 2, range.end - 1});
-        const std::string_view name = search_.text(range.first);
+        const std::string_view name = unit_.text(range.first);
         if (isGuarded(unit_, name)) return {};
         if (range.end == range.first + 1) {
             if (name == "gl_VertexID" || name == "gl_InstanceID" || name == "gl_LocalInvocationIndex")
@@ -150,16 +150,16 @@ class SubscriptSearch {
                 unit_.bodies.roles[range.first] == WordRole::local ? search_.keptLocal(range.first) : nullptr;
             return kept != nullptr ? numberIn(kept->initializer) : "";
         }
-        const bool isComponent = range.end == range.first + 3 && search_.text(range.first + 1) == ".";
+        const bool isComponent = range.end == range.first + 3 && unit_.text(range.first + 1) == ".";
         if (!isComponent ||
             (name != "gl_GlobalInvocationID" && name != "gl_WorkGroupID" && name != "gl_LocalInvocationID"))
             return {};
-        const std::string_view component = search_.text(range.first + 2);
+        const std::string_view component = unit_.text(range.first + 2);
         return component == "x" ? std::string(name) + ".x" : "";
     }
 
     const Unit& unit_;
-    TokenSearch search_;
+    FormulaSearch search_;
 };
 
 }  // namespace

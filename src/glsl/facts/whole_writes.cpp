@@ -11,7 +11,6 @@
 
 #include "glsl/facts/facts.h"
 #include "glsl/facts/formula.h"
-#include "glsl/parse/straight_line.h"
 #include "glsl/parse/usage.h"
 #include "glsl/read/words.h"
 
@@ -58,7 +57,7 @@ class WholeWriteSearch {
             return {};
         noteLocals(*main);
         findArrays();
-        walk({main->first + 1, main->end - 1}, 0);
+        if (const std::uint32_t code = unit_.function("main")->code; code != kNone) walk(code, 0);
         std::vector<WholeWrite> found;
         for (const auto& [name, store] : stores_) {
             const auto& [axes, sizes] = store;
@@ -79,20 +78,18 @@ class WholeWriteSearch {
   private:
     static constexpr int kDeepest = 32;
     [[nodiscard]] std::string_view text(std::uint32_t at) const { return unit_.text(at); }
-    [[nodiscard]] std::uint32_t match(std::uint32_t at) const { return search_.match(at); }
+    [[nodiscard]] std::uint32_t match(std::uint32_t at) const { return unit_.bodies.matches[at]; }
     [[nodiscard]] WordRole role(std::uint32_t at) const { return unit_.bodies.roles[at]; }
-    /// True if a bracket opens at `at` and the range ends behind the one that closes it.
-    [[nodiscard]] bool isBracket(Range range, std::string_view opens, std::uint32_t at) const {
-        return range.contains(at) && text(at) == opens && match(at) + 1 == range.end;
+    [[nodiscard]] const Node& node(std::uint32_t id) const { return unit_.bodies.nodes[id]; }
+    [[nodiscard]] Bodies::Children children(std::uint32_t id) const { return unit_.bodies.children(id); }
+    [[nodiscard]] std::uint32_t withoutBrackets(std::uint32_t id) const {
+        while (node(id).kind == NodeKind::group) id = node(id).child;
+        return id;
     }
-    /// The inside of a call of that function that is the whole range.
-    [[nodiscard]] std::optional<Range> inside(Range range, std::string_view function) const {
-        if (text(range.first) != function || !isBracket(range, "(", range.first + 1)) return std::nullopt;
-        return Range{range.first + 2, range.end - 1};
-    }
-    [[nodiscard]] Range withoutBrackets(Range range) const {
-        while (isBracket(range, "(", range.first)) range = {range.first + 1, range.end - 1};
-        return range;
+    /// True for a call of the function with so many arguments.
+    [[nodiscard]] bool isCall(std::uint32_t id, std::string_view function, int arguments) const {
+        return node(id).kind == NodeKind::call && text(node(id).token) == function &&
+               unit_.bodies.childCount(id) == arguments;
     }
 
     // ---- Names
@@ -154,51 +151,31 @@ class WholeWriteSearch {
     // ---- Values
 
     /// What an expression of integers is.
-    [[nodiscard]] std::optional<KnownVector> value(Range range, int depth) {
-        range = withoutBrackets(range);
-        if (range.empty() || depth > kDeepest || !search_.spend(range.end - range.first)) return std::nullopt;
-        std::uint32_t at = range.first;
-        std::optional<KnownVector> known = primary(at, range.end, depth);
-        while (known && at < range.end) {
-            if (text(at) != "." || at + 2 > range.end) return std::nullopt;
-            known = swizzled(*known, text(at + 1));
-            at += 2;
+    [[nodiscard]] std::optional<KnownVector> value(std::uint32_t id, int depth) {
+        if (depth > kDeepest || !search_.spend(1)) return std::nullopt;
+        const Node& it = node(id);
+        const std::string_view word = text(it.token);
+        if (it.kind == NodeKind::group) return value(it.child, depth + 1);
+        if (it.kind == NodeKind::member) {
+            const std::optional<KnownVector> object = value(it.child, depth);
+            return object ? swizzled(*object, word) : std::nullopt;
         }
-        return known;
-    }
-
-    /// The value that begins at `at`, which moves behind it.
-    std::optional<KnownVector> primary(std::uint32_t& at, std::uint32_t end, int depth) {
-        const std::uint32_t name = at;
-        const std::string_view word = text(name);
-        if (word == "(") {
-            const std::uint32_t close = match(at);
-            if (close >= end) return std::nullopt;
-            at = close + 1;
-            return value({name + 1, close}, depth + 1);
-        }
-        if (word == "gl_GlobalInvocationID" && role(name) == WordRole::global) {
-            ++at;
+        if (it.kind == NodeKind::name) {
+            if (role(it.token) == WordRole::local) return local(word, depth);
+            if (word != "gl_GlobalInvocationID" || role(it.token) != WordRole::global) return std::nullopt;
             return KnownVector{{false, 0}, {false, 1}, {false, 2}};
         }
-        if (role(name) == WordRole::local) {
-            ++at;
-            return local(word, depth);
+        if (it.kind == NodeKind::method) {
+            const Node& array = node(it.child);
+            const bool isLength = array.kind == NodeKind::name && arrays_.contains(text(array.token)) &&
+                                  role(array.token) == WordRole::global && word == "length" &&
+                                  it.end == it.token + 3;
+            return isLength ? std::optional(KnownVector{{true, 0, text(array.token)}}) : std::nullopt;
         }
-        if (arrays_.contains(word) && role(name) == WordRole::global) {
-            if (name + 5 > end || text(name + 1) != "." || text(name + 2) != "length" ||
-                text(name + 3) != "(" || text(name + 4) != ")")
-                return std::nullopt;
-            at = name + 5;
-            return KnownVector{{true, 0, word}};
-        }
-        if (name + 1 >= end || text(name + 1) != "(" || match(name + 1) >= end) return std::nullopt;
-        at = match(name + 1) + 1;
-        const Range arguments{name + 2, at - 1};
+        if (it.kind != NodeKind::call) return std::nullopt;
         if (const std::size_t components = integerComponents(word); components > 0)
-            return constructed(components, arguments, depth);
-        if (word == "imageSize" || word == "textureSize") return size(word, arguments);
-        return std::nullopt;
+            return constructed(components, id, depth);
+        return word == "imageSize" || word == "textureSize" ? size(it) : std::nullopt;
     }
 
     [[nodiscard]] static std::optional<KnownVector> swizzled(const KnownVector& of, std::string_view names) {
@@ -219,39 +196,41 @@ class WholeWriteSearch {
         return known && known->size() == found->second.first ? known : std::nullopt;
     }
 
-    std::optional<KnownVector> constructed(std::size_t components, Range arguments, int depth) {
+    std::optional<KnownVector> constructed(std::size_t components, std::uint32_t call, int depth) {
         KnownVector result;
-        const std::vector<Range> parts = search_.parts(arguments, ",");
-        for (const Range& each : parts) {
+        for (const std::uint32_t each : children(call)) {
             const std::optional<KnownVector> part = value(each, depth + 1);
             if (!part) return std::nullopt;
             result.insert(result.end(), part->begin(), part->end());
         }
-        if (parts.size() == 1 && result.size() == 1) result.resize(components, result.front());
+        if (unit_.bodies.childCount(call) == 1 && result.size() == 1)
+            result.resize(components, result.front());
         if (result.size() < components) return std::nullopt;
         result.resize(components);
         return result;
     }
 
-    [[nodiscard]] std::optional<KnownVector> size(std::string_view function, Range arguments) const {
-        const std::uint32_t length = arguments.end - arguments.first;
-        const bool isImage = function == "imageSize";
-        const std::string_view type = uniformType(arguments.first);
-        const bool isBase = isImage ? length == 1 && isImageTypeWord(type)
-                                    : length == 3 && text(arguments.first + 1) == "," &&
-                                          text(arguments.first + 2) == "0" && type.find("sampler") < 2;
-        const std::size_t axes = isBase ? axesOfTexels(type) : 0;
+    [[nodiscard]] std::optional<KnownVector> size(const Node& call) const {
+        if (call.child == kNone) return std::nullopt;
+        const Node& object = node(call.child);
+        const std::string_view type = uniformType(object.first);
+        const bool isBase = text(call.token) == "imageSize"
+                                ? object.next == kNone && isImageTypeWord(type)
+                                : object.next != kNone && node(object.next).next == kNone &&
+                                      node(object.next).end == node(object.next).first + 1 &&
+                                      text(node(object.next).token) == "0" && type.find("sampler") < 2;
+        const std::size_t axes = isBase && object.kind == NodeKind::name ? axesOfTexels(type) : 0;
         if (axes == 0) return std::nullopt;
         KnownVector result;
         for (std::size_t i = 0; i < axes; ++i)
-            result.push_back({true, static_cast<int>(i), text(arguments.first)});
+            result.push_back({true, static_cast<int>(i), text(object.first)});
         return result;
     }
 
     // ---- Conditions
 
     /// True if the numbers of invocations are compared with sizes along the same axes. The sizes are noted.
-    bool comparesWithSizes(Range numbers, Range sizes) {
+    bool comparesWithSizes(std::uint32_t numbers, std::uint32_t sizes) {
         const auto left = value(numbers, 0), right = value(sizes, 0);
         if (!left || !right || left->size() != right->size()) return false;
         for (std::size_t i = 0; i < left->size(); ++i)
@@ -261,158 +240,97 @@ class WholeWriteSearch {
     }
 
     /// True if `condition` has the value `wanted` for every invocation whose number is within the sizes.
-    bool holdsWithin(Range condition, bool wanted, int depth) {
+    bool holdsWithin(std::uint32_t condition, bool wanted, int depth) {
         condition = withoutBrackets(condition);
-        if (condition.empty() || depth > kDeepest || !search_.spend(condition.end - condition.first))
-            return false;
-        // `a && b` holds if both do, and `a || b` does not if neither does.
-        const std::vector<Range> parts = search_.parts(condition, wanted ? "&&" : "||");
-        if (parts.size() > 1)
-            return std::ranges::all_of(parts,
-                                       [&](Range each) { return holdsWithin(each, wanted, depth + 1); });
-        if (search_.parts(condition, wanted ? "||" : "&&").size() > 1) return false;
-        if (text(condition.first) == "!") {
-            const Range rest{condition.first + 1, condition.end};
-            const bool isOne = isBracket(rest, "(", rest.first) || isBracket(rest, "(", rest.first + 1);
-            return isOne && holdsWithin(rest, !wanted, depth + 1);
+        if (depth > kDeepest || !search_.spend(1)) return false;
+        const Node& it = node(condition);
+        const std::string_view sign = text(it.token);
+        if (it.kind == NodeKind::chain) {
+            // `a && b` holds if both do, and `a || b` does not if neither does.
+            if (sign != (wanted ? "&&" : "||")) return comparesScalars(it, wanted);
+            for (const std::uint32_t each : children(condition))
+                if (!holdsWithin(each, wanted, depth + 1)) return false;
+            return true;
         }
-        if (const auto vectors = inside(condition, wanted ? "all" : "any"))
-            return comparesVectors(*vectors, wanted);
-        return comparesScalars(condition, wanted);
+        if (it.kind == NodeKind::prefix)
+            return sign == "!" && node(it.child).first == it.first + 1 &&
+                   holdsWithin(it.child, !wanted, depth + 1);
+        return isCall(condition, wanted ? "all" : "any", 1) && comparesVectors(it.child, wanted);
     }
-    bool comparesVectors(Range call, bool wanted) {
+    bool comparesVectors(std::uint32_t call, bool wanted) {
         call = withoutBrackets(call);
-        if (const auto pair = inside(call, wanted ? "lessThan" : "greaterThanEqual"))
-            if (const auto parts = search_.parts(*pair, ","); parts.size() == 2)
-                return comparesWithSizes(parts[0], parts[1]);
-        if (const auto pair = inside(call, wanted ? "greaterThan" : "lessThanEqual"))
-            if (const auto parts = search_.parts(*pair, ","); parts.size() == 2)
-                return comparesWithSizes(parts[1], parts[0]);
-        return false;
+        const std::uint32_t first = node(call).child, second = node(call).lastChild;
+        if (isCall(call, wanted ? "lessThan" : "greaterThanEqual", 2))
+            return comparesWithSizes(first, second);
+        return isCall(call, wanted ? "greaterThan" : "lessThanEqual", 2) && comparesWithSizes(second, first);
     }
-    bool comparesScalars(Range condition, bool wanted) {
-        if (const auto sides = search_.parts(condition, wanted ? "<" : ">="); sides.size() == 2)
-            return comparesWithSizes(sides[0], sides[1]);
-        if (const auto sides = search_.parts(condition, wanted ? ">" : "<="); sides.size() == 2)
-            return comparesWithSizes(sides[1], sides[0]);
-        return false;
+    bool comparesScalars(const Node& chain, bool wanted) {
+        const std::string_view sign = text(chain.token);
+        if (node(chain.child).next != chain.lastChild) return false;
+        if (sign == (wanted ? "<" : ">=")) return comparesWithSizes(chain.child, chain.lastChild);
+        return sign == (wanted ? ">" : "<=") && comparesWithSizes(chain.lastChild, chain.child);
     }
 
     // ---- Statements
 
-    /// Notes what the invocations within the sizes execute. False if they may not get beyond the range.
-    bool walk(Range range, int depth) {
-        if (depth > kDeepest) return false;
-        for (std::uint32_t at = range.first; at < range.end;) {
-            if (!search_.spend(1)) return false;
-            const std::string_view word = text(at);
-            std::uint32_t end = afterStatement(at, range.end, 0);
-            if (end > range.end || end <= at) return false;
-            if (word == "{") {
-                if (!walk({at + 1, end - 1}, depth + 1)) return false;
-            } else if (word == "if") {
-                if (!walkIf(at, end, range.end, depth)) return false;
-            } else if (isStatementWord(word)) {
-                if (mayLeave({at, end})) return false;
-            } else {
-                note({at, end - 1});
-            }
-            at = end;
+    /// Notes what the invocations within the sizes execute. False if they may not get beyond the statement.
+    bool walk(std::uint32_t id, int depth) {
+        const Node& it = node(id);
+        if (depth > kDeepest || !search_.spend(1)) return false;
+        if (it.kind == NodeKind::block) {
+            for (const std::uint32_t each : children(id))
+                if (!walk(each, depth + 1)) return false;
+            return true;
         }
-        return true;
+        if (it.kind == NodeKind::branch) return walkIf(id, depth);
+        if (it.kind == NodeKind::declaration) noteDeclaration(id);
+        if (it.kind == NodeKind::evaluation && isCall(it.child, "imageStore", 3)) noteStore(node(it.child));
+        if (it.kind == NodeKind::evaluation && node(it.child).kind == NodeKind::assignment)
+            noteElement(node(it.child));
+        return it.kind == NodeKind::declaration || it.kind == NodeKind::evaluation || !mayLeave(it.range());
     }
 
-    /// The same for an `if`. `end`: where its first statement ends; moves behind that of `else`.
-    bool walkIf(std::uint32_t at, std::uint32_t& end, std::uint32_t last, int depth) {
-        const Range condition{at + 2, match(at + 1)};
-        const Range first{condition.end + 1, end};
-        Range second{end, end};
-        if (end < last && text(end) == "else") {
-            second = {end + 1, afterStatement(end + 1, last, 1)};
-            end = second.end;
-            if (end > last) return false;
-        }
+    bool walkIf(std::uint32_t id, int depth) {
+        const std::uint32_t condition = node(id).child, first = node(condition).next,
+                            second = node(first).next;
         const std::set<std::string_view> before = sizes_;
         if (holdsWithin(condition, true, 0)) return walk(first, depth + 1);
         sizes_ = before;
-        if (holdsWithin(condition, false, 0)) return walk(second, depth + 1);
+        if (holdsWithin(condition, false, 0)) return second == kNone || walk(second, depth + 1);
         sizes_ = before;
-        return !mayLeave(first) && !mayLeave(second);
-    }
-
-    /// The index behind the statement that begins at `at`; past the end if that is not clear. An `if` ends
-    /// before its `else`.
-    std::uint32_t afterStatement(std::uint32_t at, std::uint32_t end, int depth) {
-        const std::uint32_t nowhere = end + 1;
-        if (depth > kDeepest || at >= end || !search_.spend(1)) return nowhere;
-        const std::string_view word = text(at);
-        if (word == "{") return match(at) < end ? match(at) + 1 : nowhere;
-        if (word == "if" || word == "for" || word == "while" || word == "switch") {
-            if (text(at + 1) != "(" || match(at + 1) >= end) return nowhere;
-            const std::uint32_t body = match(at + 1) + 1;
-            const std::uint32_t behind = afterStatement(body, end, depth + 1);
-            // The inner `if` takes the `else`.
-            if (word == "if" && depth > 0 && behind < end && text(behind) == "else")
-                return afterStatement(behind + 1, end, depth + 1);
-            return behind;
-        }
-        if (word == "do") {
-            const std::uint32_t behind = afterStatement(at + 1, end, depth + 1);
-            const bool isWhole = behind < end && text(behind) == "while" && text(behind + 1) == "(" &&
-                                 match(behind + 1) + 1 < end && text(match(behind + 1) + 1) == ";";
-            return isWhole ? match(behind + 1) + 2 : nowhere;
-        }
-        if (word == "else" || word == "case" || word == "default") return nowhere;
-        for (; at < end; ++at) {
-            if (text(at) == ";") return at + 1;
-            if (text(at) == "}" || !search_.spend(1)) return nowhere;
-            if (search_.opens(at)) at = match(at);
-        }
-        return nowhere;
+        return !mayLeave(node(first).range()) && (second == kNone || !mayLeave(node(second).range()));
     }
 
     bool mayLeave(Range range) {
         return !search_.spend(range.end - range.first) || unit_.hasAny(range, {"return", "discard"});
     }
 
-    /// A declaration, or an expression, without its ';'.
-    void note(Range statement) {
-        std::uint32_t at = statement.first;
-        while (text(at) == "const" || text(at) == "lowp" || text(at) == "mediump" || text(at) == "highp")
-            ++at;
-        if (integerComponents(text(at)) > 0 && at + 1 < statement.end && search_.isWord(at + 1))
-            return noteDeclaration(statement);
-        if (text(statement.first) == "imageStore") return noteStore(statement);
-        noteElement(statement);
-    }
-    void noteDeclaration(Range statement) {
-        const Declaration declared = parseVariable(unit_.view, statement.first, statement.end + 1);
+    void noteDeclaration(std::uint32_t id) {
+        const Declaration& declared = unit_.bodies.declarations[node(id).token];
         const std::size_t components = integerComponents(declared.type.name);
         if (components == 0 || !declared.type.dimensions.empty()) return;
         for (const Declarator& each : declared.declarators)
-            if (each.dimensions.empty() && !each.initializer.empty())
-                locals_.emplace(text(each.name), std::pair(components, each.initializer));
+            if (each.dimensions.empty() && each.value != kNone)
+                locals_.emplace(text(each.name), std::pair(components, each.value));
     }
-    void noteStore(Range statement) {
-        const auto call = inside(statement, "imageStore");
-        if (!call) return;
-        const std::vector<Range> arguments = search_.parts(*call, ",");
-        if (arguments.size() != 3 || arguments[0].end != arguments[0].first + 1) return;
-        const std::string_view type = uniformType(arguments[0].first);
-        if (isImageTypeWord(type) && isOwnNumber(arguments[1], axesOfTexels(type)))
-            noteStored(arguments[0].first, axesOfTexels(type));
+    void noteStore(const Node& call) {
+        const Node& object = node(call.child);
+        const std::string_view type = object.kind == NodeKind::name ? uniformType(object.token) : "";
+        if (isImageTypeWord(type) && isOwnNumber(object.next, axesOfTexels(type)))
+            noteStored(object.token, axesOfTexels(type));
     }
-    void noteElement(Range statement) {
-        const std::uint32_t name = statement.first;
-        if (role(name) != WordRole::global || !arrays_.contains(text(name)) || text(name + 1) != "[") return;
-        const std::uint32_t close = match(name + 1);
-        if (close < statement.end && text(close + 1) == "=" && isOwnNumber({name + 2, close}, 1))
+    void noteElement(const Node& assignment) {
+        const Node& element = node(assignment.child);
+        const std::uint32_t name = element.first;
+        if (element.kind == NodeKind::subscript && node(element.child).kind == NodeKind::name &&
+            role(name) == WordRole::global && arrays_.contains(text(name)) && text(assignment.token) == "=" &&
+            isOwnNumber(element.lastChild, 1))
             noteStored(name, 1);
     }
     void noteStored(std::uint32_t name, std::size_t axes) {
         stores_.try_emplace(std::string(text(name)), static_cast<int>(axes), sizes_);
     }
-    bool isOwnNumber(Range place, std::size_t axes) {
+    bool isOwnNumber(std::uint32_t place, std::size_t axes) {
         const std::optional<KnownVector> known = value(place, 0);
         if (!known || axes == 0 || known->size() != axes) return false;
         for (std::size_t i = 0; i < axes; ++i)
@@ -421,11 +339,11 @@ class WholeWriteSearch {
     }
 
     const Unit& unit_;
-    TokenSearch search_;
+    FormulaSearch search_;
     std::set<std::string_view> kept_;
     std::map<std::string_view, std::string, std::less<>> arrays_;  ///< by the array: the name of its block
-    /// By name: the components and the initialiser.
-    std::map<std::string_view, std::pair<std::size_t, Range>> locals_;
+    /// By name: the components and the node of the initialiser.
+    std::map<std::string_view, std::pair<std::size_t, std::uint32_t>> locals_;
     std::set<std::string_view> sizes_;  ///< of what the invocations that go on lie in
     /// With the axes of the place, and the sizes then.
     std::map<std::string, std::pair<int, std::set<std::string_view>>, std::less<>> stores_;

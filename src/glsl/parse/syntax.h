@@ -65,9 +65,10 @@ struct TypeUse {
 struct Declarator {
     std::uint32_t name = 0;
     std::vector<Range> dimensions;
-    Range dimensionTokens;  ///< the brackets themselves
-    Range initializer;      ///< after '='
-    std::uint32_t end = 0;  ///< the ',' or ';' (or ')') after it
+    Range dimensionTokens;        ///< the brackets themselves
+    Range initializer;            ///< after '='
+    std::uint32_t end = 0;        ///< the ',' or ';' (or ')') after it
+    std::uint32_t value = kNone;  ///< the node of the initialiser (parse/tree.h)
 };
 
 struct Parameter {
@@ -99,7 +100,8 @@ struct Declaration {
     std::vector<Declaration> members;     ///< of a block or struct specifier
     std::vector<Parameter> parameters;
     Range parameterTokens;
-    Range body;  ///< of a function, block or struct, with its braces
+    Range body;                  ///< of a function, block or struct, with its braces
+    std::uint32_t code = kNone;  ///< the node of the body of a function (parse/tree.h)
 };
 
 struct Syntax {

@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/parse/bodies.h"
-#include "glsl/parse/syntax.h"
+#include "glsl/parse/tree.h"
 #include "glsl/parse/variable.h"
 #include "glsl/read/report.h"
 #include "glsl/read/stage_text.h"

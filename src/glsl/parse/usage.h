@@ -1,11 +1,13 @@
 #pragma once
 // Which names a stage declares, uses and changes.
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "glsl/parse/unit.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 
@@ -14,14 +16,6 @@ void findUsage(Unit& unit);
 
 /// The arguments that a built-in function writes, as bits: `modf(x, whole)`.
 unsigned builtinOutputs(std::string_view function);
-
-/// True for "=", "+=", "<<=", ...
-bool isAssignment(std::string_view text);
-
-/// True for "++" and "--".
-constexpr bool isStep(std::string_view text) {
-    return text == "++" || text == "--";
-}
 
 /// True if the evaluation of the expression changes nothing: no assignment, and no call but of constructors.
 bool isIdle(const Unit& unit, Range range);
@@ -47,5 +41,15 @@ bool globalIntegerValue(const Unit& unit, Range range, long long& value);
 
 /// The text of an array size outside of all functions: a number, if its value is known.
 std::string sizeText(const Unit& unit, Range range);
+
+/// The body of main with its braces; nothing if there is no main, or several.
+std::optional<Range> bodyOfMain(const Unit& unit);
+
+/// True if the statement that begins at `at` is directly in the braces of `body`, is not governed by an if,
+/// else or loop, and comes after no return.
+bool isAlwaysExecuted(const Unit& unit, Range body, std::uint32_t at);
+
+/// True for a literal 1 of type int or float.
+bool isLiteralOne(std::string_view number);
 
 }  // namespace glibra::glsl

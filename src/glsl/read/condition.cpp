@@ -1,7 +1,6 @@
 #include "glsl/read/condition.h"
 
-#include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace glibra::glsl {
 namespace {
@@ -22,14 +21,6 @@ class ConditionParser {
     }
 
   private:
-    struct Operator {
-        std::string_view text;
-        int level;
-    };
-    static constexpr Operator kOperators[] = {
-        {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
-        {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
-
     [[nodiscard]] bool isGood() const { return result_.error.empty(); }
     [[nodiscard]] std::string_view peek() const {
         return at_ < pieces_.size() ? pieces_[at_].token.text : std::string_view{};
@@ -48,15 +39,15 @@ class ConditionParser {
         if (++depth_ > kDeepestCondition) return fail("more than 200 expressions inside each other");
         long long left = unary();
         while (isGood() && at_ < pieces_.size()) {
-            const auto* const found = std::find_if(std::begin(kOperators), std::end(kOperators),
-                                                   [&](const Operator& each) { return each.text == peek(); });
-            if (found == std::end(kOperators) || found->level <= lowest) break;
+            const std::string_view op = peek();
+            const int level = op == "^^" ? 0 : levelOf(op);  // the preprocessor has C's operators
+            if (level <= lowest) break;
             ++at_;
-            const bool isDecided = (found->text == "||" && left != 0) || (found->text == "&&" && left == 0);
+            const bool isDecided = (op == "||" && left != 0) || (op == "&&" && left == 0);
             skipped_ += isDecided ? 1 : 0;
-            const long long right = binary(found->level);
+            const long long right = binary(level);
             skipped_ -= isDecided ? 1 : 0;
-            left = apply(found->text, left, right);
+            left = apply(op, left, right);
         }
         --depth_;
         return left;
@@ -139,6 +130,20 @@ bool evaluateCondition(std::span<const ViewToken> tokens, long long& value) {
     const Condition found = evaluateCondition(pieces);
     value = found.value;
     return found.error.empty();
+}
+
+int levelOf(std::string_view op) {
+    struct Operator {
+        std::string_view text;
+        int level;
+    };
+    static constexpr Operator kOperators[] = {{"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},
+                                              {"&", 6},  {"==", 7}, {"!=", 7}, {"<", 8},  {">", 8},
+                                              {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9}, {"+", 10},
+                                              {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
+    for (const Operator& each : kOperators)
+        if (each.text == op) return each.level;
+    return 0;
 }
 
 bool readInteger(std::string_view text, long long& value) {

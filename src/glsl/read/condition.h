@@ -25,6 +25,9 @@ Condition evaluateCondition(std::span<const Piece> pieces);
 /// tokens are none.
 bool evaluateCondition(std::span<const ViewToken> tokens, long long& value);
 
+/// How strongly an operator of GLSL binds its two operands; 0 for all else.
+int levelOf(std::string_view op);
+
 /// Gives `value` the value of a decimal, octal or hexadecimal number; false for other text.
 bool readInteger(std::string_view text, long long& value);
 

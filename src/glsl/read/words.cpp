@@ -165,4 +165,10 @@ bool isOpaqueTypeWord(std::string_view word) {
            (isImageTypeWord(word) || word == "atomic_uint" || word.find("sampler") != std::string_view::npos);
 }
 
+bool isAssignment(std::string_view text) {
+    static constexpr std::array<std::string_view, 11> kAssignments = {
+        "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
+    return std::ranges::find(kAssignments, text) != kAssignments.end();
+}
+
 }  // namespace glibra::glsl

@@ -40,6 +40,14 @@ bool isStatementWord(std::string_view word);
 bool isOpaqueTypeWord(std::string_view word);
 bool isImageTypeWord(std::string_view word);
 
+/// True for "=", "+=", "<<=", ...
+bool isAssignment(std::string_view text);
+
+/// True for "++" and "--".
+constexpr bool isStep(std::string_view text) {
+    return text == "++" || text == "--";
+}
+
 // The classes of words, of tokens that markNames (parse/lexical.h) has seen.
 
 inline bool isQualifier(const ViewToken& token) {

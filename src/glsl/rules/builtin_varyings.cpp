@@ -6,12 +6,68 @@
 #include <array>
 
 #include "glsl/parse/usage.h"
-#include "glsl/rules/builtin_varying_table.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
 namespace {
 
+// The built-in varyings that core GLSL lacks (language, 7.6), one row each.
+
+namespace varyings {
+
+enum Varying : std::size_t {
+    frontColor,
+    backColor,
+    frontSecondary,
+    backSecondary,
+    texCoord,
+    fog,
+    kVaryingCount
+};
+
+constexpr std::array<Varying, kVaryingCount> kVaryings{frontColor,    backColor, frontSecondary,
+                                                       backSecondary, texCoord,  fog};
+
+struct Row {
+    std::string_view name;  ///< without gl_
+    std::string_view type;
+    std::string_view unwritten;  ///< the value that a reader gets if no stage writes it
+    bool color;
+};
+constexpr std::array<Row, kVaryingCount> kRows = {
+    {{"FrontColor", "vec4", "glibra_CurrentColor", true},
+     {"BackColor", "vec4", "glibra_CurrentColor", true},
+     {"FrontSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
+     {"BackSecondaryColor", "vec4", "vec4(0., 0., 0., 1.)", true},
+     {"TexCoord", "vec4", "vec4(0., 0., 0., 1.)", false},
+     {"FogFragCoord", "float", "0.", false}}};
+constexpr int kMostTexCoords = 32;
+
+/// The user's name of the varying.
+std::string user(Varying which) {
+    return "gl_" + std::string(kRows[which].name);
+}
+/// Its name in translated shaders.
+std::string own(Varying which) {
+    return "glibra_" + std::string(kRows[which].name);
+}
+
+/// The varying that a word names; kVaryingCount for other words. Sets `input` for names that end with In.
+inline Varying varyingOf(std::string_view word, bool& input) {
+    input = false;
+    if (!word.starts_with("gl_")) return kVaryingCount;
+    const std::string_view name = word.substr(3);
+    for (std::size_t i = 0; i < kVaryingCount; ++i) {
+        if (name == kRows[i].name) return static_cast<Varying>(i);
+        if (name.ends_with("In") && name.substr(0, name.size() - 2) == kRows[i].name) {
+            input = true;
+            return static_cast<Varying>(i);
+        }
+    }
+    return kVaryingCount;
+}
+
+}  // namespace varyings
 using namespace varyings;
 
 /// What a stage does with one varying.

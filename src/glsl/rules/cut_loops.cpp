@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "glsl/facts/facts.h"
-#include "glsl/parse/statements.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
@@ -23,7 +22,7 @@ void addUnrolled(const std::vector<CountedLoop>& loops, std::vector<Place>& to) 
 
 class LoopRecorder {
   public:
-    LoopRecorder(Unit& unit, std::vector<Place>& sites) : unit_(unit), statements_(unit), sites_(sites) {
+    LoopRecorder(Unit& unit, std::vector<Place>& sites) : unit_(unit), sites_(sites) {
         addUnrolled(loopsOf(unit).loops, unrolled_);
     }
 
@@ -31,7 +30,7 @@ class LoopRecorder {
     bool run() {
         const std::size_t before = sites_.size();
         for (const Declaration& each : unit_.syntax.declarations)
-            if (each.kind == DeclarationKind::function) visit(each.body);
+            if (each.kind == DeclarationKind::function && each.code != kNone) visit(each.code);
         return sites_.size() > before;
     }
 
@@ -40,44 +39,39 @@ class LoopRecorder {
     [[nodiscard]] std::uint32_t match(std::uint32_t at) const { return unit_.bodies.matches[at]; }
     [[nodiscard]] std::uint32_t raw(std::uint32_t at) const { return unit_.view[at].raw; }
 
-    /// The index after the loop at `at`.
-    [[nodiscard]] std::uint32_t endOf(std::uint32_t at, std::uint32_t end) const {
-        return std::min(text(at) == "do" ? statements_.afterDo(at, end) + 1 : statements_.end(at, end), end);
+    [[nodiscard]] const Node& node(std::uint32_t id) const { return unit_.bodies.nodes[id]; }
+    [[nodiscard]] bool isLoop(std::uint32_t id) const {
+        const NodeKind kind = node(id).kind;
+        return kind == NodeKind::forLoop || kind == NodeKind::whileLoop || kind == NodeKind::doLoop;
     }
 
-    void visit(Range range) {
-        for (std::uint32_t at = range.first; at < range.end; ++at) {
-            if (!statements_.isLoop(at)) continue;
-            const std::uint32_t end = endOf(at, range.end);
-            visit(statements_.body(at, range.end));  // inner brackets come first
-            record(at, end, range.end);
-            at = end - 1;
-        }
+    void visit(std::uint32_t id) {
+        for (const std::uint32_t each : unit_.bodies.children(id)) visit(each);  // inner brackets come first
+        if (isLoop(id)) record(id);
     }
 
-    void record(std::uint32_t at, std::uint32_t end, std::uint32_t limit) {
-        const Place place = unit_.place(at);
-        const Range head = headOf(at, limit);
-        if (head.empty() || head.end > end || std::ranges::find(unrolled_, place) != unrolled_.end()) return;
+    void record(std::uint32_t id) {
+        const Node& loop = node(id);
+        const Place place = unit_.place(loop.first);
+        const bool isDo = loop.kind == NodeKind::doLoop;
+        const std::uint32_t body = isDo ? loop.child : loop.lastChild;
+        const std::uint32_t open = isDo ? node(body).end + 1 : loop.first + 1;
+        if (text(open) != "(" || match(open) >= loop.end ||
+            std::ranges::find(unrolled_, place) != unrolled_.end())
+            return;
         const std::string site = std::to_string(sites_.size());
         const std::string inLoop = "glibra_inLoop[" + site + " + glibra_NoLoop]";
         sites_.push_back(place);
-        markBreaks(statements_.body(at, limit), inLoop);
-        markCondition(conditionOf(at, head), site);
-        unit_.edits.before(raw(at), "{ ");
-        unit_.edits.after(raw(end - 1), " if (" + inLoop + " != 0) glibra_cutLoops[" + site + "] = 1; }");
-    }
-
-    /// The brackets of the loop's condition.
-    [[nodiscard]] Range headOf(std::uint32_t at, std::uint32_t limit) const {
-        const std::uint32_t open = text(at) == "do" ? statements_.body(at, limit).end + 1 : at + 1;
-        if (text(open) != "(" || match(open) >= limit) return {};
-        return {open, match(open) + 1};
+        markBreaks(body, inLoop);
+        markCondition(conditionOf(loop, {open, match(open) + 1}), site);
+        unit_.edits.before(raw(loop.first), "{ ");
+        unit_.edits.after(raw(loop.end - 1),
+                          " if (" + inLoop + " != 0) glibra_cutLoops[" + site + "] = 1; }");
     }
 
     /// From the token before the condition to the token after it.
-    [[nodiscard]] Range conditionOf(std::uint32_t at, Range head) const {
-        if (text(at) != "for") return head;
+    [[nodiscard]] Range conditionOf(const Node& loop, Range head) const {
+        if (loop.kind != NodeKind::forLoop) return head;
         std::uint32_t first = head.first + 1;
         while (first < head.end && text(first) != ";") ++first;
         std::uint32_t last = first + 1;
@@ -98,21 +92,16 @@ class LoopRecorder {
         unit_.edits.before(raw(condition.end - 1), ", " + site + ")");
     }
 
-    void markBreaks(Range body, const std::string& inLoop) {
-        for (std::uint32_t at = body.first; at < body.end; ++at) {
-            if (statements_.isLoop(at)) {
-                at = endOf(at, body.end) - 1;
-            } else if (text(at) == "switch" && text(at + 1) == "(") {
-                at = statements_.end(at, body.end) - 1;
-            } else if (text(at) == "break" && text(at + 1) == ";") {
-                unit_.edits.before(raw(at), "{ " + inLoop + " = 0; ");
-                unit_.edits.after(raw(at + 1), " }");
-            }
-        }
+    void markBreaks(std::uint32_t id, const std::string& inLoop) {
+        const Node& it = node(id);
+        if (isLoop(id) || it.kind == NodeKind::choice) return;
+        for (const std::uint32_t each : unit_.bodies.children(id)) markBreaks(each, inLoop);
+        if (it.kind != NodeKind::jump || text(it.first) != "break" || text(it.first + 1) != ";") return;
+        unit_.edits.before(raw(it.first), "{ " + inLoop + " = 0; ");
+        unit_.edits.after(raw(it.first + 1), " }");
     }
 
     Unit& unit_;
-    Statements statements_;
     std::vector<Place>& sites_;
     std::vector<Place> unrolled_;
 };

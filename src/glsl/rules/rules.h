@@ -4,9 +4,44 @@
 // says so.
 
 #include "glsl/parse/unit.h"
-#include "glsl/parse/walk.h"
 
 namespace glibra::glsl {
+
+/// Moves between the significant tokens of a stage. Preprocessor lines are passed over.
+class TokenWalk {
+  public:
+    explicit TokenWalk(const Unit& unit)
+        : unit_(unit),
+          next_(unit.tokens.size(), kNone),
+          previous_(unit.tokens.size(), kNone),
+          matches_(matchBrackets(unit.tokens, kNone)) {
+        std::uint32_t last = kNone;
+        for (std::uint32_t i = 0; i < unit.tokens.size(); ++i) {
+            const Token& token = unit.tokens[i];
+            if (!isSignificant(token.kind) || token.directive) continue;
+            previous_[i] = last;
+            if (last != kNone) next_[last] = i;
+            last = i;
+        }
+    }
+
+    /// The significant token after or before `token`, or kNone.
+    [[nodiscard]] std::uint32_t next(std::uint32_t token) const {
+        return token == kNone ? kNone : next_[token];
+    }
+    [[nodiscard]] std::uint32_t previous(std::uint32_t token) const {
+        return token == kNone ? kNone : previous_[token];
+    }
+    /// The matching bracket, or kNone.
+    [[nodiscard]] std::uint32_t match(std::uint32_t token) const { return matches_[token]; }
+    [[nodiscard]] std::string_view text(std::uint32_t token) const {
+        return token == kNone ? std::string_view{} : unit_.tokens[token].text;
+    }
+
+  private:
+    const Unit& unit_;
+    std::vector<std::uint32_t> next_, previous_, matches_;
+};
 
 /// What the names of the shader's own overloads of built-in functions begin with.
 inline constexpr std::string_view kOwnOverload = "glibra_own_";
