@@ -1,5 +1,3 @@
-#include "cli/info_command.h"
-
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -8,9 +6,18 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/info_output.h"
+#include "cli/sister_program.h"
 #include "gpu/context/context.h"
 
 namespace glibra::cli {
+namespace {
+
+/// Runs `glibra bench` and `glibra info --precision`.
+constexpr SisterProgram kBenchProgram{
+    "glibra-bench",
+    "build it with `cmake --build BUILD_FOLDER --target glibra_bench_program` (this needs Boost)"};
+
+}  // namespace
 
 void addBench(CommandLine& program, int& status) {
     program.subcommand("bench", "measures run time against error, as curves with their Pareto fronts",

@@ -210,10 +210,6 @@ CallTrace::~CallTrace() {
     trace = nullptr;
 }
 
-CallTrace* activeTrace() {
-    return trace;
-}
-
 void CallTrace::add(const char* name, int argumentCount, CallArguments& arguments) {
     const auto* const known = std::find_if(std::begin(kSignatures), std::end(kSignatures),
                                            [&](const Signature& each) { return each.name == name; });

@@ -47,9 +47,6 @@ class CallTrace {
     std::vector<Call> calls_;
 };
 
-/// The trace that lives; null if there is none.
-CallTrace* activeTrace();
-
 struct CallCounts {
     std::uint64_t calls = 0;           ///< of any GL function
     std::uint64_t draws = 0;           ///< glDraw*
