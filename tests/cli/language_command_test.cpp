@@ -63,7 +63,9 @@ TEST(LanguageCommand, PrintsEverySectionBetweenItsMarkers) {
     for (const char* row :
          {"| `Sphere` | `radius` = 1: 0 draws nothing; the sign is ignored<br>`slices` = 60: 3 to ",
           "| `Sphere` | triangles | 3,719 | ", "| `RGBA16F` | 8 |", "| `.png`, `.apng` |",
-          "`uNormalMatrix`, `gl_NormalMatrix` | `mat3` |", "| glib-E01 | error | unknown command 'Spere'"})
+          "`uNormalMatrix`, `gl_NormalMatrix` | `mat3` |",
+          "| glib-E01 | error | The first word of a statement is no word of the language. | unknown command "
+          "'Spere'"})
         EXPECT_NE(finished.out.find(row), std::string::npos) << row;
 }
 

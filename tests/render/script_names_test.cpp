@@ -59,7 +59,7 @@ TEST(Buffers, HaveTheNumbersOfTheirStructureFromAnExpression) {
 
 TEST(Messages, OfATagWithAnErrorAreNotRepeated) {
     EXPECT_EQ(problemsOf("WindowSize 8 8\nTexture2D life 8 8 rgba8\n" + showing("sampler2D", "vST") +
-                         "Program Next uT life.prev\nFill window with Next\nExpect error glib-E27\n"),
+                         "Program Next uT life.prev\nFill window with Next\nExpect error glib-E35\n"),
               "");
     const std::string time = problemsOf(
         "WindowSize 8 8\nLet k 1\nFragment inline\n#version 330\nuniform float time;\nout vec4 c;\n"
