@@ -272,7 +272,7 @@ class ClassPage(unittest.TestCase):
             self.browser.open("file://" + alone)
             self.browser.wait("return document.readyState === 'complete'")
             sizes = self.browser.run("return [...document.images].map((each) => each.naturalWidth)")
-            self.assertEqual(sizes, [320, 320], "its picture and the reference's")
+            self.assertEqual(sizes, [256, 256], "its picture and the reference's, made small")
             text = self.browser.run("return document.documentElement.outerHTML")
             for name in NAMES[1:]:
                 if len(name) > 4:

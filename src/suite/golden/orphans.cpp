@@ -161,9 +161,9 @@ fs::path Orphans::find(const image::Image& picture) const {
 }
 
 fs::path Orphans::findNear(const image::Image& picture, std::string_view shot) const {
-    constexpr double kAlike = .75;             // correlation; of 200 pairs of unrelated pictures one has it
-    constexpr double kSimilar = 2. / 3;        // part of a name that stays
-    constexpr std::size_t kLongestName = 200;  // of those that are compared
+    constexpr double kAlike = .75;       // correlation; of 200 pairs of unrelated pictures one has it
+    constexpr double kSimilar = 2. / 3;  // part of a name that stays
+    constexpr std::size_t kLongestComparedName = 200;  // of those that are compared
     if (isEmpty()) return {};
     read();
     const auto product = [](const Gist& a, const Gist& b) {
@@ -185,7 +185,7 @@ fs::path Orphans::findNear(const image::Image& picture, std::string_view shot) c
         const std::string text = name.generic_string();
         const std::size_t longer = std::max(text.size(), shot.size());
         const double similar =
-            longer > kLongestName || longer == 0
+            longer > kLongestComparedName || longer == 0
                 ? 0
                 : 1 - static_cast<double>(base::editDistance(text, shot)) / static_cast<double>(longer);
         if ((alike >= kAlike || similar >= kSimilar) && alike + similar > most) {
