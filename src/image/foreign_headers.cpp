@@ -452,7 +452,7 @@ bool takeAttribute(std::string_view name, std::string_view type, ByteSpan value,
     return true;
 }
 
-/// Reads the header of one part: nothing if it is damaged, and a part without channels behind the last one.
+/// Reads the header of one part: nothing if it is damaged, and a part without channels after the last one.
 std::optional<ExrPart> readPart(ExrCursor& cursor) {
     ExrPart part;
     bool any = false;
@@ -518,7 +518,7 @@ Result<ExrPart> readExrHeader(ByteSpan file, const FileLabel& label, const Limit
     for (std::size_t i = 0; i < kMostParts; ++i) {
         auto part = readPart(cursor);
         if (!part) return damaged(label, "its EXR header is damaged or ends early");
-        if (part->channels.empty()) break;  // behind the last part
+        if (part->channels.empty()) break;  // after the last part
         // The library reserves memory for every part.
         if (auto refused = judgePart(*part, label, limits)) return *std::move(refused);
         if ((version & kSeveralParts) == 0 && (version & kNotImage) != 0) part->isDeep = true;

@@ -86,7 +86,7 @@ class Drawing(unittest.TestCase):
             file.write_text(text + "Cube 1 2 3 4\n")
             with self.assertRaises(glibra.SceneError):
                 glibra.render(file, strict=True)
-        for wrong in {"max_error": -1}, {"set": {"uNope": 1}}, {"width": -3}, {"dtype": "int8"}, {"eye": [1]}:
+        for wrong in {"max_error": -1}, {"set": {"uNope": 1}}, {"set": {"uShininess": [[2, 3], [4, 5]]}}, {"width": -3}, {"dtype": "int8"}, {"eye": [1]}:
             with self.assertRaises((glibra.SceneError, ValueError)):
                 glibra.render(TEAPOT, **wrong)
 

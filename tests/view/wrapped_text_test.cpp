@@ -61,7 +61,7 @@ std::string edited(const WrappedText& before, std::size_t begin, std::size_t end
 TEST(WrappedText, AnEditOfTheRowsIsOneOfTheText) {
     const WrappedText wrapped = inRows("one two three", 8);  // "one two |three"
     EXPECT_EQ(edited(wrapped, 8, 8, "X", 8), "one two Xthree") << "before the break";
-    EXPECT_EQ(edited(wrapped, 9, 9, "X", 9), "one two Xthree") << "behind it";
+    EXPECT_EQ(edited(wrapped, 9, 9, "X", 9), "one two Xthree") << "after it";
     EXPECT_EQ(edited(wrapped, 9, 9, "\n", 9), "one two \nthree");
     EXPECT_EQ(EditedRows(wrapped, "one two \n\nthree", 8, 9, false).placeInText(9), 9U)
         << "Enter before the break";

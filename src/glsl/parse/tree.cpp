@@ -576,7 +576,7 @@ class BodyParser {
         ++at_;
         return true;
     }
-    /// Goes behind the bracket that closes the one here.
+    /// Goes to what follows the bracket that closes the one here.
     void skipBracket() { at_ = std::min(std::min(matches_[at_], end_) + 1, end_); }
     /// A node for what stands from `first` to here.
     std::uint32_t unknown(std::uint32_t first) { return make(NodeKind::unknown, {first, at_}, first); }

@@ -121,7 +121,7 @@ void addAlpha(const std::uint8_t* rgb, std::size_t width, std::byte* to) {
     to[3] = std::byte{255};
 }
 
-/// Unpacks the pixels to `rows`, each row behind its filter's type; false if they are not exactly as long.
+/// Unpacks the pixels to `rows`, each row after its filter's type; false if they are not exactly as long.
 bool inflate(const PngChunks& chunks, std::span<std::byte> rows) {
     std::vector<std::byte> joined;
     std::span<const std::byte> packed = chunks.data.front();

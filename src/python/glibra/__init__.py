@@ -173,8 +173,13 @@ def _columns_of(eye):
 
 def _setting_of(name, value):
     """NAME=VALUE, as the command line has it."""
-    numbers = value if isinstance(value, str) else ",".join(f"{each:.17g}" for each in _array_of(value, name).ravel())
-    return f"{name}={numbers}"
+    if isinstance(value, str):
+        return f"{name}={value}"
+    array = _array_of(value, name)
+    if array.ndim > 1:  # rows of a matrix and elements of an array look the same, and the type is not known yet
+        raise ValueError(f"'{name}' takes its numbers in one row, a matrix by columns, found an array of shape {array.shape}; "
+                         "a Scene takes arrays of any shape")
+    return f"{name}={','.join(f'{each:.17g}' for each in array.ravel())}"
 
 
 def render(path, width=0, height=0, *, time=0.0, samples=0, alpha=False, dtype="uint8", eye=None, axes=False, max_error=0.0,

@@ -34,22 +34,22 @@ std::vector<std::size_t> breaksOf(std::string_view text, float room, float wides
         const std::string_view line = text.substr(begin, end - begin);
         const auto tabs = static_cast<float>(std::ranges::count(line, '\t'));
         if (static_cast<float>(line.size()) * widest + tabs * tab <= room) continue;
-        std::size_t row = begin, behindBlank = begin;
+        std::size_t row = begin, afterBlank = begin;
         float wide = 0;
         for (std::size_t at = begin, next = at; at < end; at = next) {
             next = std::min(nextCharacter(text, at), end);
             const bool isBlank = text[at] == ' ' || text[at] == '\t';
             const float width = widthOf(text.substr(at, next - at));
-            // A blank behind a word may stand in the margin.
+            // A blank after a word may stand in the margin.
             if (at > row && wide + (isBlank ? 0 : width) > room) {
-                row = behindBlank > row ? behindBlank : at;
+                row = afterBlank > row ? afterBlank : at;
                 breaks.push_back(row);
                 wide = 0;
                 for (std::size_t i = row; i < at; i = nextCharacter(text, i))
                     wide += widthOf(text.substr(i, nextCharacter(text, i) - i));
             }
             wide += width;
-            if (isBlank) behindBlank = next;
+            if (isBlank) afterBlank = next;
         }
     }
     return breaks;

@@ -10,20 +10,20 @@
 namespace glibra::view {
 
 /// The bytes of the text, ascending, at which a row begins inside of a line, so that no row is wider than
-/// `room`: behind the last blank that is not too far, or inside of a word that is wider than a row.
+/// `room`: after the last blank that is not too far, or inside of a word that is wider than a row.
 /// `widthOf` is that of a character; besides tabs, none is wider than `widest` for each of its bytes.
 std::vector<std::size_t> breaksOf(std::string_view text, float room, float widest,
                                   const std::function<float(std::string_view)>& widthOf);
 
 /// A text and its rows. A byte of the text that a row begins with has two places in the rows: before and
-/// behind the line feed of its break.
+/// after the line feed of its break.
 struct WrappedText {
     std::string text, rows;  ///< `rows` has a line feed more at each break
     std::vector<std::size_t> breaks;
 
     WrappedText() = default;
     WrappedText(std::string_view ofText, std::vector<std::size_t> withBreaks);
-    /// The place in the rows, behind the break.
+    /// The place in the rows, after the break.
     [[nodiscard]] std::size_t placeInRows(std::size_t at) const;
     [[nodiscard]] std::size_t placeInText(std::size_t at) const;
 };

@@ -86,7 +86,7 @@ class WrappedLines(WritingTest):
         self.assertEqual([each[2] for each in rows], list(range(len(rows))))
         self.assertEqual((line, column, row), (5, 1, len(rows)))
         second = rows[1][1]
-        self.assertEqual(LONG[second - 2], " ", "rows begin behind blanks")
+        self.assertEqual(LONG[second - 2], " ", "rows begin after blanks")
         window.key("Up")
         self.assertEqual(self.place(window), rows[-1])
         window.key(*["Up"] * (len(rows) - 1), "End")

@@ -14,7 +14,7 @@ namespace glibra::view {
 /// Byte offsets of the first characters of all lines, or of all rows.
 using LineStarts = std::vector<std::size_t>;
 
-/// A text with its lines, and the rows in which they are shown. Rows that continue a line do not begin behind
+/// A text with its lines, and the rows in which they are shown. Rows that continue a line do not begin after
 /// a line feed.
 struct CodeText {
     std::string_view text;

@@ -17,7 +17,7 @@ std::optional<bool> typedInto(Ui& ui, const char* label, double& value);
 bool numberEntry(const char* label, double& value, const char* format, int flags = 0);
 /// The same for a whole number between those.
 bool wholeEntry(const char* label, int& value, int least, int most, int flags = 0);
-/// Two fields side by side, with the label behind them; ImGui takes them for one widget.
+/// Two fields side by side, with the label to their right; ImGui takes them for one widget.
 bool pairEntry(Ui& ui, const char* label, std::array<double, 2>& values, const char* format);
 /// The same for the sides of a picture in pixels, from 1 to `most`.
 bool sidesEntry(Ui& ui, const char* label, int& width, int& height, int most);
