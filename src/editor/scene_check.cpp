@@ -299,6 +299,8 @@ SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions
                 if (each->path != scene.string()) check.files.emplace_back(each->path);
         for (const scene::FileReference& each : interpreted->scene.files)
             append(check.diagnostics, each.remarks);
+        for (const scene::Buffer& each : interpreted->scene.buffers)
+            append(check.diagnostics, each.values.takeProblems());
         translateAll(interpreted->scene, options, stats, check);
     }
     removeEqual(check.diagnostics);

@@ -16,10 +16,12 @@ BufferValues::BufferValues(std::size_t size, std::function<Made()> make)
 const BufferValues::Content& BufferValues::made() const {
     static const Content kNothing;
     if (!content_) return kNothing;
-    if (const auto make = std::exchange(content_->make, {})) {
-        content_->made = make();
-        content_->made.numbers.resize(content_->size);
-        content_->hasFailed = hasError(content_->made.problems);
+    if (content_->make) {
+        Made made = content_->make();
+        made.numbers.resize(content_->size);
+        content_->hasFailed = hasError(made.problems);
+        content_->made = std::move(made);
+        content_->make = {};
     }
     return *content_;
 }
@@ -33,8 +35,11 @@ bool BufferValues::hasFailed() const {
 }
 
 Diagnostics BufferValues::takeProblems() const {
-    made();
-    return content_ ? std::exchange(content_->made.problems, {}) : Diagnostics();
+    Diagnostics problems = made().made.problems;
+    if (content_)
+        std::erase_if(content_->made.problems,
+                      [](const Diagnostic& each) { return each.severity != Severity::error; });
+    return problems;
 }
 
 }  // namespace glibra::scene

@@ -30,11 +30,13 @@ class BufferValues {
     /// As many as size(); what could not be computed is 0.
     [[nodiscard]] const std::vector<double>& numbers() const;
     [[nodiscard]] bool hasFailed() const;
-    /// What computing them has reported. Later calls, also those of copies, give nothing.
+    /// What computing them has reported: all at the first call, and at later ones, also those of copies, the
+    /// errors.
     [[nodiscard]] Diagnostics takeProblems() const;
 
+    /// Numbers of which some could not be computed equal no others.
     friend bool operator==(const BufferValues& a, const BufferValues& b) {
-        return a.content_ == b.content_ || a.numbers() == b.numbers();
+        return a.content_ == b.content_ || (!a.hasFailed() && !b.hasFailed() && a.numbers() == b.numbers());
     }
 
   private:

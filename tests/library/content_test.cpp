@@ -142,6 +142,31 @@ TEST(LibraryBuffer, GivesTheMembersBeforeTheArray) {
     EXPECT_EQ(content->numbers(*turn, 0, true), counted(9, 0));
 }
 
+/// A value that an element divides by may have become one that it cannot.
+TEST(LibraryBuffer, WithoutAValueFailsAtEachPictureThatWouldReadIt) {
+    Result<Renderer> renderer = Renderer::open();
+    ASSERT_TRUE(renderer) << renderer.message();
+    const std::string shown =
+        "Fragment inline\n#version 430\nlayout(std430) readonly buffer b { float v[]; };\nout vec4 fColor;\n"
+        "void main() { fColor = vec4(v[7]); }\nEndFragment\nProgram Show\nFill window with Show\n";
+    const std::string step =
+        "Compute inline\n#version 430\nlayout(local_size_x = 1) in;\nlayout(std430) buffer b { float v[]; "
+        "};\n"
+        "void main() { v[gl_GlobalInvocationID.x] += 1.; }\nEndCompute\nProgram Inc\n"
+        "Step 10\nDispatch Inc over b\nEndStep\n";
+    for (const std::string& text :
+         {"Buffer b float 8 (0/(i - k))\n" + shown, "Buffer b float 8 (1/(i - k))\n" + step + shown}) {
+        Result<Scene> scene = renderer->loadText("WindowSize 4 4\nLet k -1\n" + text, "b.glib");
+        ASSERT_TRUE(scene) << scene.message();
+        EXPECT_TRUE(scene->draw({.time = 0}));
+        EXPECT_TRUE(scene->draw({.time = .2}));
+        ASSERT_TRUE(scene->set("k", 4.));
+        EXPECT_PRED2(isIn, scene->draw({.time = 0}).message(), "division by zero") << text;
+        ASSERT_TRUE(scene->set("k", -1.));
+        EXPECT_TRUE(scene->draw({.time = 0})) << text;
+    }
+}
+
 TEST(LibraryBuffer, OfNoneIsAnError) {
     Renderer renderer = opened();
     Result<Scene> scene = renderer.loadText(

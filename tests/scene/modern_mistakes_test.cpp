@@ -224,8 +224,16 @@ TEST(Mistakes, OfTheLaterElementsOfABufferAreReportedWhenTheyAreRead) {
     EXPECT_TRUE(scene.buffers.at(0).values.hasFailed());
     EXPECT_EQ(copy.numbers(), (std::vector<double>{.5, 1, 0, 0}));
     EXPECT_EQ(idsOf(copy.takeProblems()), "expr-E06");
-    EXPECT_EQ(textsOf(scene.buffers.at(0).values.takeProblems()), "") << "reported twice";
+    EXPECT_EQ(idsOf(scene.buffers.at(0).values.takeProblems()), "expr-E06")
+        << "it has no values later either";
     EXPECT_EQ(textsOf(scene.buffers.at(1).values.takeProblems()), "2:16 glib-W27 0.5 is cut to 0");
+    EXPECT_EQ(textsOf(scene.buffers.at(1).values.takeProblems()), "") << "reported twice";
+    EXPECT_TRUE(copy == scene.buffers.at(0).values);
+    EXPECT_FALSE(tests::run("Buffer b float 2 (0/(1 - i))\n").buffers.at(0).values ==
+                 tests::run("Buffer b float 2 (0*i)\n").buffers.at(0).values)
+        << "what has no values equals no zeros";
+    const Scene timed = tests::run("Let k (time)\nBuffer b int 4 (i + k + .5)\n");
+    EXPECT_EQ(textsOf(timed.buffers.at(0).values.takeProblems()), "") << "time has fractions";
     EXPECT_EQ(errorsOf("Buffer b float 4 (1/i)\n").substr(0, 4), "1:19") << "the first one at once";
 }
 

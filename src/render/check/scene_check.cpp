@@ -88,11 +88,15 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
     if (interpreted) {
         // A scene with errors in its text is checked further, because its shaders may have errors too.
         SceneState state(context, compiled, std::move(*interpreted), false, stats, shared);
-        for (const scene::Buffer& each : state.scene.buffers)
-            append(result.diagnostics, each.values.takeProblems());
         Result<plan::PlanOptions> everything = state.planOptions(true);
         if (everything) everything->idleNoise = false;
         append(result.diagnostics, state.preparePlan(std::move(everything), stats));
+        for (const scene::Buffer& each : state.scene.buffers)  // also of those that no program reads
+            for (Diagnostic& problem : each.values.takeProblems())
+                if (std::ranges::none_of(result.diagnostics, [&](const Diagnostic& known) {
+                        return known.place == problem.place && known.text == problem.text;
+                    }))
+                    result.diagnostics.push_back(std::move(problem));
         result.shaders = translatedShaders(state);
     }
     append(result.diagnostics, context.debugLog().takeDiagnostics());

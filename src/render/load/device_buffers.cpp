@@ -51,12 +51,10 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     if (known != made_.end() && known->second.current.size() < bytes)
         if (Diagnostics failure = grow(known->second, bytes); hasError(failure)) return failure;
     if (known != made_.end() && (states_[index].lasts || known->second.values == buffer.values)) return {};
-    Diagnostics problems = buffer.values.takeProblems();
-    if (buffer.values.hasFailed()) return problems;
     if (known != made_.end()) {
-        known->second.values = buffer.values;
         known->second.declared.reset();
-        append(problems, reset(index));
+        Diagnostics problems = reset(index);
+        if (!hasError(problems)) known->second.values = buffer.values;
         return problems;
     }
     const StageTimer timer(stats_, "upload");
@@ -70,8 +68,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
                          buffer.place)};
     bytesLeft_ -= all;
     const Result<std::vector<std::byte>> content = declaredBytes(index);
-    append(problems, content.diagnostics);
-    if (!content) return problems;
+    if (!content) return content.diagnostics;
     Result<gpu::Buffer> current = filled(bytes, *content);
     if (!current) return std::move(current.diagnostics);
     Made made{std::move(*current), {}, {}, buffer.values};
@@ -83,7 +80,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     made_.emplace(index, std::move(made));
     stats_.add("buffers", 1);
     stats_.add("bytes of buffers", all);
-    return problems;
+    return content.diagnostics;
 }
 
 Diagnostics DeviceBuffers::grow(Made& made, std::uint64_t bytes) {
@@ -121,15 +118,18 @@ Result<std::vector<std::byte>> DeviceBuffers::declaredBytes(scene::BufferIndex i
         if (!bytes) return diagnostics;
         return {std::move(*bytes), std::move(diagnostics)};
     }
+    Diagnostics problems = buffer.values.takeProblems();
+    if (buffer.values.hasFailed()) return problems;
     const std::vector<double>& values = buffer.values.numbers();
-    if (std::ranges::all_of(values, [](double each) { return each == 0; })) return std::vector<std::byte>();
+    if (std::ranges::all_of(values, [](double each) { return each == 0; }))
+        return {std::vector<std::byte>(), std::move(problems)};
     // The bytes up to the last value.
     const plan::MemoryNumber last = layout.pattern.at(values.size() - 1);
     const std::uint64_t used =
         std::min<std::uint64_t>(layout.bytes, last.offset + layout.pattern.stride + sizeOf(last.kind));
     std::vector<std::byte> content(used);
     writeNumbers(layout.pattern, 0, values, content);
-    return content;
+    return {std::move(content), std::move(problems)};
 }
 
 const gpu::Buffer* DeviceBuffers::buffer(const scene::BufferView& view) const {

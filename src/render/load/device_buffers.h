@@ -77,7 +77,7 @@ class DeviceBuffers {
     Diagnostics make(scene::BufferIndex index);
     /// Gives a buffer that has become longer by padding that many bytes, with its content.
     Diagnostics grow(Made& made, std::uint64_t bytes);
-    /// The declared bytes; empty if all are zero.
+    /// The declared bytes, with what computing them has reported; empty if all are zero.
     Result<std::vector<std::byte>> declaredBytes(scene::BufferIndex index);
     Result<gpu::Buffer> filled(std::size_t bytes, std::span<const std::byte> content);
 

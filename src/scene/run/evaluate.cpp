@@ -466,12 +466,16 @@ std::optional<BufferValues> elementsLater(Interpreter& in, const Value& element,
     Environment& names = in.names();
     const Environment::Slot counter = names.bind("i", counterSymbol());
     names.setNumber(counter, 0);
+    const DependsOnly collected(in);
     const auto first = evaluate(in, element);
     if (!first || !areFew(in, element, first->all().size(), count, most)) return std::nullopt;
     const expression::Expression& expression = *readExpression(in, element, {}).expression;
-    const auto make = [expression, values = KeptValues(names, expression.uses(), counter), count, areWhole,
+    const std::size_t size = first->all().size() * static_cast<std::size_t>(count);
+    const auto make = [expression, values = KeptValues(names, expression.uses(), counter), count, size,
+                       reportsCut = areWhole && !changesByItself(collected.depends()),
                        place = in.place(element)]() mutable {
         BufferValues::Made made;
+        made.numbers.reserve(size);
         for (int i = 0; i < count; ++i) {
             values.setCounter(i);
             const auto value = expression.evaluate(values);
@@ -481,10 +485,10 @@ std::optional<BufferValues> elementsLater(Interpreter& in, const Value& element,
             }
             made.numbers.insert(made.numbers.end(), value->all().begin(), value->all().end());
         }
-        if (areWhole) made.problems = reportFirstCut(made.numbers, place);
+        if (reportsCut) made.problems = reportFirstCut(made.numbers, place);
         return made;
     };
-    return BufferValues(first->all().size() * static_cast<std::size_t>(count), make);
+    return BufferValues(size, make);
 }
 
 // ---- What a scene, or a Once or Step block, depends on.

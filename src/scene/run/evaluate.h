@@ -108,7 +108,7 @@ expression::Symbol counterSymbol();
 std::optional<std::vector<double>> elementsOf(Interpreter&, const Value& owner,
                                               std::span<const Value> element, int count, double most);
 /// The same for an expression, of which only the first element is computed here. `areWhole`: they become
-/// integers, and glib-W27 tells of the first fraction.
+/// integers, and glib-W27 tells of the first fraction, unless it follows time.
 std::optional<BufferValues> elementsLater(Interpreter&, const Value& element, int count, double most,
                                           bool areWhole);
 /// glib-W27 for the first fraction that integers cut; nothing without one.
