@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -124,10 +123,7 @@ bool isGapWithTab(std::string_view gap) {
 
 class Formatter {
   public:
-    Formatter(std::string_view text, bool isModern) : text_(text) {
-        glib::MessageLog unused{""};
-        glib::StatementReader reader(text, isModern, unused);
-        while (std::optional<glib::Statement> each = reader.next()) statements_.push_back(std::move(*each));
+    explicit Formatter(std::string_view text) : text_(text), statements_(glib::statementsOf(text)) {
         glib::LineSplitter splitter(text);
         while (const std::optional<glib::LineRange> each = splitter.next()) {
             if (!lines_.empty()) lines_.back().next = each->begin;
@@ -322,43 +318,13 @@ class Formatter {
 };
 
 std::string formattedOnce(std::string_view text) {
-    return Formatter(text, glib::parse(text, {}).isModern).format();
-}
-
-bool isSame(const glib::Command& a, const glib::Command& b) {
-    const auto written = [](const glib::UniformSpec& each) {
-        return std::tie(each.tag, each.form, each.values, each.mayBeUnknown, each.word);
-    };
-    const auto values = [](const std::vector<glib::Value>& all) {
-        std::string text;
-        for (const glib::Value& each : all) text += glib::written(each) + "\n";
-        return text;
-    };
-    return a.id == b.id && glib::sameWord(a.word, b.word) && a.position.line == b.position.line &&
-           a.numbers == b.numbers && a.givenNumbers == b.givenNumbers && a.text == b.text &&
-           a.files == b.files &&
-           std::ranges::equal(a.points, b.points, {}, &glib::PointGroup::values, &glib::PointGroup::values) &&
-           std::ranges::equal(a.uniforms, b.uniforms, {}, written, written) &&
-           values(a.values) == values(b.values) && a.body == b.body && a.isModern == b.isModern &&
-           a.partner == b.partner && a.bodyPosition == b.bodyPosition &&
-           (!a.isModern || glib::sameWord(glib::written(a), glib::written(b)));
-}
-
-/// The messages that formatting cannot change. Blanks after a backslash are removed (glib-W02).
-std::vector<std::pair<std::string, int>> messagesOf(const glib::Script& script) {
-    std::vector<std::pair<std::string, int>> all;
-    for (const Diagnostic& each : script.diagnostics)
-        if (each.id != "glib-W02") all.emplace_back(each.id, each.place.line);
-    return all;
+    return Formatter(text).format();
 }
 
 }  // namespace
 
 bool meanTheSame(std::string_view a, std::string_view b) {
-    const glib::Script first = glib::parse(a, {}), second = glib::parse(b, {});
-    return first.isModern == second.isModern && first.lostNames == second.lostNames &&
-           messagesOf(first) == messagesOf(second) &&
-           std::ranges::equal(first.commands, second.commands, isSame);
+    return glib::meanTheSame(glib::parse(a, {}), glib::parse(b, {}));
 }
 
 std::string formatted(std::string_view text) {

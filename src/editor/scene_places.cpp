@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include "glib/modern/grammar.h"
@@ -19,13 +18,6 @@ namespace {
 using glib::CommandId;
 using glib::Token;
 using glib::TokenKind;
-
-void visitStatements(std::string_view scene, const std::function<void(const glib::Statement&)>& visit) {
-    const bool isModern = glib::parse(scene, {}).isModern;
-    glib::MessageLog unused{""};
-    glib::StatementReader reader(scene, isModern, unused);
-    while (const std::optional<glib::Statement> each = reader.next()) visit(*each);
-}
 
 std::optional<double> plainNumber(const Token& token) {
     if (token.kind != TokenKind::number || glib::numberLength(token.text) != token.text.size())
@@ -77,39 +69,39 @@ bool namesFiles(const glib::Statement& statement) {
 
 std::vector<Declaration> declarationsOf(std::string_view scene) {
     std::vector<Declaration> found;
-    visitStatements(scene, [&](const glib::Statement& statement) {
+    for (const glib::Statement& statement : glib::statementsOf(scene)) {
         const glib::StatementRow* row = statement.modern;
         const std::string_view word = row             ? row->name
                                       : statement.row ? statement.row->name()
                                                       : std::string_view();
-        if (word.empty()) return;
+        if (word.empty()) continue;
         const bool isShader = statement.body.data() != nullptr;
         const bool isBlock = (row && row->role == glib::BlockRole::opens) || isShader;
         const bool declares =
             (row && row->declaresName) || glib::sameWord(word, "Program") || (isBlock && !isShader);
-        if (!declares && !isBlock) return;
+        if (!declares && !isBlock) continue;
         const Token* name = !isShader && !statement.arguments.empty() && statement.arguments.front().isWord()
                                 ? &statement.arguments.front()
                                 : &statement.word;
-        if (name == &statement.word && declares && !isBlock && !glib::sameWord(word, "Program")) return;
+        if (name == &statement.word && declares && !isBlock && !glib::sameWord(word, "Program")) continue;
         found.push_back({isShader || name == &statement.word ? std::string(word) : std::string(name->text),
                          std::string(word),
                          {statement.word.begin, std::max(statement.end, name->end)},
                          {name->begin, name->end},
                          isBlock});
-    });
+    }
     return found;
 }
 
 std::vector<WrittenColor> colorsOf(std::string_view scene) {
     std::vector<WrittenColor> found;
-    visitStatements(scene, [&](const glib::Statement& statement) {
+    for (const glib::Statement& statement : glib::statementsOf(scene)) {
         const std::vector<Token>& tokens = statement.arguments;
         if (statesColor(statement)) {
             const std::vector<double> numbers = numbersFrom(tokens, 0, 4);
             if (isColor(numbers))
                 found.push_back(colorOf(numbers, {tokens.front().begin, tokens[numbers.size() - 1].end}));
-            return;
+            continue;
         }
         for (std::size_t i = 0; i < tokens.size(); ++i) {
             if (tokens[i].kind != TokenKind::open || tokens[i].text != "{") continue;
@@ -118,7 +110,7 @@ std::vector<WrittenColor> colorsOf(std::string_view scene) {
             if (!isColor(numbers) || close >= tokens.size() || tokens[close].text != "}") continue;
             found.push_back(colorOf(numbers, {tokens[i].begin, tokens[close].end}));
         }
-    });
+    }
     return found;
 }
 
@@ -147,17 +139,17 @@ std::string colorText(const std::array<double, 4>& components, std::string_view 
 
 std::vector<NamedFile> filesIn(std::string_view scene) {
     std::vector<NamedFile> found;
-    visitStatements(scene, [&](const glib::Statement& statement) {
+    for (const glib::Statement& statement : glib::statementsOf(scene)) {
         const std::vector<Token>& arguments = statement.arguments;
         if (!namesFiles(statement) || arguments.empty() || glib::sameWord(arguments.front().text, "inline"))
-            return;
+            continue;
         for (const Token& each : arguments) {
             const bool isFile =
                 each.kind == TokenKind::quoted ||
                 (each.kind == TokenKind::word && each.text.find('.') != std::string_view::npos);
             if (isFile) found.push_back({std::string(each.text), {each.begin, each.end}});
         }
-    });
+    }
     return found;
 }
 

@@ -114,4 +114,8 @@ struct Script {
 /// the text, so that all messages come at once; faulty statements are not in `commands`.
 Script parse(std::string_view text, std::string path);
 
+/// True if both have the same commands on the same lines, and the same messages, but for blanks after a
+/// backslash (glib-W02).
+bool meanTheSame(const Script& a, const Script& b);
+
 }  // namespace glibra::glib

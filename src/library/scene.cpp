@@ -181,7 +181,7 @@ Result<const gpu::Target*> Scene::State::targetFor(const DrawOptions& wanted) {
     isDrawn = false;
     Result<gpu::Target> made = gpu::Target::window(
         capabilities, width, height, wanted.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
-        std::max(1, wanted.samples), render::depthFormat(device.live->scene()));
+        std::max(1, wanted.samples), render::kDepthFormat);
     if (!made) return std::move(made.diagnostics);
     device.window.emplace(SceneWindow{width, height, wanted.samples, wanted.floatPixels, std::move(*made)});
     return {&device.window->target, std::move(made.diagnostics)};

@@ -184,11 +184,14 @@ void findBeginnings(const scene::Scene& scene, FramePlan& plan) {
     }
     for (const Object& each : written) {
         const auto* texture = std::get_if<scene::TextureIndex>(&each);
-        if (touched.contains(each) || hasHistory(scene, each))
+        if (scene.goesOn && touched.contains(each))
+            plan.showsEarlierFrames = true;
+        else if (touched.contains(each) || hasHistory(scene, each))
             plan.resets.push_back(viewOf(each));
         else if (texture != nullptr)
             plan.cleared.push_back(*texture);
     }
+    if (scene.goesOn) return;
     for (const Object& each : touched)
         if (!written.contains(each)) plan.reads.push_back(viewOf(each));
 }

@@ -20,7 +20,7 @@ std::vector<ObjectUse> usesOf(const PlannedProgram& program, const std::vector<T
 std::vector<ObjectUse> usesOf(const PlannedProgram& program, const std::vector<TextureUse>& textures,
                               const scene::Dispatch& dispatch);
 
-/// Returns draw-W12 for each texture of a modern scene that a sampler reads and an image may write in the
+/// Returns draw-W12 for each texture with a name that a sampler reads and an image may write in the
 /// same draw or dispatch, whose invocations run in any order (GL 4.6, 7.13.1). `word` names the statement.
 Diagnostics readsOfWritten(const scene::Scene& scene, const PlannedProgram& program,
                            const std::vector<TextureUse>& textures, const std::string& word,
@@ -38,7 +38,7 @@ std::vector<NodeAccess> accessesOf(const scene::Scene& scene, const FramePlan& p
 std::vector<PlannedExchange> exchangesOf(const scene::Scene& scene, const FramePlan& plan,
                                          const scene::NodeIndex& node, const NodeAccess& access,
                                          bool everything);
-/// Fills FramePlan::resets, reads and cleared.
+/// Fills FramePlan::resets, showsEarlierFrames, reads and cleared.
 void findBeginnings(const scene::Scene& scene, FramePlan& plan);
 /// FramePlan::sharing.
 std::map<scene::TextureIndex, scene::TextureIndex> sharedTargets(const scene::Scene& scene,

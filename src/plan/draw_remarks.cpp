@@ -50,7 +50,6 @@ bool isWritten(const scene::Draw& draw, std::size_t target) {
 Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass,
                            const ProgramInterface& interface) {
     Diagnostics problems;
-    if (!scene.isModern) return problems;
     const std::size_t count = pass.isWindow ? 1 : pass.targets.size();
     for (const base::ActiveOutput& output : interface.outputs) {
         for (int i = 0; i < output.arraySize; ++i) {
@@ -72,11 +71,10 @@ Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, c
     return problems;
 }
 
-std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Scene& scene, const scene::Draw& draw,
-                                                       const scene::Pass& pass,
+std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Draw& draw, const scene::Pass& pass,
                                                        const ProgramInterface& interface) {
     std::bitset<base::kRasterTargets> missing;
-    if (!scene.isModern || interface.isBuiltin) return missing;
+    if (interface.isBuiltin) return missing;
     const std::size_t count = pass.isWindow ? 1 : std::min(pass.targets.size(), base::kRasterTargets);
     for (std::size_t target = 0; target < count; ++target) missing[target] = isWritten(draw, target);
     for (const base::ActiveOutput& output : interface.outputs)
@@ -214,7 +212,7 @@ void DrawRemarks::layers(const scene::Draw& draw, const scene::Pass& pass, Plann
 
 DrawRemarks::InputHint DrawRemarks::hintForInput(const scene::Draw& draw, const ProgramInterface& interface,
                                                  const ActiveInput& input) const {
-    if (!scene_.isModern) {
+    if (!scene_.suppliesNames) {
         if (glsl::wellKnownAttribute(input.name, input.type.word).empty()) return {};
         return {"; scenes with a Camera or another modern statement supply it", {}};
     }

@@ -21,14 +21,13 @@ namespace glibra::plan {
 
 /// Returns draw-E11 for each output whose kind (floating, signed or unsigned integer) differs from that of
 /// the texels which it writes: OpenGL leaves the result undefined (GL 4.6, 17.4.4). A target without colour
-/// writes does not count. Empty for classic scenes, whose targets hold no integers.
+/// writes does not count.
 Diagnostics outputProblems(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass,
                            const ProgramInterface& interface);
 
 /// The colour targets of the pass that the draw may write but its program has no output for: OpenGL leaves
-/// undefined what it would write there (GL 4.6, 15.2.3). None for classic scenes.
-std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Scene& scene, const scene::Draw& draw,
-                                                       const scene::Pass& pass,
+/// undefined what it would write there (GL 4.6, 15.2.3).
+std::bitset<base::kRasterTargets> targetsWithoutOutput(const scene::Draw& draw, const scene::Pass& pass,
                                                        const ProgramInterface& interface);
 
 /// A target that has several layers or faces.

@@ -186,11 +186,12 @@ struct FramePlan {
     std::vector<PlannedClearObject> clears;
     /// What is executed, in order. Each index is into `passes`, `dispatches` or `clears` of this plan.
     std::vector<scene::NodeIndex> order;
-    // What a frame does with objects, in modern scenes only. Everything begins as declared.
+    // What a frame does with objects.
     std::vector<NodeAccess> accesses;  ///< one element per node of `order`
-    /// What the nodes write before they clear it.
+    /// What the nodes write before they clear it; it begins as declared. Nothing in a scene that goes on.
     std::vector<scene::ObjectView> resets;
-    /// What the nodes read and none writes; an earlier frame may have written it.
+    bool showsEarlierFrames = false;  ///< it begins with what the frame before has left (Scene::goesOn)
+    /// What the nodes read and none writes; an earlier frame may have written it. Likewise.
     std::vector<scene::ObjectView> reads;
     /// Textures that a node clears as wholes before anything else happens to them.
     std::vector<scene::TextureIndex> cleared;

@@ -63,7 +63,7 @@ std::vector<InputSource> inputSources(const scene::Scene& scene, scene::Attribut
         const std::string name = userNameOf(interface, input.name);
         if (const scene::AttributeBinding* binding = bindingOf(scene, attributes, name)) {
             source = given(*binding);
-        } else if (const auto attribute = attributeOfInput(input, scene.isModern)) {
+        } else if (const auto attribute = attributeOfInput(input, scene.suppliesNames)) {
             source.from = std::string(*attribute);
         } else {
             source.from = name;

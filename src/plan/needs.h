@@ -26,10 +26,10 @@ struct Needs {
         clear;  ///< of the last Clear of the window, or the pass that clears it, if steps are coveredByClear
 };
 
-/// What the finders of needs ask the planner. `usesOf` is called once per needed draw, from the last pass to
-/// the first; the targets of the pass are not among its uses. `mayWriteImages` is called only for draws that
-/// seem unnecessary. `outOfSight` may be empty; it is called once per draw that is needed otherwise. Classic
-/// scenes have no dispatches.
+/// What findNeeds() asks the planner. `usesOf` is called for each needed draw, from the last pass to the
+/// first, and again if the frame goes on; the targets of the pass are not among its uses. `mayWriteImages` is
+/// called only for draws that seem unnecessary. `outOfSight` may be empty; it is called once per draw that is
+/// needed otherwise. Without `usesOfDispatch` no dispatch is needed.
 struct NeedQuestions {
     std::function<std::vector<ObjectUse>(const scene::Draw& draw, const scene::Pass& pass)> usesOf;
     decltype(PlanQuestions::mayWriteImages) mayWriteImages;
@@ -37,23 +37,14 @@ struct NeedQuestions {
     std::function<std::vector<ObjectUse>(const scene::Dispatch& dispatch)> usesOfDispatch{};
 };
 
-/// Modern scenes are left to findLiveNeeds. In classic scenes these are needed:
-/// - the window's draws after its last Clear;
-/// - every draw of a pass whose target a needed draw reads anywhere in the frame, since a target keeps its
-///   content until it is drawn to again;
-/// - an earlier pass with the same depth buffer as such a pass, unless that pass clears the depth;
-/// - every pass that may write to an image, and the window's draws up to the last such draw, since its depth
-///   tests may depend on them.
-/// Draws that are out of sight are not needed. With `everything` all draws are.
+/// The nodes that the window or one of `roots` depends on. It walks back through the list and knows what is
+/// still read: a node is needed if it writes such an object, and what it reads is needed before it. A clear
+/// of a whole target ends the need for its earlier content. Targets are seen as wholes: a pass into one level
+/// of a texture that is read is needed. Where a frame begins with what the one before has left
+/// (scene::Scene::goesOn), what is read at the beginning is read after the end, too. Draws that are out of
+/// sight are not needed. With `everything` all nodes are.
 Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
-                bool everything);
-
-/// The nodes of a modern scene that the window or one of `roots` depends on. It walks back through the list
-/// and knows what is still read: a node is needed if it writes such an object, and what it reads is needed
-/// before it. A clear of a whole target ends the need for its earlier content. Targets are seen as wholes:
-/// a pass into one level of a texture that is read is needed. Draws that are out of sight are not.
-Needs findLiveNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
-                    const std::vector<scene::ObjectView>& roots, bool everything);
+                const std::vector<scene::ObjectView>& roots, bool everything);
 
 /// True if a draw of the pass tests the stencil, or a Clear sets it.
 bool usesStencil(const scene::Pass& pass);

@@ -79,7 +79,7 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
         if (blocks) program.blocks = std::move(*blocks);
     }
     const std::span<const Override> overrides(options_.overrides);
-    const DrawValues drawn{scene_.isModern ? &scene_ : nullptr,
+    const DrawValues drawn{scene_.suppliesNames ? &scene_ : nullptr,
                            uniforms ? &scene_.uniformSets[uniforms] : nullptr, plan_.nodes->namedValues,
                            [&](const ActiveUniform& each) { return isInBuffer(program, each); }};
     UniformResolution resolution =
@@ -87,7 +87,7 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
                         own != nullptr ? overrides : overrides.first(0), plan_.usedOverrides, drawn);
     program.foundByName = std::move(resolution.foundByName);
     program.timed = std::move(resolution.timed);
-    if (scene_.isModern && own != nullptr) listNamedInputs(interface, program.foundByName);
+    if (scene_.suppliesNames && own != nullptr) listNamedInputs(interface, program.foundByName);
     state.badBindings = std::move(resolution.badBindings);
     state.refused = std::move(resolution.refusedImages);
     program.values = std::move(resolution.values);

@@ -61,21 +61,22 @@ class SkipList {
 
     void addPass(std::size_t index) {
         const scene::Pass& pass = plan_.nodes->passes[index];
-        if (!needs_.passes[index]) add("pass", pass.isWindow ? clearedAgain() : unseen(pass), pass.place);
+        if (!needs_.passes[index]) add("pass", pass.isWindow ? clearedAgain(pass) : unseen(pass), pass.place);
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
             const StepNeed need = needs_.steps[index][step];
             if (const auto* draw = std::get_if<scene::Draw>(&pass.steps[step]))
-                addDraw(*draw, {index, step}, need);
+                addDraw(*draw, pass, {index, step}, need);
             else if (need == StepNeed::coveredByClear)
-                add("statement", "Clear: " + clearedAgain(), std::get<scene::Clear>(pass.steps[step]).place);
+                add("statement", "Clear: " + clearedAgain(pass),
+                    std::get<scene::Clear>(pass.steps[step]).place);
         }
     }
 
-    void addDraw(const scene::Draw& draw, scene::StepIndex at, StepNeed need) {
+    void addDraw(const scene::Draw& draw, const scene::Pass& pass, scene::StepIndex at, StepNeed need) {
         const scene::Draw*& first = firstDraws_[draw.shape];
         if (first == nullptr) first = &draw;
         if (draw.program) hasDraw_[draw.program] = true;
-        if (need == StepNeed::coveredByClear) add("draw", draw.word + ": " + clearedAgain(), draw.place);
+        if (need == StepNeed::coveredByClear) add("draw", draw.word + ": " + clearedAgain(pass), draw.place);
         if (need == StepNeed::outOfSight)
             add("draw", draw.word + ": " + needs_.outOfSight.at(at), draw.place);
         if (need == StepNeed::drawsNothing)
@@ -95,8 +96,8 @@ class SkipList {
                 add("statement", "Clear: nothing reads what it clears", plan_.nodes->clears[i].place);
     }
 
-    [[nodiscard]] std::string clearedAgain() const {
-        if (needs_.clear.file.empty()) return "it is cleared again";
+    [[nodiscard]] std::string clearedAgain(const scene::Pass& pass) const {
+        if (!pass.isWindow || needs_.clear.file.empty()) return "it is cleared again";
         return fmt::format("the window is cleared again on line {}", needs_.clear.line);
     }
 
@@ -123,7 +124,7 @@ class SkipList {
             }
             const bool isWhole =
                 (program.hasStage(glsl::Stage::vertex) && program.hasStage(glsl::Stage::fragment)) ||
-                (scene_.isModern && program.stages.size() == 1);
+                program.stages.size() == 1;
             const char* why = !hasDraw_[i] ? "nothing is drawn with it"
                               : !isWhole   ? "it has no vertex or no fragment stage"
                                            : "nothing visible is drawn with it";
@@ -243,17 +244,15 @@ class FramePlanner {
         for (const scene::BufferIndex each : scene_.buffers.indices())
             if (needs.buffers.size() > each.position() && needs.buffers[each]) plan_.buffers.push_back(each);
         listAttributes();
-        if (scene_.isModern) plan_.accesses = accessesOf(scene_, plan_, options_.everything);
+        plan_.accesses = accessesOf(scene_, plan_, options_.everything);
         if (options_.reportsNames) {
             const FramePlan* own = &plan_;
             for (const Diagnostic& each : reportNames(scene_, {&own, 1}, options_.overrides))
                 remarks_.report(each);
         }
-        if (scene_.isModern) {
-            findBeginnings(scene_, plan_);
-            if (options_.shareTargets && !options_.everything)
-                plan_.sharing = sharedTargets(scene_, plan_, options_.roots);
-        }
+        findBeginnings(scene_, plan_);
+        if (options_.shareTargets && !options_.everything)
+            plan_.sharing = sharedTargets(scene_, plan_, options_.roots);
         if (!options_.everything) plan_.skipped = listSkipped(scene_, needs, plan_);
         return std::move(plan_);
     }
@@ -266,11 +265,10 @@ class FramePlanner {
         };
         questions.mayWriteImages = questions_.mayWriteImages;
         if (!options_.everything) questions.outOfSight = questions_.outOfSight;
-        if (!scene_.isModern) return findNeeds(scene_, nodes_, questions, options_.everything);
         questions.usesOfDispatch = [this](const scene::Dispatch& dispatch) {
             return programs_.usesOf(dispatch);
         };
-        return findLiveNeeds(scene_, nodes_, questions, options_.roots, options_.everything);
+        return findNeeds(scene_, nodes_, questions, options_.roots, options_.everything);
     }
 
     /// Built-in noise that is planned only because all textures are, unless PlanOptions::idleNoise.
@@ -375,8 +373,7 @@ class FramePlanner {
         if (!submission || hasError(problems)) return;
 
         remarks_.ofDraw(draw, index, program, *submission, uses);
-        const std::bitset<base::kRasterTargets> unwritten =
-            targetsWithoutOutput(scene_, draw, pass, interface);
+        const std::bitset<base::kRasterTargets> unwritten = targetsWithoutOutput(draw, pass, interface);
         if (unwritten.any()) remarks_.unwritten(draw, pass, index, unwritten);
         remarks_.layers(draw, pass, index);
         const PlannedInputsIndex inputs = programs_.inputsOf(draw, index);
@@ -487,14 +484,14 @@ class FramePlanner {
         for (const scene::StepBlock& each : scene_.steps) drawn.merge(programsOf(each.nodes));
         for (const scene::ProgramIndex i : scene_.programs.indices()) {
             const scene::Program& program = scene_.programs[i];
-            const bool isFullScreen = scene_.isModern && isWithoutVertexStage(program);
+            const bool isFullScreen = scene_.suppliesNames && isWithoutVertexStage(program);
             const bool isCompute = program.hasStage(glsl::Stage::compute) && options_.lacksCompute.empty();
             const bool isDrawable = program.hasStage(glsl::Stage::fragment) &&
                                     (program.hasStage(glsl::Stage::vertex) || isFullScreen);
             if (drawn.contains(i) || !(isDrawable || isCompute)) continue;
             // What a draw would set is not known.
             const PlannedProgramIndex undrawn = programs_.of(ProgramVariant{i, false, 1, isFullScreen});
-            if (scene_.isModern)
+            if (scene_.suppliesNames)
                 std::erase_if(programs_.state(undrawn).diagnostics, [](const Diagnostic& each) {
                     return each.id == "glib-W37" || each.id == "memory-E02" ||
                            (each.id == "glsl-W11" && each.subject == "vST");  // Fill gives it

@@ -7,21 +7,22 @@ namespace glibra::plan {
 namespace {
 
 /// True if fragments of the draw are seen: a pass without colours needs no fragment stage.
-bool needsFragments(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
-    return !draw.raster.discard && (!scene.isModern || pass.isWindow || !pass.targets.empty());
+bool needsFragments(const scene::Draw& draw, const scene::Pass& pass) {
+    return !draw.raster.discard && (pass.isWindow || !pass.targets.empty());
 }
 
 }  // namespace
 
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
-    const bool coversTarget = scene.isModern && std::holds_alternative<scene::ClipSpace>(draw.projection);
+    const auto* space = std::get_if<scene::ClipSpace>(&draw.projection);
     ProgramVariant variant{.flatColors = draw.flatColors,
                            .colorTargets = std::max<int>(1, static_cast<int>(pass.targets.size()))};
     if (usesBuiltin(scene, draw)) return variant;
     const scene::Program& program = scene.programs[draw.program];
     variant.program = draw.program;
-    variant.isFullScreen = coversTarget || (scene.shapes[draw.shape].bare && isWithoutVertexStage(program));
-    variant.suppliesFragment = !program.hasStage(glsl::Stage::fragment) && needsFragments(scene, draw, pass);
+    variant.isFullScreen = (space != nullptr && space->hasStage) ||
+                           (scene.shapes[draw.shape].bare && isWithoutVertexStage(program));
+    variant.suppliesFragment = !program.hasStage(glsl::Stage::fragment) && needsFragments(draw, pass);
     variant.isFill = draw.isFill && std::ranges::any_of(program.stages, scene::Program::isLeftOutByFill);
     return variant;
 }

@@ -397,7 +397,6 @@ Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* co
     Diagnostics diagnostics;
     if (!overrides.empty()) diagnostics = reportOverrides(scene, plans, overrides);
     if (!scene.setNames.empty()) append(diagnostics, reportSets(scene, plans));
-    if (!scene.isModern) return diagnostics;
     append(diagnostics, reportUnwritten(scene, plans));
     append(diagnostics, reportEmptyLevels(scene, plans));
     std::set<scene::TextureIndex> others = lastingTextures(scene, plans);

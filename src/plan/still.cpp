@@ -113,7 +113,6 @@ bool hasOwnDepth(const FramePlan& plan, const scene::Pass& pass) {
 StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
                       const std::function<bool(const Object&)>& changed) {
     StillNodes still;
-    if (!now.scene.isModern) return still;
     const auto writersBefore = writersOf(before.plan), writers = writersOf(now.plan);
     const auto onlyWriter = [](const auto& list, const Object& object) -> std::optional<std::size_t> {
         const auto found = list.find(object);
@@ -149,6 +148,8 @@ StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
                    !isShared(now.plan, each) && !isShared(before.plan, each);
         });
         if (!isAlone || !earlier) continue;
+        const std::set<Object>& cleared = now.plan.accesses[node].overwritten;
+        if (now.scene.goesOn && !std::ranges::includes(cleared, written)) continue;
         // What it writes begins as declared or is cleared by the node, in both frames.
         const bool readsOnlyStill = std::ranges::all_of(uses, [&](const ObjectUse& each) {
             const Object object = objectOf(each.object);

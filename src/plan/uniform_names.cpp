@@ -74,9 +74,9 @@ const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform) {
     return isSame ? row : nullptr;
 }
 
-std::optional<std::string_view> attributeOfInput(const ActiveInput& input, bool isModern) {
+std::optional<std::string_view> attributeOfInput(const ActiveInput& input, bool knowsNames) {
     if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(input.name)) return row->attribute;
-    if (!isModern) return std::nullopt;
+    if (!knowsNames) return std::nullopt;
     const std::string_view attribute = glsl::wellKnownAttribute(input.name, input.type.word);
     return attribute.empty() ? std::nullopt : std::optional(attribute);
 }

@@ -53,8 +53,9 @@ bool isTextureMatrix(glsl::Builtin value);
 const glsl::BuiltinUniform* suppliedBy(const ActiveUniform& uniform);
 
 /// The mesh attribute that a vertex input of that name reads; empty for an input that is constant. Nothing
-/// for a name that the user chose. Well-known names count in modern scenes.
-std::optional<std::string_view> attributeOfInput(const ActiveInput& input, bool isModern);
+/// for a name that the user chose. `knowsNames`: well-known names count
+/// (scene::Scene::suppliesNames).
+std::optional<std::string_view> attributeOfInput(const ActiveInput& input, bool knowsNames);
 
 /// True for the names of uniforms and vertex inputs that the runtime supplies (language, 6), with or without
 /// gl_.

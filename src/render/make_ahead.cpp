@@ -83,7 +83,7 @@ void SceneState::makeAhead() {
         std::vector<bool> used;
         const auto samplers =
             plan::resolveUniforms(scene.programs[variant.program], scene.path, guess, *overrides, used,
-                                  {scene.isModern ? &scene : nullptr,
+                                  {scene.suppliesNames ? &scene : nullptr,
                                    draw.uniforms ? &scene.uniformSets[draw.uniforms] : nullptr})
                 .samplers;
         const gpu::Capabilities& driver = context.capabilities();
@@ -99,7 +99,7 @@ void SceneState::makeAhead() {
          [this](const scene::Draw& draw, const scene::Pass& pass) {
              return outOfSight(draw, pass, nullptr);
          }},
-        false);
+        {}, false);
     for (const scene::TextureIndex each : scene.textures.indices())
         if (needs.textures[each]) device.textures().readAhead(each);
 }

@@ -198,9 +198,8 @@ void Pipeline::noteChange(bool ofScene) {
 
 plan::StillNodes Pipeline::stillNodes(int width, int height) const {
     const ViewState& now = view.state();
-    const bool isComparable = options.skip && isDrawn_ && scene.isModern && drawer->drawsPlainly() &&
-                              width == drawnWidth_ && height == drawnHeight_ &&
-                              now.projection == ProjectionMode::scene &&
+    const bool isComparable = options.skip && isDrawn_ && drawer->drawsPlainly() && width == drawnWidth_ &&
+                              height == drawnHeight_ && now.projection == ProjectionMode::scene &&
                               drawnView_.projection == ProjectionMode::scene &&
                               now.objects == drawnView_.objects && now.texture == drawnView_.texture;
     if (!isComparable) return {};
@@ -234,7 +233,7 @@ plan::StillNodes Pipeline::stillNodes(int width, int height) const {
 void Pipeline::noteDrawn(int width, int height, const Diagnostics& diagnostics) {
     ++frames_;
     drawnBefore_.reset();
-    isDrawn_ = scene.isModern && drawer && drawer->drawsPlainly() && !hasError(diagnostics);
+    isDrawn_ = drawer && drawer->drawsPlainly() && !hasError(diagnostics);
     if (!isDrawn_) return;
     drawnView_ = view.state();
     drawnWidth_ = width;

@@ -76,20 +76,18 @@ Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const 
     InterpretedScene result;
     result.inputs.width = options.width;
     result.inputs.height = options.height;
-    if (script.isModern)
-        for (const std::string& each : options.set)
-            if (Result<plan::Override> given = plan::parseOverride(each); given && given->program.empty()) {
-                result.inputs.words.erase(given->name);
-                if (given->word.empty())
-                    result.inputs.variables[given->name] = std::move(given->values);
-                else
-                    result.inputs.words[given->name] = std::move(given->word);
-            }
-    const bool isModern = script.isModern;
+    for (const std::string& each : options.set)
+        if (Result<plan::Override> given = plan::parseOverride(each); given && given->program.empty()) {
+            result.inputs.words.erase(given->name);
+            if (given->word.empty())
+                result.inputs.variables[given->name] = std::move(given->values);
+            else
+                result.inputs.words[given->name] = std::move(given->word);
+        }
     auto source = std::make_shared<scene::Interpretation>(
         std::move(script), scene::InterpretOptions{options.libraryRoots, options.within, inMemory});
     result.scene = source->at(result.inputs);
-    if (isModern) result.source = std::move(source);
+    if (!source->isFixed()) result.source = std::move(source);
     append(diagnostics, std::move(result.scene.diagnostics));
     result.scene.diagnostics.clear();
     append(diagnostics, reportMisfits(result));

@@ -113,7 +113,7 @@ class SceneRenderer {
     [[nodiscard]] int height() const { return state_->height; }
     /// True if a picture may depend on earlier ones, through rendered textures or images that a shader writes
     /// to. Otherwise each picture is the one that a newly loaded scene gives.
-    [[nodiscard]] bool remembersFrames() const { return state_->isStateful; }
+    [[nodiscard]] bool remembersFrames() const { return state_->plan.showsEarlierFrames; }
     /// True if the scene has Once or Step blocks. A picture is drawn faster after an earlier one than alone.
     [[nodiscard]] bool runsSteps() const { return state_->simulation.has_value(); }
     /// Pictures with equal moments are equal. Nothing if remembersFrames().

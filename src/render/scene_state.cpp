@@ -208,7 +208,7 @@ std::string SceneState::outOfSight(const scene::Draw& draw, const scene::Pass& p
 
 /// Every tile would run the effects again.
 Diagnostics SceneState::checkTiles() const {
-    if (!scene.isModern || tiles.size() == 1) return {};
+    if (tiles.size() == 1) return {};
     Diagnostics found;
     plan.visitDraws([&](const plan::PlannedDraw& each, const scene::Draw& draw, const scene::Pass& pass) {
         if (!found.empty() || !pass.isWindow ||
@@ -232,39 +232,6 @@ void SceneState::makePictureDrawer(Stats& stats) {
     if (gpuTimes) gpuTimes->watch(*drawer, scene, plan);
 }
 
-/// A target that is drawn into or read before it is cleared in this frame shows the previous frame.
-bool SceneState::mayShowEarlierFrames() {
-    if (scene.isModern) return false;  // what the frame writes begins as declared
-    const bool writesImages = std::ranges::any_of(plan.programs, [this](const plan::PlannedProgram& each) {
-        return each.variant.program && programs.mayWriteImages(each.variant.program);
-    });
-    if (writesImages) return true;
-    std::set<scene::TextureIndex> targets;
-    for (const plan::PlannedPass& each : plan.passes)
-        targets.insert(plan.passOf(each).targets.begin(), plan.passOf(each).targets.end());
-    std::set<scene::TextureIndex> fresh;  // targets whose content is of this frame
-    std::set<int> freshDepths;            // depth buffers likewise
-    for (const plan::PlannedPass& planned : plan.passes) {
-        const auto& steps = planned.steps;
-        const scene::Pass& pass = plan.passOf(planned);
-        const bool isCleared = !steps.empty() && std::holds_alternative<plan::PlannedClear>(steps.front());
-        for (std::size_t i = 0; i < pass.targets.size(); ++i)
-            if (isCleared || pass.clearColors[i]) fresh.insert(pass.targets[i]);
-        if (isCleared || pass.clearDepth) freshDepths.insert(pass.depthBuffer);
-        const auto isOld = [&](scene::TextureIndex texture) {
-            return targets.contains(texture) && !fresh.contains(texture);
-        };
-        if (std::ranges::any_of(pass.targets, isOld) ||
-            (!pass.isWindow && !freshDepths.contains(pass.depthBuffer)))
-            return true;
-        for (const auto& step : steps)
-            if (const auto* draw = std::get_if<plan::PlannedDraw>(&step))
-                for (const plan::TextureUse& use : draw->textures)
-                    if (isOld(use.view.texture)) return true;
-    }
-    return false;
-}
-
 bool SceneState::makeReady(Diagnostics& diagnostics, Stats& stats) {
     const auto refuse = [&] {
         applyStrict(diagnostics, options.strict);
@@ -278,13 +245,12 @@ bool SceneState::makeReady(Diagnostics& diagnostics, Stats& stats) {
     append(diagnostics, ofTiles);
     if (hasError(ofTiles)) return refuse();
     makePictureDrawer(stats);
-    isStateful = mayShowEarlierFrames();
     device.meshes().release();
 
     Result<gpu::Target> made =
         gpu::Target::window(context.capabilities(), tiles.front().width, tiles.front().height,
                             options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
-                            options.samples, depthFormat(scene));
+                            options.samples, kDepthFormat);
     append(diagnostics, std::move(made.diagnostics));
     if (!made) return refuse();
     window = std::move(made.value);

@@ -54,7 +54,6 @@ struct SceneState : Pipeline {
     bool isIncomplete = false;     ///< an error has cost a part of the picture (options.incomplete)
     bool isBroken = false;         ///< nothing can be drawn, in spite of options.incomplete
     bool isMoving = false;         ///< the plan is made for another moment than the first
-    bool isStateful = false;       ///< SceneRenderer::remembersFrames()
     GpuTimes* gpuTimes = nullptr;  ///< SceneRenderer::measureGpu()
     /// Chooses counts for a scene that has been interpreted for another moment, before it is planned with
     /// these options. May be empty.
@@ -101,7 +100,6 @@ struct SceneState : Pipeline {
     /// Why nothing of the draw can be seen, or an empty text. Without `remarks` the diagnostics of its mesh
     /// are reported later.
     std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
-    [[nodiscard]] bool mayShowEarlierFrames();
     /// Reads the tile that was drawn.
     Diagnostics readTile(std::size_t index, image::Image& picture, Stats& stats);
 };

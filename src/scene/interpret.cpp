@@ -178,7 +178,9 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
     in.out.nodes = &in.scene.frame;
     in.scene.files = shared.files.all;  // the indices of files are those of earlier frames
     in.scene.path = script.path;
-    in.scene.isModern = script.isModern;
+    in.isModern = script.isModern;
+    in.scene.suppliesNames = in.isModern;
+    in.scene.goesOn = !in.isModern;
     in.scene.verbose = std::ranges::any_of(
         script.commands, [](const Command& command) { return command.id == CommandId::verbose; });
     for (const Command& each : script.withoutFile)
@@ -218,7 +220,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         if (const CameraName eye{"eye", 0}; findCamera(in, eye) == nullptr)
             shared.seen.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
         in.scene.namedValues = namedValues(in);
-        if (in.scene.isModern) in.scene.mayBeWritten = undecidedWrites(in);
+        if (in.isModern) in.scene.mayBeWritten = undecidedWrites(in);
         in.scene.idleChecks = idleChecks(in);
     } catch (const std::exception& problem) {
         in.report(diagnose("glib-E14", fmt::format("the scene cannot be run: {}", problem.what()),
@@ -291,6 +293,10 @@ std::vector<const glib::Script*> Interpretation::scripts() const {
     scripts.insert(scripts.end(), state_->shared.files.includedOrder.begin(),
                    state_->shared.files.includedOrder.end());
     return scripts;
+}
+
+bool Interpretation::isFixed() const {
+    return !state_->script.isModern;
 }
 
 expression::Depends Interpretation::depends() const {

@@ -47,6 +47,8 @@ class Interpretation {
     /// What the last scene depends on besides its variables. With nothing of time, window and mouse every
     /// call of at() gives the same scene.
     [[nodiscard]] expression::Depends depends() const;
+    /// True if at() gives the same scene for all inputs, variables too.
+    [[nodiscard]] bool isFixed() const;
 
   private:
     struct State;

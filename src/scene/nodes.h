@@ -35,6 +35,7 @@ struct Orthographic {
 struct ClipSpace {
     std::variant<Perspective, Orthographic, glm::dmat4> projection = glm::dmat4(1.0);
     glm::dmat4 view{1.0};
+    bool hasStage = false;  ///< a vertex stage that covers the target belongs to it, for programs without one
     friend bool operator==(const ClipSpace&, const ClipSpace&) = default;
 };
 /// A matrix is taken as it is, whatever the shape of the target.

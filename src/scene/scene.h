@@ -83,7 +83,11 @@ struct Scene : Declarations {
     std::vector<Variable> variables;
     /// The names of FrameInputs::variables that exist, each with the number of its components.
     std::map<std::string, std::size_t, std::less<>> usedVariables;
-    bool isModern = false;    ///< it has a modern statement or an expression
+    /// Uniforms, vertex inputs and samplers that the scene does not set are found by their names (language,
+    /// 12), and blocks find buffers and lights.
+    bool suppliesNames = false;
+    /// A frame begins with what the one before has written into textures; otherwise with what is declared.
+    bool goesOn = false;
     bool hasStages = false;   ///< a Vertex or Fragment statement has a shader
     bool setsLights = false;  ///< Light, Material, or Set of a name that begins with gl_
     std::set<std::string, std::less<>> localNames;  ///< the counters of Repeat and the parameters of groups

@@ -32,7 +32,7 @@ struct Scene {
     test::Programs programs;
 
     Scene() {
-        hand.scene.isModern = true;
+        hand.scene.suppliesNames = true;
         hand.scene.frame = {};
         const auto program = hand.program("P");
         programs.byIndex[program] = test::interfaceWith({{"uMap", "sampler2D"}});

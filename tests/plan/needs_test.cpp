@@ -32,6 +32,15 @@ scene::ProgramIndex plain(SceneByHand& hand, Programs& programs, const std::stri
     return program;
 }
 
+/// The same with an image of the unit that the program writes.
+scene::ProgramIndex writing(SceneByHand& hand, Programs& programs, const std::string& name, int unit) {
+    const auto program = hand.program(name);
+    hand.scene.programs.back().uniforms.push_back(number("uImage", unit));
+    programs.byIndex[program] = interfaceWith({{"uImage", "image2D"}});
+    programs.imageWriters.push_back(program);
+    return program;
+}
+
 TEST(Needs, AProgramWithoutDrawsIsNotRequested) {
     SceneByHand hand;
     Programs programs;
@@ -77,21 +86,25 @@ TEST(Needs, DrawsBeforeTheLastClearOfTheWindowAreSkipped) {
     EXPECT_EQ(skipped(plan, "statement"), Words{"Clear: " + why});
     EXPECT_EQ(skipped(plan, "mesh"), Words{"Teapot: nothing visible draws it"});
     EXPECT_EQ(skipped(plan, "program"), Words{"'Hidden': nothing visible is drawn with it"});
-    EXPECT_EQ(programs.askedForImages, std::vector{hidden});
+    EXPECT_TRUE(std::ranges::all_of(programs.askedForImages, [&](auto each) { return each == hidden; }));
 }
 
-TEST(Needs, DrawsBeforeAClearAreKeptForImageWrites) {
-    SceneByHand hand;
-    Programs programs;
-    plain(hand, programs, "Depth");
-    hand.teapot();
-    programs.imageWriters.push_back(plain(hand, programs, "Writer"));
-    hand.sphere();
-    plain(hand, programs, "Hidden");
-    hand.teapot();
-    hand.clear();
-    hand.sphere();
-    EXPECT_EQ(drawn(programs.plan(hand.scene)), "Teapot Sphere Clear Sphere");
+TEST(Needs, DrawsBeforeAClearAreKeptForWritesOfImagesThatAreRead) {
+    for (const bool isRead : {true, false}) {
+        SceneByHand hand;
+        Programs programs;
+        hand.emptyTexture(10);
+        plain(hand, programs, "Depth");
+        hand.teapot();
+        writing(hand, programs, "Writer", 10);
+        hand.sphere();
+        plain(hand, programs, "Hidden");
+        hand.teapot();
+        hand.clear();
+        isRead ? sampling(hand, programs, "Seen", 10) : plain(hand, programs, "Seen");
+        hand.sphere();
+        EXPECT_EQ(drawn(programs.plan(hand.scene)), isRead ? "Teapot Sphere Clear Sphere" : "Clear Sphere");
+    }
 }
 
 TEST(Needs, APassOfTheWindowBeforeTheLastClearIsSkipped) {
@@ -150,6 +163,7 @@ TEST(Needs, PassesFollowAChainOfSampledTargets) {
 // The target is sampled before this frame draws into it, so its content comes from the previous frame.
 TEST(Needs, APassIsNeededEvenIfItsTargetIsReadEarlierInTheFrame) {
     SceneByHand hand;
+    hand.scene.goesOn = true;
     Programs programs;
     const auto a = hand.emptyTexture(10);
     sampling(hand, programs, "Reader", 10);
@@ -162,6 +176,7 @@ TEST(Needs, APassIsNeededEvenIfItsTargetIsReadEarlierInTheFrame) {
 
 TEST(Needs, TheSearchEndsAtTwoPassesThatFeedEachOther) {
     SceneByHand hand;
+    hand.scene.goesOn = true;
     Programs programs;
     const auto a = hand.emptyTexture(10);
     const auto b = hand.emptyTexture(11);
@@ -233,18 +248,21 @@ TEST(Needs, APassThatClearsItsSharedDepthNeedsNoPassBeforeIt) {
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Clear Teapot | Sphere");
 }
 
-TEST(Needs, APassThatMayWriteImagesIsNeededAndSoIsWhatItSamples) {
+TEST(Needs, APassThatWritesAnImageIsNeededAndSoIsWhatItSamples) {
     SceneByHand hand;
     Programs programs;
     const auto a = hand.emptyTexture(10);
     const auto b = hand.emptyTexture(11);
+    hand.emptyTexture(9);
     plain(hand, programs, "Source");
     hand.target({a});
     hand.sphere();
-    programs.imageWriters.push_back(sampling(hand, programs, "Writer", 10));
+    const auto writer = writing(hand, programs, "Writer", 9);
+    hand.scene.programs[writer].uniforms.push_back(number("uTexUnit", 10));
+    programs.byIndex[writer] = interfaceWith({{"uImage", "image2D"}, {"uTexUnit", "sampler2D"}});
     hand.target({b});
     hand.teapot();
-    plain(hand, programs, "Final");
+    sampling(hand, programs, "Final", 9);
     hand.window();
     hand.sphere();
     EXPECT_EQ(drawn(programs.plan(hand.scene)), " | Sphere | Teapot | Sphere");

@@ -37,7 +37,7 @@ class ModernScene {
         scene.path = "modern.glib";
         scene.width = width;
         scene.height = height;
-        scene.isModern = true;
+        scene.suppliesNames = true;
         scene.usesLookAt = true;
         scene.slotTables.emplace_back();
     }

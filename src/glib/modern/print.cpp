@@ -1,9 +1,14 @@
-// Statements as a scene writes them.
+// Statements as a scene writes them, and whether two scenes say the same.
 
+#include <algorithm>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "glib/number.h"
 #include "glib/script.h"
+#include "glib/text.h"
 #include "glib/value.h"
 
 namespace glibra::glib {
@@ -68,6 +73,42 @@ const KeyedValues* Command::key(std::string_view name) const {
     for (const KeyedValues& each : keys)
         if (each.key == name) return &each;
     return nullptr;
+}
+
+namespace {
+
+bool isSame(const Command& a, const Command& b) {
+    const auto pair = [](const UniformSpec& each) {
+        return std::tie(each.tag, each.form, each.values, each.mayBeUnknown, each.word);
+    };
+    const auto values = [](const std::vector<Value>& all) {
+        std::string text;
+        for (const Value& each : all) text += written(each) + "\n";
+        return text;
+    };
+    return a.id == b.id && sameWord(a.word, b.word) && a.position.line == b.position.line &&
+           a.numbers == b.numbers && a.givenNumbers == b.givenNumbers && a.text == b.text &&
+           a.files == b.files &&
+           std::ranges::equal(a.points, b.points, {}, &PointGroup::values, &PointGroup::values) &&
+           std::ranges::equal(a.uniforms, b.uniforms, {}, pair, pair) &&
+           values(a.values) == values(b.values) && a.body == b.body && a.isModern == b.isModern &&
+           a.partner == b.partner && a.bodyPosition == b.bodyPosition &&
+           (!a.isModern || sameWord(written(a), written(b)));
+}
+
+/// The messages that formatting cannot change. Blanks after a backslash are removed (glib-W02).
+std::vector<std::pair<std::string, int>> messagesOf(const Script& script) {
+    std::vector<std::pair<std::string, int>> all;
+    for (const Diagnostic& each : script.diagnostics)
+        if (each.id != "glib-W02") all.emplace_back(each.id, each.place.line);
+    return all;
+}
+
+}  // namespace
+
+bool meanTheSame(const Script& a, const Script& b) {
+    return a.isModern == b.isModern && a.lostNames == b.lostNames && messagesOf(a) == messagesOf(b) &&
+           std::ranges::equal(a.commands, b.commands, isSame);
 }
 
 }  // namespace glibra::glib

@@ -547,4 +547,12 @@ Script parse(std::string_view text, std::string path) {
     return script;
 }
 
+std::vector<Statement> statementsOf(std::string_view text) {
+    MessageLog unused{""};
+    StatementReader reader(text, parse(text, {}).isModern, unused);
+    std::vector<Statement> all;
+    while (std::optional<Statement> each = reader.next()) all.push_back(std::move(*each));
+    return all;
+}
+
 }  // namespace glibra::glib

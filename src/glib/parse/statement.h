@@ -73,4 +73,7 @@ class StatementReader {
     bool braceNeverCloses_ = false;  ///< a search for the end of a brace block reached the end of the text
 };
 
+/// The statements of a text, as parse() reads them.
+std::vector<Statement> statementsOf(std::string_view text);
+
 }  // namespace glibra::glib

@@ -88,7 +88,7 @@ std::optional<Made> make(gpu::Context& context, const std::filesystem::path& pat
                          const RenderOptions& options, bool isReversed) {
     Stats stats;
     Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
-    if (!interpreted || !interpreted->scene.isModern) return std::nullopt;
+    if (!interpreted) return std::nullopt;
     auto state = SceneState::of(context, std::move(*interpreted), options, stats, nullptr);
     if (!state) return std::nullopt;
     SceneState& scene = **state;

@@ -169,7 +169,6 @@ bool FrameDrawer::keepsContent(std::size_t node, const plan::PlannedExchange& ex
 
 Diagnostics FrameDrawer::beginNode(std::size_t node) {
     if (nodeHook_) nodeHook_(node, true);
-    if (!device_.isModern()) return {};
     noteNodes();
     if (!memory_.empty()) order_.before(memory_[node]);
     Diagnostics diagnostics = exchangeCopies(node);

@@ -44,7 +44,6 @@ class DeviceScene {
     [[nodiscard]] const DeviceTextures& textures() const { return textures_; }
     [[nodiscard]] DeviceBuffers& buffers() { return buffers_; }
     [[nodiscard]] const DeviceBuffers& buffers() const { return buffers_; }
-    [[nodiscard]] bool isModern() const { return scene_.isModern; }
     /// How long a draw with that program took at most, divided by its pixels; 0: it has not been measured.
     double& secondsPerPixel(const BuiltProgram* program) { return secondsPerPixel_[program]; }
 

@@ -49,7 +49,6 @@ void DeviceTextures::noteWrites(const plan::FramePlan& plan) {
         for (const plan::TextureUse& each : planned.textures)
             if (each.isImage && each.view.texture) made_[each.view.texture].mayBeWritten = true;
     });
-    if (!scene_.isModern) return;
     for (const plan::PlannedPass& pass : plan.passes) {
         const scene::Pass& drawn = plan.passOf(pass);
         for (const scene::TextureIndex each : drawn.targets) made_[each].mayBeWritten = true;
@@ -284,14 +283,6 @@ void DeviceTargets::forget(const std::set<const gpu::Texture*>& gone) {
 Result<gpu::Target> DeviceTargets::make(const scene::Pass& pass) {
     const gpu::Texture* first = pass.targets.empty() ? nullptr : textures_.texture(pass.targets.front());
     const gpu::TextureSize size = first == nullptr ? gpu::TextureSize{} : first->size();
-    if (!scene_.isModern) {
-        gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height}];
-        std::vector<const gpu::Texture*> textures;
-        for (const scene::TextureIndex each : pass.targets) textures.push_back(textures_.texture(each));
-        Result<gpu::Target> made = gpu::Target::textures(context_.capabilities(), textures, 1, depth);
-        if (made) depth = made->depth();
-        return made;
-    }
     Diagnostics problems;
     const auto partOf = [&](scene::TextureIndex index, const scene::TargetPart& part) {
         const gpu::Texture& made = *textures_.texture(index);
@@ -312,13 +303,13 @@ Result<gpu::Target> DeviceTargets::make(const scene::Pass& pass) {
         return gpu::Target::parts(context_.capabilities(), colors, std::nullopt, {}, std::nullopt);
     gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height}];
     Result<gpu::Target> made =
-        gpu::Target::parts(context_.capabilities(), colors, depthPart, depth, depthFormat(scene_));
+        gpu::Target::parts(context_.capabilities(), colors, depthPart, depth, kDepthFormat);
     if (made && made->depth()) depth = made->depth();
     return made;
 }
 
 Result<const gpu::Target*> DeviceTargets::of(const scene::Pass& pass) {
-    const bool needsDepth = !scene_.isModern || !isWithoutDepth(pass);
+    const bool needsDepth = !isWithoutDepth(pass);
     // This runs in every frame, so it compares without making a key.
     const auto isSame = [&](const Made& known) {
         if (known.depthBuffer != pass.depthBuffer || known.targets != pass.targets ||

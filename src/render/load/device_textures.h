@@ -189,10 +189,8 @@ class DeviceTextures {
 
 // The render targets of passes into textures, and the depth buffers that passes share.
 
-/// The format of depth buffers that the scene does not name. Only modern scenes have a stencil.
-inline gpu::TexelFormat depthFormat(const scene::Scene& scene) {
-    return scene.isModern ? gpu::TexelFormat::depth24_stencil8 : gpu::TexelFormat::depth24;
-}
+/// The format of depth buffers that the scene does not name.
+inline constexpr gpu::TexelFormat kDepthFormat = gpu::TexelFormat::depth24_stencil8;
 
 class DeviceTargets {
   public:

@@ -122,7 +122,7 @@ std::string ProgramLibrary::keyOf(const plan::ProgramVariant& variant,
     std::string key;
     for (const glsl::TranslatedStage& each : translated.stages)
         key += fmt::format("{} {}\n", static_cast<int>(each.stage), each.path) + each.source + '\0';
-    if (scene_.isModern) key += "with initial values\n";
+    if (scene_.suppliesNames) key += "with initial values\n";
     // A value that was set stays in the program. A uniform that loses its tag must get its initial value
     // back.
     if (variant.program) {

@@ -147,9 +147,9 @@ glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant
     request.suppliesFullScreenVertex = variant.isFullScreen;
     request.suppliesFragment = variant.suppliesFragment && options_.shim;
     request.suppliesFixedVertex = !variant.isFullScreen && options_.shim;
-    request.hasLights = scene_.isModern;
+    request.hasLights = scene_.suppliesNames;
     request.setsLights = scene_.setsLights;
-    request.acceptsStorage = scene_.isModern;
+    request.acceptsStorage = scene_.suppliesNames;
     request.geometryInput = program.geometryInput;
     request.geometryOutput = program.geometryOutput;
     request.geometryVerticesOut = program.geometryVerticesOut;

@@ -314,9 +314,9 @@ void ProgramLibrary::build(const plan::ProgramVariant& variant, BuiltProgram& bu
             static_cast<base::ActiveResources&>(built.interface) = earlier->interface;
             built.remarks = std::move(earlier->remarks);
             built.initialValues = std::move(earlier->initialValues);
-        } else if (scene_.isModern || !borrow(variant, built)) {
+        } else if (scene_.suppliesNames || !borrow(variant, built)) {
             if (!compile(variant, translated, built, built.remarks)) built.refused = translated.stages;
-            if (scene_.isModern && built.program) built.initialValues = initialValues(built);
+            if (scene_.suppliesNames && built.program) built.initialValues = initialValues(built);
         }
         append(diagnostics, built.remarks);
     }
@@ -347,7 +347,7 @@ bool ProgramLibrary::observe(const BuiltProgram& program, const glsl::MainWrappe
         if (each.stage == glsl::Stage::fragment) each.source = glsl::wrappedMain(each, fragment);
     auto built = std::make_unique<BuiltProgram>();
     if (!compile(known->first, stages, *built, built->remarks)) return false;
-    if (scene_.isModern) built->initialValues = initialValues(*built);
+    if (scene_.suppliesNames) built->initialValues = initialValues(*built);
     completeInterface(*built, std::move(stages), program.interface.isBuiltin);
     observed_.emplace(known->first, std::move(built));
     return true;
@@ -368,19 +368,8 @@ const BuiltProgram* ProgramLibrary::find(const plan::ProgramVariant& variant) co
 }
 
 bool ProgramLibrary::mayWriteImages(scene::ProgramIndex program) {
-    if (scene_.isModern) {
-        const Translation& translation = translationOf(plan::ProgramVariant{program});
-        return translation.program != nullptr && plan::writesMemory(*translation.program);
-    }
-    for (const scene::StageFile& stage : scene_.programs[program].stages) {
-        const ProgramSources::SourceFile& source = sources_.file(stage.file);
-        if (source.text && source.text->find("image") != std::string::npos &&
-            (source.text->find("imageStore") != std::string::npos ||
-             source.text->find("imageAtomic") != std::string::npos ||
-             source.text->find("#include") != std::string::npos))
-            return true;
-    }
-    return false;
+    const Translation& translation = translationOf(plan::ProgramVariant{program});
+    return translation.program != nullptr && plan::writesMemory(*translation.program);
 }
 
 }  // namespace glibra::render

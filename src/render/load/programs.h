@@ -110,8 +110,7 @@ class ProgramLibrary {
     [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const {
         return sources_.hiddenSource(program);
     }
-    /// True if the program may write to an image, a storage block or an atomic counter. In a classic scene:
-    /// if a source names an image function.
+    /// True if the program may write to an image, a storage block or an atomic counter.
     bool mayWriteImages(scene::ProgramIndex program);
 
   private:

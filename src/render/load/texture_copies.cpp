@@ -186,7 +186,7 @@ void DeviceTextures::bind(const plan::TextureUse& use, gpu::BindingTracker& bind
 
 Diagnostics DeviceTextures::checkParts(const plan::FramePlan& plan) const {
     Diagnostics problems;
-    if (!scene_.isModern || context_.capabilities().atLeast(4, 3)) return problems;
+    if (context_.capabilities().atLeast(4, 3)) return problems;
     plan.visitDraws([&](const plan::PlannedDraw& planned, const scene::Draw& draw, const auto&) {
         std::map<scene::TextureIndex, std::optional<int>> levels;
         for (const plan::TextureUse& use : planned.textures) {

@@ -74,7 +74,7 @@ void placeBySpace(Interpreter& in, Draw& made, CommandId command) {
     if (spec == nullptr || spec->space == geometry::Space::model) return;
     if (spec->space == geometry::Space::clip) {
         made.modelView = glm::dmat4(1);
-        made.projection = in.scene.isModern ? coveringSpace(in, currentAspect(in)) : ClipSpace{};
+        made.projection = in.scene.suppliesNames ? coveringSpace(in, currentAspect(in)) : ClipSpace{};
         return;
     }
     made.isSky = true;

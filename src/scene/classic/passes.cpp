@@ -67,7 +67,7 @@ Pass beginPass(Interpreter& in, int depthBuffer) {
     if (target.textures.empty()) clearOnce(!std::exchange(in.out.cleared.isWindow, true));
     for (const TextureIndex texture : target.textures) clearOnce(isFirstUse(in, texture, {}, 1));
     pass.clearDepth = in.out.cleared.depthBuffers.insert(depthBuffer).second;
-    if (pass.clearDepth && in.scene.isModern) pass.clearStencil = 0;
+    if (pass.clearDepth) pass.clearStencil = 0;
     return pass;
 }
 

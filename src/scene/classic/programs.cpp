@@ -57,7 +57,7 @@ void doStage(Interpreter& in, const Command& command) {
     const glsl::Stage stage = stageOf(command.id);
     // In a modern scene the vertex stage of another program begins a new pipeline: stages between it and the
     // fragment stage that belong to an earlier program end.
-    if (in.scene.isModern && stage == glsl::Stage::vertex)
+    if (in.isModern && stage == glsl::Stage::vertex)
         for (const glsl::Stage each : std::exchange(in.state.stagesOfProgram, {}))
             if (each != glsl::Stage::vertex && each != glsl::Stage::fragment) in.state.stageFiles.erase(each);
     in.state.stagesOfProgram.erase(stage);
@@ -85,8 +85,7 @@ void doProgram(Interpreter& in, const Command& command) {
         program.geometryInput = in.state.geometryInput;
         program.geometryOutput = in.state.geometryOutput;
         program.geometryVerticesOut = in.state.geometryVerticesOut;
-        program.sharesGeometryWords =
-            in.scene.isModern && std::exchange(in.state.hasGeometryWordsOfProgram, true);
+        program.sharesGeometryWords = in.isModern && std::exchange(in.state.hasGeometryWordsOfProgram, true);
     }
     const ProgramIndex made = in.scene.programs.add(std::move(program));
     if (!computes) in.state.program = made;

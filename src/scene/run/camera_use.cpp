@@ -78,6 +78,7 @@ ClipSpace coveringSpace(Interpreter& in, double aspect) {
     const SceneCamera camera = currentCamera(in);
     if (camera.name.first == "eye" && findCamera(in, camera.name) != nullptr) in.modern.usesEye = true;
     ClipSpace space;
+    space.hasStage = true;
     space.view = camera.view;
     if (camera.clip || camera.aspect)
         space.projection = projectionOf(camera, aspect);

@@ -451,6 +451,7 @@ struct Interpreter {
     NoiseSizes noise{};
     FolderListings listings{};
     std::optional<OpenList> list{};
+    bool isModern = false;  ///< the script with which the run begins has a modern statement or an expression
     bool isOrphan = false;  ///< the previous statement needed an open list, which has been reported
     std::optional<std::pair<int, int>> windowSize{};
     std::set<std::tuple<std::string, std::string, int, int>> reported{};  ///< errors by id and place
@@ -463,7 +464,7 @@ struct Interpreter {
     void report(Diagnostic diagnostic) {
         if (diagnostic.severity == Severity::error) ++problems;
         // A statement of a repetition or group has each mistake once.
-        if (scene.isModern && diagnostic.severity == Severity::error &&
+        if (isModern && diagnostic.severity == Severity::error &&
             !reported
                  .insert(
                      {diagnostic.id, diagnostic.place.file, diagnostic.place.line, diagnostic.place.column})

@@ -105,7 +105,7 @@ void run(Interpreter& in, std::size_t first, std::size_t last) {
         in.modern.checks.bodies.insert(&in.script->commands[first - 1]);
     for (std::size_t i = first; i < last && !in.counts.isFull;) {
         const Command& command = in.script->commands[i];
-        if (in.scene.isModern && !countStatement(in, command)) return;
+        if (in.isModern && !countStatement(in, command)) return;
         execute(in, command);
         // A command that opens a block has run the block.
         const bool opens = command.partner != Command::kNoPartner && command.partner > i;

@@ -33,7 +33,7 @@ std::vector<FrameTarget> targetsOf(const scene::Scene& scene, const scene::Pass&
     }
     targets.push_back({Kind::depth, 0, pass.depth ? nameOfTexture(scene, *pass.depth) : "depth",
                        pass.depth.value_or(scene::TextureView{})});
-    if (pass.isWindow || (scene.isModern && !pass.depth)) targets.push_back({Kind::stencil, 0, "stencil"});
+    if (!pass.depth) targets.push_back({Kind::stencil, 0, "stencil"});
     return targets;
 }
 

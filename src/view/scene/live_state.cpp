@@ -34,16 +34,7 @@ void add(const Command& command, std::string& text) {
         text += '\n';
         return;
     }
-    if (command.isModern) {
-        text += written(command);
-    } else {
-        text += command.word;
-        for (const Value& each : command.values) text += " " + written(each);
-        for (const glib::KeyedValues& each : command.tags) {
-            text += " " + each.key;
-            for (const Value& value : each.values) text += " " + written(value);
-        }
-    }
+    text += written(command);
     for (const double each : command.numbers) text += " " + glib::numberText(each);
     text += " " + command.text;
     for (const std::string& each : command.files) text += " " + each;

@@ -88,12 +88,10 @@ void frameTrial(Ui& ui, const FrameWindow& window) {
         ImGui::AlignTextToFramePadding();
         codeText(statement);
         ImGui::SameLine();
-        if (ui.session.live().scene().isModern) {
-            if (smallButton(ui, "Copy", "frame/try/copy",
-                            "Copies the statement, to stand before the command that draws"))
-                ImGui::SetClipboardText(statement.c_str());
-            ImGui::SameLine();
-        }
+        if (smallButton(ui, "Copy", "frame/try/copy",
+                        "Copies the statement, to stand before the command that draws"))
+            ImGui::SetClipboardText(statement.c_str());
+        ImGui::SameLine();
         if (smallButton(ui, "As in the scene", "frame/try/end")) {
             wanted = ofScene;
             isChosen = true;
