@@ -15,7 +15,7 @@
 #include "base/device_lost.h"
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra {
 
@@ -28,8 +28,8 @@ struct SceneWindow {
 
 /// What of a scene is on the device. It ends on the renderer's thread, while the context is current.
 struct OnDevice {
-    std::unique_ptr<view::LiveScene> live;  ///< null after a reset
-    std::optional<SceneWindow> window;      ///< that the last picture was drawn into
+    std::unique_ptr<render::LiveScene> live;  ///< null after a reset
+    std::optional<SceneWindow> window;        ///< that the last picture was drawn into
 };
 
 // Only the classes of the interface are exported; what they are made of is not.
@@ -90,7 +90,7 @@ struct GLIBRA_INSIDE Scene::State {
     [[nodiscard]] Result<Picture> readWindow(int components, bool isFloat) const;
     Result<const gpu::Target*> targetFor(const DrawOptions& options);
     Result<void> set(std::string_view name, std::span<const double> values, std::string_view text);
-    [[nodiscard]] std::vector<view::Knob> knobs() const;
+    [[nodiscard]] std::vector<render::Knob> knobs() const;
     /// NAME=VALUE for all that has been set.
     [[nodiscard]] std::vector<std::string> settings() const;
     Result<Picture> textureNamed(std::string_view name);
@@ -107,7 +107,7 @@ struct GLIBRA_INSIDE Scene::State {
     Diagnostics diagnostics;
     std::uint64_t frames = 0;
     double drawnTime = 0;
-    std::vector<view::Knob> changed;  ///< what has been set
+    std::vector<render::Knob> changed;  ///< what has been set
     ViewState drawnView;
     bool isDrawn = false;
 };

@@ -117,7 +117,7 @@ void Scene::State::keepFolder() {
 Result<void> Scene::State::load() {
     keepFolder();
     // Nothing moves from the scene as it is into one that may turn out to be faulty.
-    view::LiveScene::Loading loading = view::LiveScene::load(*renderer->context, path, options, nullptr);
+    render::LiveScene::Loading loading = render::LiveScene::load(*renderer->context, path, options, nullptr);
     render::applyStrict(loading.diagnostics, options.strict);
     if (!loading.scene || hasError(loading.diagnostics)) return std::move(loading.diagnostics);
     device = OnDevice{std::move(loading.scene), {}};
@@ -128,14 +128,14 @@ Result<void> Scene::State::load() {
     diagnostics = std::move(loading.diagnostics);
     device.live->keepTextures(diagnostics);
     isDrawn = false;
-    for (const view::Knob& each : std::exchange(changed, {})) {
-        const std::vector<view::Knob> now = knobs();
-        const auto same = std::find_if(now.begin(), now.end(), [&](const view::Knob& one) {
+    for (const render::Knob& each : std::exchange(changed, {})) {
+        const std::vector<render::Knob> now = knobs();
+        const auto same = std::find_if(now.begin(), now.end(), [&](const render::Knob& one) {
             return one.tag == each.tag && one.title == each.title &&
                    one.initial.size() == each.current.size();
         });
         if (same == now.end()) continue;
-        view::Knob knob = *same;
+        render::Knob knob = *same;
         knob.current = each.current;
         device.live->setValue(knob);
         changed.push_back(std::move(knob));

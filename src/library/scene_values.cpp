@@ -20,7 +20,7 @@
 namespace glibra {
 namespace {
 
-std::string typeOf(const view::Knob& knob) {
+std::string typeOf(const render::Knob& knob) {
     if (!knob.words.empty()) return "choice";
     if (!knob.type.word.empty()) return knob.type.word;
     const std::size_t count = knob.initial.size();
@@ -29,7 +29,7 @@ std::string typeOf(const view::Knob& knob) {
 }
 
 /// The numbers of the value's type in words, if the type has no such number; else empty.
-std::string limitsBroken(const view::Knob& knob, double value) {
+std::string limitsBroken(const render::Knob& knob, double value) {
     const auto limits = [&](double least, double most) {
         return value >= least && value <= most ? std::string()
                                                : fmt::format("numbers from {:.0f} to {:.0f}", least, most);
@@ -44,7 +44,7 @@ std::string limitsBroken(const view::Knob& knob, double value) {
     return {};
 }
 
-std::size_t elementsOf(const view::Knob& knob) {
+std::size_t elementsOf(const render::Knob& knob) {
     return knob.initial.size() / static_cast<std::size_t>(std::max(knob.type.components(), 1));
 }
 
@@ -61,7 +61,7 @@ std::optional<std::size_t> takeSubscript(std::string_view& name) {
 }
 
 /// What is wrong with these numbers for the value, or for one of so many parts of it; empty if nothing is.
-std::string whyNot(const view::Knob& knob, std::string_view name, std::span<const double> values,
+std::string whyNot(const render::Knob& knob, std::string_view name, std::span<const double> values,
                    std::size_t parts) {
     const std::size_t wanted = knob.initial.size() / parts;
     if (values.size() != wanted)
@@ -85,12 +85,13 @@ std::string whyNot(const view::Knob& knob, std::string_view name, std::span<cons
 }  // namespace
 
 /// With the values that have been set.
-std::vector<view::Knob> Scene::State::knobs() const {
-    std::vector<view::Knob> all = device.live->knobs();
-    for (view::Knob& each : device.live->unsetKnobs()) all.push_back(std::move(each));
-    for (const view::Knob& set : changed) {
-        const auto same = std::ranges::find_if(
-            all, [&](const view::Knob& each) { return each.tag == set.tag && each.program == set.program; });
+std::vector<render::Knob> Scene::State::knobs() const {
+    std::vector<render::Knob> all = device.live->knobs();
+    for (render::Knob& each : device.live->unsetKnobs()) all.push_back(std::move(each));
+    for (const render::Knob& set : changed) {
+        const auto same = std::ranges::find_if(all, [&](const render::Knob& each) {
+            return each.tag == set.tag && each.program == set.program;
+        });
         if (same == all.end()) {
             all.push_back(set);  // it is not unset any more
             continue;
@@ -98,23 +99,23 @@ std::vector<view::Knob> Scene::State::knobs() const {
         same->current = set.current;
         same->initial = set.initial;  // a plan knows only the present value
     }
-    std::ranges::stable_sort(all, {}, &view::Knob::program);
+    std::ranges::stable_sort(all, {}, &render::Knob::program);
     return all;
 }
 
 std::vector<std::string> Scene::State::settings() const {
     std::vector<std::string> all;
-    for (const view::Knob& each : changed)
-        all.push_back(view::setArgument(device.live->scene(), each, device.live->knobs()));
+    for (const render::Knob& each : changed)
+        all.push_back(render::setArgument(device.live->scene(), each, device.live->knobs()));
     return all;
 }
 
 std::vector<Value> Scene::values() const {
-    Result<std::vector<view::Knob>> knobs = State::guarded<std::vector<view::Knob>>(
-        state_.get(), [&]() -> Result<std::vector<view::Knob>> { return state_->knobs(); });
+    Result<std::vector<render::Knob>> knobs = State::guarded<std::vector<render::Knob>>(
+        state_.get(), [&]() -> Result<std::vector<render::Knob>> { return state_->knobs(); });
     if (!knobs) return {};
     std::vector<Value> values;
-    for (const view::Knob& knob : *knobs) {
+    for (const render::Knob& knob : *knobs) {
         Value& to = values.emplace_back();
         to.name = knob.tag;
         if (knob.program) {
@@ -143,25 +144,25 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
         tag = name.substr(colon + 1);
     }
     const scene::Scene& scene = device.live->scene();
-    std::vector<view::Knob> all = knobs();
-    const auto isMeant = [&](const view::Knob& knob) {
+    std::vector<render::Knob> all = knobs();
+    const auto isMeant = [&](const render::Knob& knob) {
         if (knob.tag == tag && program.empty()) return true;
         if (!knob.program) return false;
         const scene::Program& of = scene.programs[knob.program];
         if (knob.tag == tag && (of.name == program || std::to_string(of.place.line) == program)) return true;
         return program.empty() && tag == of.name + "." + knob.tag;
     };
-    std::vector<view::Knob> meant;
+    std::vector<render::Knob> meant;
     std::ranges::copy_if(all, std::back_inserter(meant), isMeant);
     std::optional<std::size_t> element;
     if (meant.empty()) element = takeSubscript(tag);
     if (element) {
         std::ranges::copy_if(all, std::back_inserter(meant), isMeant);
-        std::erase_if(meant, [&](const view::Knob& each) { return *element >= elementsOf(each); });
+        std::erase_if(meant, [&](const render::Knob& each) { return *element >= elementsOf(each); });
     }
     if (meant.empty()) {
         std::vector<std::string_view> names;
-        for (const view::Knob& each : all) names.push_back(each.tag);
+        for (const render::Knob& each : all) names.push_back(each.tag);
         return diagnose("library-E02",
                         fmt::format("the scene has no value '{}'{}", name, base::suggestion(name, names)),
                         {path.string(), 1, 1});
@@ -183,15 +184,15 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
             read = parsed->values;
         }
     }
-    for (const view::Knob& each : meant)
+    for (const render::Knob& each : meant)
         if (const std::string why = whyNot(each, name, read, element ? elementsOf(each) : 1); !why.empty())
             return diagnose("library-E03", why, each.place);
-    for (view::Knob& each : meant) {
+    for (render::Knob& each : meant) {
         if (!element) each.current = read;
         std::ranges::copy(
             read, each.current.begin() + static_cast<std::ptrdiff_t>(element.value_or(0) * read.size()));
         device.live->setValue(each);
-        std::erase_if(changed, [&](const view::Knob& one) {
+        std::erase_if(changed, [&](const render::Knob& one) {
             return one.tag == each.tag && one.program == each.program;
         });
         changed.push_back(std::move(each));

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "view/scene/knobs.h"
+#include "render/live/knobs.h"
 
 namespace glibra::view {
 namespace {
 
 TEST(BoundKnob, IsWrittenFromTheCheapestToTheFinestValue) {
-    Knob knob;
+    render::Knob knob;
     knob.form = glib::UniformForm::range;
-    knob.widget = Widget::slider;
+    knob.widget = render::Widget::slider;
     knob.minimum = .001;
     knob.maximum = .02;
     knob.current = {.005};

@@ -6,9 +6,9 @@
 #include <array>
 
 #include "gpu/object/program.h"
+#include "render/live/live_scene.h"
 #include "render/scene_renderer.h"
 #include "scene_folder.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::test {
 namespace {
@@ -20,7 +20,8 @@ std::vector<int> openLines(const std::string& body, double rounds = 10) {
         {{"a.vert", kPlainVertex},
          {"a.frag", "#version 330\nuniform float uN; out vec4 c;\nfloat f(float x) {\n" + body +
                         "\nreturn x; }\nvoid main() { c = vec4(f(gl_FragCoord.x)); }\n"}});
-    const view::LiveScene::Loading loading = view::LiveScene::load(context(), folder.scene(), {}, nullptr);
+    const render::LiveScene::Loading loading =
+        render::LiveScene::load(context(), folder.scene(), {}, nullptr);
     EXPECT_TRUE(loading.scene && !hasError(loading.diagnostics)) << text(loading.diagnostics);
     std::vector<int> lines;
     for (const Place& each : loading.scene->openLoops()) lines.push_back(each.line);
@@ -63,8 +64,8 @@ TEST(EndlessLoops, AreThoseWhoseConditionNothingChanges) {
     const auto linesOf = [&](const std::string& body) {
         const SceneFolder folder(kHead + "Vertex a.vert\nFragment a.frag\nProgram P uN 1\nQuadXY 0 1\n",
                                  {{"a.vert", kPlainVertex}, {"a.frag", shaderOf(body)}});
-        const view::LiveScene::Loading loading =
-            view::LiveScene::load(context(), folder.scene(), {}, nullptr);
+        const render::LiveScene::Loading loading =
+            render::LiveScene::load(context(), folder.scene(), {}, nullptr);
         std::vector<int> lines;
         for (const Diagnostic& each : loading.diagnostics)
             if (each.id == "view-W02") lines.push_back(each.place.line);
@@ -87,7 +88,8 @@ TEST(EndlessLoops, ExplainNothingOfOtherPrograms) {
                                  "Vertex a.vert\nFragment a.frag\nProgram P uN 1\nQuadXY 0 1\n"
                                  "Fragment b.frag\nProgram Q uN 1\nQuadXY 0 1\n",
                              {{"a.vert", kPlainVertex}, {"a.frag", endless}, {"b.frag", unused}});
-    const view::LiveScene::Loading loading = view::LiveScene::load(context(), folder.scene(), {}, nullptr);
+    const render::LiveScene::Loading loading =
+        render::LiveScene::load(context(), folder.scene(), {}, nullptr);
     std::vector<std::string> found;
     for (const Diagnostic& each : loading.diagnostics)
         if (each.id == "view-W02" || each.id == "glib-W24")

@@ -4,9 +4,9 @@
 #include <tuple>
 
 #include "render/check/scene_check.h"
+#include "render/live/live_scene.h"
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::test {
 namespace {
@@ -20,7 +20,7 @@ std::set<std::string> problemsIn(const Diagnostics& diagnostics) {
 }
 
 std::set<std::string> shownByWindow(const std::filesystem::path& scene) {
-    return problemsIn(view::LiveScene::load(context(), scene, {}, nullptr).diagnostics);
+    return problemsIn(render::LiveScene::load(context(), scene, {}, nullptr).diagnostics);
 }
 
 std::set<std::string> foundByCheck(const std::filesystem::path& scene) {

@@ -172,11 +172,11 @@ TEST(Session, KnobsHaveTheWidgetsOfTheirForms) {
     const SceneFolder folder(kFlatScene, kFlatFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    EXPECT_EQ(session.knob("Flat", "uR")->widget, view::Widget::slider);
+    EXPECT_EQ(session.knob("Flat", "uR")->widget, render::Widget::slider);
     EXPECT_EQ(session.knob("Flat", "uR")->maximum, 1);
     EXPECT_TRUE(session.knob("Flat", "uG")->isInteger());
-    EXPECT_EQ(session.knob("Flat", "uB")->widget, view::Widget::checkBox);
-    EXPECT_EQ(session.knob("Flat", "uTint")->widget, view::Widget::color);
+    EXPECT_EQ(session.knob("Flat", "uB")->widget, render::Widget::checkBox);
+    EXPECT_EQ(session.knob("Flat", "uTint")->widget, render::Widget::color);
     EXPECT_EQ(session.knob("Other", "uR"), nullptr);
 }
 
@@ -209,7 +209,7 @@ TEST(Session, ASetArgumentReachesVariablesOfTheScene) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     const auto valuesOf = [&](const char* name) {
-        for (const view::Knob& each : session.knobs())
+        for (const render::Knob& each : session.knobs())
             if (each.tag == name) return each.current;
         return std::vector<double>();
     };

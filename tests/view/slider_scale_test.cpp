@@ -12,9 +12,9 @@ namespace {
 
 using Ranges = std::vector<std::pair<double, double>>;
 
-Knob knobOfRange(double minimum, double maximum, bool isInteger = false) {
-    Knob knob;
-    knob.widget = Widget::slider;
+render::Knob knobOfRange(double minimum, double maximum, bool isInteger = false) {
+    render::Knob knob;
+    knob.widget = render::Widget::slider;
     knob.type.base = isInteger ? plan::BaseType::integer : plan::BaseType::floating;
     knob.minimum = minimum;
     knob.maximum = maximum;

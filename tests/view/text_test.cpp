@@ -44,7 +44,7 @@ TEST(SavedValues, ReplaceTheirOwnTextAndNothingElse) {
         "Program P uA <0 0.75 1> \\\n\tuI < -3 -2 9 >   uOn <false> uC {0.1 0.2 0.3} uV [5 -6.5] uN 0.001\n"
         "QuadXY 0 1\n");
     ASSERT_TRUE(session.reload());
-    for (const view::Knob& each : session.knobs()) EXPECT_FALSE(each.isChanged()) << each.tag;
+    for (const render::Knob& each : session.knobs()) EXPECT_FALSE(each.isChanged()) << each.tag;
     EXPECT_EQ(session.knob("", "uV")->current, (std::vector<double>{5, -6.5}));
 }
 
@@ -107,13 +107,13 @@ TEST(ProgramLine, ReadsBackAsTheValuesItWasMadeFrom) {
     ASSERT_TRUE(session.open(folder.scene()));
     turnAll(session);
     const std::string line =
-        view::programLine(session.live().scene(), scene::ProgramIndex(0), session.knobs());
+        render::programLine(session.live().scene(), scene::ProgramIndex(0), session.knobs());
     const glib::Script script = glib::parse(line, "copied");
     EXPECT_TRUE(script.diagnostics.empty()) << text(script.diagnostics) << line;
     ASSERT_EQ(script.commands.size(), 1U);
     EXPECT_EQ(script.commands.front().text, "P");
     for (const glib::UniformSpec& each : script.commands.front().uniforms) {
-        const view::Knob* knob = session.knob("", each.tag);
+        const render::Knob* knob = session.knob("", each.tag);
         ASSERT_TRUE(knob) << each.tag;
         if (each.form == glib::UniformForm::range)
             EXPECT_EQ(each.values[1], knob->current.front());
@@ -130,7 +130,8 @@ TEST(SetArguments, GiveTheValuesBack) {
     turnAll(session);
     for (const std::string& each : session.renderOptions().set)
         EXPECT_TRUE(other.setByText(each).empty()) << each;
-    for (const view::Knob& each : session.knobs()) EXPECT_EQ(other.knob("", each.tag)->current, each.current);
+    for (const render::Knob& each : session.knobs())
+        EXPECT_EQ(other.knob("", each.tag)->current, each.current);
 }
 
 TEST(History, GoesBackAndForward) {

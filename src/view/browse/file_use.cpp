@@ -23,7 +23,7 @@ bool isEquivalent(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-FileUse useOf(const LiveScene& live, const fs::path& file) {
+FileUse useOf(const render::LiveScene& live, const fs::path& file) {
     for (const SourceFile& each : sourceFiles(live))
         if (isEquivalent(each.path, file)) return {FileUse::Kind::text, {}, {each.path.string(), 1, 1}};
     const scene::Scene& scene = live.scene();

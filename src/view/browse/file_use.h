@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra::view {
 
@@ -20,6 +20,6 @@ struct FileUse {
 };
 
 /// Links are followed: two names of the same file are equal.
-FileUse useOf(const LiveScene& live, const std::filesystem::path& file);
+FileUse useOf(const render::LiveScene& live, const std::filesystem::path& file);
 
 }  // namespace glibra::view

@@ -78,7 +78,7 @@ struct Copy {
 };
 
 /// The first texture that the pass draws into; none: the window, or a depth buffer that no texture holds.
-gpu::TexturePart firstPart(const LiveScene& scene, const scene::Pass& pass) {
+gpu::TexturePart firstPart(const render::LiveScene& scene, const scene::Pass& pass) {
     scene::TextureView view;
     if (!pass.targets.empty()) {
         const scene::TargetPart part = pass.parts.empty() ? scene::TargetPart{} : pass.parts.front();
@@ -239,17 +239,17 @@ std::optional<render::Content> readTexture(const gpu::Capabilities& capabilities
                      mostSide);
 }
 
-gpu::TextureSize sizeOf(const LiveScene& scene, const scene::Pass& pass, int width, int height) {
+gpu::TextureSize sizeOf(const render::LiveScene& scene, const scene::Pass& pass, int width, int height) {
     const gpu::TexturePart part = firstPart(scene, pass);
     return part.texture == nullptr ? gpu::TextureSize{width, height, 1} : part.size();
 }
 
-int layersOf(const LiveScene& scene, const scene::Pass& pass) {
+int layersOf(const render::LiveScene& scene, const scene::Pass& pass) {
     const gpu::TexturePart part = firstPart(scene, pass);
     return part.texture != nullptr && part.isLayered() ? part.texture->layers(part.level) : 1;
 }
 
-std::string layerName(const LiveScene& scene, const scene::Pass& pass, int layer) {
+std::string layerName(const render::LiveScene& scene, const scene::Pass& pass, int layer) {
     constexpr std::array<const char*, 6> kFaces{"+x", "-x", "+y", "-y", "+z", "-z"};
     const gpu::Texture* texture = firstPart(scene, pass).texture;
     const auto face = static_cast<std::size_t>(layer) % kFaces.size();
@@ -261,13 +261,13 @@ std::string layerName(const LiveScene& scene, const scene::Pass& pass, int layer
     return fmt::format("layer {}", layer);
 }
 
-std::optional<LayerOfPass> layerOf(const LiveScene& scene, const scene::Pass& pass, int layer) {
+std::optional<LayerOfPass> layerOf(const render::LiveScene& scene, const scene::Pass& pass, int layer) {
     const int layers = layersOf(scene, pass);
     if (layers == 1) return std::nullopt;
     return LayerOfPass{firstPart(scene, pass).texture->shape(), std::clamp(layer, 0, layers - 1)};
 }
 
-BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size,
+BoundPart partOf(const render::LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size,
                  const std::optional<LayerOfPass>& layer) {
     const gpu::Texture* texture = target.view.texture ? scene.texture(target.view.texture) : nullptr;
     BoundPart part{target.kind, target.output, std::nullopt, size.width, size.height, layer};
@@ -275,9 +275,9 @@ BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::T
     return part;
 }
 
-std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabilities, const LiveScene& scene,
-                                               const scene::Pass& pass, const gpu::TextureSize& size,
-                                               int layer) {
+std::optional<BesideTarget> BesideTarget::make(const gpu::Capabilities& capabilities,
+                                               const render::LiveScene& scene, const scene::Pass& pass,
+                                               const gpu::TextureSize& size, int layer) {
     const KeptState kept;
     const int samples = std::max(1, integerOf(GL_SAMPLES));
     const int layers = layersOf(scene, pass);

@@ -10,8 +10,8 @@
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "render/check/object_content.h"
+#include "render/live/live_scene.h"
 #include "view/debug_view/frame_items.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::view {
 
@@ -75,25 +75,25 @@ std::optional<render::Content> readTexture(const gpu::Capabilities& capabilities
                                            const scene::TextureView& view, int mostSide);
 
 /// Size of what a pass draws into; `width` and `height` are those of the window.
-gpu::TextureSize sizeOf(const LiveScene& scene, const scene::Pass& pass, int width, int height);
+gpu::TextureSize sizeOf(const render::LiveScene& scene, const scene::Pass& pass, int width, int height);
 /// How many layers or faces the pass draws into at once, between which gl_Layer chooses; 1: one.
-int layersOf(const LiveScene& scene, const scene::Pass& pass);
+int layersOf(const render::LiveScene& scene, const scene::Pass& pass);
 /// That layer, or the last one if there are fewer; nothing: the pass draws into one only.
-std::optional<LayerOfPass> layerOf(const LiveScene& scene, const scene::Pass& pass, int layer);
+std::optional<LayerOfPass> layerOf(const render::LiveScene& scene, const scene::Pass& pass, int layer);
 /// The part of the framebuffer of a pass that the target is.
-BoundPart partOf(const LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size,
+BoundPart partOf(const render::LiveScene& scene, const FrameTarget& target, const gpu::TextureSize& size,
                  const std::optional<LayerOfPass>& layer = {});
 /// "layer 2", or "face -y" of a cube, or "cube 1, face -y".
-std::string layerName(const LiveScene& scene, const scene::Pass& pass, int layer);
+std::string layerName(const render::LiveScene& scene, const scene::Pass& pass, int layer);
 
 /// A colour of floats beside the depth of the bound framebuffer: what is drawn into it is tested as in that.
 class BesideTarget {
   public:
     /// Call it while the framebuffer of the pass is bound for drawing. Nothing if the driver cannot draw into
     /// such a combination. `layer`: that read() reads where the pass draws into several at once.
-    static std::optional<BesideTarget> make(const gpu::Capabilities& capabilities, const LiveScene& scene,
-                                            const scene::Pass& pass, const gpu::TextureSize& size,
-                                            int layer = 0);
+    static std::optional<BesideTarget> make(const gpu::Capabilities& capabilities,
+                                            const render::LiveScene& scene, const scene::Pass& pass,
+                                            const gpu::TextureSize& size, int layer = 0);
     /// Binds it for drawing; colour output `output` is written.
     void bind(int output) const;
     /// Sets the colour to zero.

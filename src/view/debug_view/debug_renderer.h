@@ -13,8 +13,8 @@
 #include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/vertex_array.h"
+#include "render/live/live_scene.h"
 #include "view/debug_view/debug_program.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::view {
 
@@ -25,7 +25,7 @@ class DebugRenderer {
   public:
     /// For the scene in its current state: make a new renderer after a reload. Programs are kept between
     /// frames.
-    DebugRenderer(gpu::Context& context, LiveScene& scene) : context_(context), scene_(scene) {}
+    DebugRenderer(gpu::Context& context, render::LiveScene& scene) : context_(context), scene_(scene) {}
 
     struct Request {
         DebugView kind = DebugView::facing;  ///< not `picture`
@@ -63,7 +63,7 @@ class DebugRenderer {
     Diagnostics show(const gpu::Target& picture, DebugView kind) const;
 
     gpu::Context& context_;
-    LiveScene& scene_;
+    render::LiveScene& scene_;
     std::map<std::tuple<DebugView, DebugStages, plan::PlannedProgramIndex, plan::PlannedMeshIndex>, Drawn>
         drawn_;
     std::set<std::pair<DebugView, plan::PlannedProgramIndex>> told_;

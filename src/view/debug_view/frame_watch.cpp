@@ -21,7 +21,7 @@ FrameThumbnail thumbnailOf(const render::Content& content, bool fits) {
 
 class FrameLook {
   public:
-    FrameLook(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
+    FrameLook(gpu::Context& context, render::LiveScene& scene, std::span<const FrameItem> items,
               const FrameQuestion& question)
         : context_(context), scene_(scene), items_(items), question_(question) {
         for (std::size_t i = 0; i < items.size(); ++i) {
@@ -188,7 +188,7 @@ class FrameLook {
     }
 
     gpu::Context& context_;
-    LiveScene& scene_;
+    render::LiveScene& scene_;
     std::span<const FrameItem> items_;
     const FrameQuestion& question_;
     std::map<scene::StepIndex, std::size_t> ofStep_;
@@ -200,7 +200,7 @@ class FrameLook {
 
 }  // namespace
 
-FrameAnswer watchFrame(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
+FrameAnswer watchFrame(gpu::Context& context, render::LiveScene& scene, std::span<const FrameItem> items,
                        const FrameQuestion& question) {
     return FrameLook(context, scene, items, question).run();
 }

@@ -10,8 +10,8 @@
 
 #include "gpu/context/context.h"
 #include "render/check/object_content.h"
+#include "render/live/live_scene.h"
 #include "view/debug_view/frame_items.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::view {
 
@@ -60,7 +60,7 @@ inline constexpr std::size_t kMostThumbnails = 400;
 
 /// `items` are those of the scene's plan. The scene has been drawn in that size at that time
 /// (LiveScene::look); nothing of it changes.
-FrameAnswer watchFrame(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
+FrameAnswer watchFrame(gpu::Context& context, render::LiveScene& scene, std::span<const FrameItem> items,
                        const FrameQuestion& question);
 
 }  // namespace glibra::view

@@ -238,8 +238,8 @@ MeshStage capture(const gpu::Capabilities& capabilities, render::FrameDrawer& dr
 
 }  // namespace
 
-std::vector<MeshStage> captureMesh(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width,
-                                   int height, double time) {
+std::vector<MeshStage> captureMesh(gpu::Context& context, render::LiveScene& scene, scene::StepIndex step,
+                                   int width, int height, double time) {
     std::vector<MeshStage> stages;
     const Result<gpu::Target> window = windowTarget(context.capabilities(), width, height);
     if (!window) return stages;

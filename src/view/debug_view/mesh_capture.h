@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra::view {
 
@@ -39,8 +39,8 @@ inline constexpr std::size_t kMostMeshRows = 3 << 16;
 
 /// The stages of a draw of the frame that was drawn last, in a picture of that size at that time. Empty if
 /// nothing of it is drawn. Stages that store to memory do so once more for each of the results.
-std::vector<MeshStage> captureMesh(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width,
-                                   int height, double time);
+std::vector<MeshStage> captureMesh(gpu::Context& context, render::LiveScene& scene, scene::StepIndex step,
+                                   int width, int height, double time);
 
 /// Comma-separated values (RFC 4180), with a line of names: "gl_Position.x" and so on.
 std::string csvOf(const MeshStage& stage);

@@ -25,8 +25,8 @@ bool mayDiscard(const render::BuiltProgram& built) {
 
 class PixelWatch {
   public:
-    PixelWatch(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items, std::size_t item,
-               const TargetPixel& pixel, int output)
+    PixelWatch(gpu::Context& context, render::LiveScene& scene, std::span<const FrameItem> items,
+               std::size_t item, const TargetPixel& pixel, int output)
         : context_(context),
           scene_(scene),
           items_(items),
@@ -278,7 +278,7 @@ class PixelWatch {
     }
 
     gpu::Context& context_;
-    LiveScene& scene_;
+    render::LiveScene& scene_;
     std::span<const FrameItem> items_;
     const scene::Pass& pass_;  ///< of the item that was asked for
     gpu::PixelRectangle pixel_;
@@ -313,7 +313,7 @@ std::string_view wordsOf(PixelEvent::Outcome outcome) {
     return kWords.at(static_cast<std::size_t>(outcome));
 }
 
-PixelHistory pixelHistory(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
+PixelHistory pixelHistory(gpu::Context& context, render::LiveScene& scene, std::span<const FrameItem> items,
                           std::size_t item, int width, int height, double time, const TargetPixel& pixel,
                           int output) {
     if (item >= items.size() || !items[item].hasPass()) return {{}, 0, "only passes draw pixels"};

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "render/live/live_scene.h"
 #include "view/debug_view/frame_items.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::view {
 
@@ -54,7 +54,7 @@ std::string_view wordsOf(PixelEvent::Outcome outcome);
 /// The history of a pixel of the targets of that pass, a draw of it or a clear in it (`item`), through all
 /// passes of the frame into the same targets. `width` and `height` are those of the window. `output`: the
 /// colour output whose colours are reported.
-PixelHistory pixelHistory(gpu::Context& context, LiveScene& scene, std::span<const FrameItem> items,
+PixelHistory pixelHistory(gpu::Context& context, render::LiveScene& scene, std::span<const FrameItem> items,
                           std::size_t item, int width, int height, double time, const TargetPixel& pixel,
                           int output);
 

@@ -90,7 +90,8 @@ std::vector<ProbedValue> uniformsOf(const render::BuiltProgram& built, const ren
 /// Draws one pixel of a frame again and again.
 class Probe {
   public:
-    Probe(gpu::Context& context, LiveScene& scene, const gpu::Target& target, double time, int x, int row)
+    Probe(gpu::Context& context, render::LiveScene& scene, const gpu::Target& target, double time, int x,
+          int row)
         : context_(context), scene_(scene), target_(target), time_(time), x_(x), row_(row) {}
 
     /// Probes that draw, whose targets have that size, in place of the visible one.
@@ -327,7 +328,7 @@ class Probe {
     }
 
     gpu::Context& context_;
-    LiveScene& scene_;
+    render::LiveScene& scene_;
     const gpu::Target& target_;
     double time_;
     int x_, row_;
@@ -342,8 +343,8 @@ class Probe {
 
 }  // namespace
 
-ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int height, double time, int x,
-                       int y) {
+ProbedPixel probePixel(gpu::Context& context, render::LiveScene& scene, int width, int height, double time,
+                       int x, int y) {
     ProbedPixel result;
     result.x = x;
     result.y = y;
@@ -355,8 +356,8 @@ ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int h
     return result;
 }
 
-ProbedPixel probeDraw(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width, int height,
-                      double time, const TargetPixel& pixel) {
+ProbedPixel probeDraw(gpu::Context& context, render::LiveScene& scene, scene::StepIndex step, int width,
+                      int height, double time, const TargetPixel& pixel) {
     ProbedPixel result;
     const gpu::TextureSize size = sizeOf(scene, scene.scene().frame.passes.at(step.pass), width, height);
     result.x = pixel.x;

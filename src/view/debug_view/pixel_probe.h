@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "render/live/live_scene.h"
 #include "view/debug_view/frame_items.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::view {
 
@@ -42,13 +42,13 @@ struct ProbedPixel {
 
 /// Probes a pixel of the frame that was drawn last, in a picture of that size at that time. Integers above
 /// 2^24 are rounded to a float.
-ProbedPixel probePixel(gpu::Context& context, LiveScene& scene, int width, int height, double time, int x,
-                       int y);
+ProbedPixel probePixel(gpu::Context& context, render::LiveScene& scene, int width, int height, double time,
+                       int x, int y);
 
 /// The same for what one draw (of the frame's node list) has at a pixel of the targets of its pass, also
 /// where something hides it.
-ProbedPixel probeDraw(gpu::Context& context, LiveScene& scene, scene::StepIndex step, int width, int height,
-                      double time, const TargetPixel& pixel);
+ProbedPixel probeDraw(gpu::Context& context, render::LiveScene& scene, scene::StepIndex step, int width,
+                      int height, double time, const TargetPixel& pixel);
 
 /// The row of the pixel as gl_FragCoord counts it, from the lower edge.
 inline int rowOf(const ProbedPixel& pixel) {

@@ -98,7 +98,7 @@ bool isMisspelt(std::string_view uniform, const scene::Program& program,
     return !base::nearestName(uniform, unknown).empty();
 }
 
-void addSlider(const Diagnostic& message, const LiveScene& live, std::vector<MessageFix>& fixes) {
+void addSlider(const Diagnostic& message, const render::LiveScene& live, std::vector<MessageFix>& fixes) {
     for (const plan::PlannedProgram& each : live.plan().programs) {
         if (!each.variant.program || live.scene().programs[each.variant.program].place != message.place)
             continue;
@@ -119,7 +119,7 @@ void addSlider(const Diagnostic& message, const LiveScene& live, std::vector<Mes
 
 }  // namespace
 
-std::vector<MessageFix> fixesOf(const Diagnostic& message, const LiveScene& live) {
+std::vector<MessageFix> fixesOf(const Diagnostic& message, const render::LiveScene& live) {
     std::vector<MessageFix> fixes;
     if (message.subject.empty() || message.place.file.empty()) return fixes;
     if (message.id == "file-E01") addFileFixes(message, live.scene().path, fixes);
@@ -133,7 +133,7 @@ std::vector<MessageFix> fixesOf(const Diagnostic& message, const LiveScene& live
     return fixes;
 }
 
-std::string searchedFor(const Diagnostic& message, const LiveScene& live) {
+std::string searchedFor(const Diagnostic& message, const render::LiveScene& live) {
     if (message.id != "file-E01" || message.subject.empty()) return {};
     const scene::SearchFolders folders = live.searchFolders();
     std::string text;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra::view {
 
@@ -22,9 +22,9 @@ struct MessageFix {
 };
 
 /// What can be done about it; empty for most messages.
-std::vector<MessageFix> fixesOf(const Diagnostic& message, const LiveScene& live);
+std::vector<MessageFix> fixesOf(const Diagnostic& message, const render::LiveScene& live);
 /// The folders in which a file was looked for, if the message says that it is missing; otherwise empty.
-std::string searchedFor(const Diagnostic& message, const LiveScene& live);
+std::string searchedFor(const Diagnostic& message, const render::LiveScene& live);
 /// The text with the change; unchanged if the line has not the word.
 std::string withFix(std::string_view text, const MessageFix& fix);
 

@@ -75,7 +75,7 @@ std::string changedText(std::string_view old, std::string_view wanted) {
 
 /// True if all of the text is numbers, and others than those that the knob was made from: the place has
 /// another value now.
-bool isOther(std::string_view text, const Knob& knob) {
+bool isOther(std::string_view text, const render::Knob& knob) {
     std::vector<double> numbers;
     for (const auto& [begin, end] : piecesOf(text)) {
         const auto number = numberIn(text.substr(begin, end - begin));
@@ -139,9 +139,9 @@ std::size_t statementLength(std::string_view line) {
 
 }  // namespace
 
-Result<std::string> withValues(std::string_view text, std::span<const Knob> knobs) {
+Result<std::string> withValues(std::string_view text, std::span<const render::Knob> knobs) {
     std::vector<Replacement> replacements;
-    for (const Knob& each : knobs) {
+    for (const render::Knob& each : knobs) {
         if (!each.isChanged() || !each.words.empty()) continue;
         const auto begin = offsetOf(text, each.place);
         const auto end = begin ? valueEnd(text, *begin) : std::nullopt;
@@ -196,11 +196,11 @@ std::string withFiles(std::string_view text, std::span<const ChosenFile> files) 
     return result;
 }
 
-bool hasChangedValues(std::span<const Knob> knobs) {
-    return std::ranges::any_of(knobs, &Knob::isChanged);
+bool hasChangedValues(std::span<const render::Knob> knobs) {
+    return std::ranges::any_of(knobs, &render::Knob::isChanged);
 }
 
-Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs,
+Diagnostics saveValues(const std::filesystem::path& scene, std::span<const render::Knob> knobs,
                        std::span<const ChosenFile> files, EditedFile* edited) {
     if (isExample(scene))
         return {diagnose("view-E03", "this scene is an example of glibra; save a copy to keep your values",

@@ -10,14 +10,14 @@
 #include <string>
 #include <string_view>
 
+#include "render/live/knobs.h"
 #include "view/edit/edited_file.h"
-#include "view/scene/knobs.h"
 
 namespace glibra::view {
 
 /// The scene's text with the value of every changed knob replaced; all other bytes stay. If a value is no
 /// longer where it was read from, the result is the error view-E01.
-Result<std::string> withValues(std::string_view text, std::span<const Knob> knobs);
+Result<std::string> withValues(std::string_view text, std::span<const render::Knob> knobs);
 
 /// A file that the user has chosen for a statement that names none. Edits may move the line, so it is found
 /// by its text.
@@ -38,10 +38,10 @@ std::string withFiles(std::string_view text, std::span<const ChosenFile> files);
 
 /// Writes values and names of files into the text of a scene, which is written atomically. `edited`: the text
 /// of the scene in an editor, which gets them too (EditedFile::changeFile); may be null.
-Diagnostics saveValues(const std::filesystem::path& scene, std::span<const Knob> knobs,
+Diagnostics saveValues(const std::filesystem::path& scene, std::span<const render::Knob> knobs,
                        std::span<const ChosenFile> files = {}, EditedFile* edited = nullptr);
 
 /// True if a value differs from that of the file.
-bool hasChangedValues(std::span<const Knob> knobs);
+bool hasChangedValues(std::span<const render::Knob> knobs);
 
 }  // namespace glibra::view

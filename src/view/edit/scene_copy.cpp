@@ -66,7 +66,7 @@ Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
 
 }  // namespace
 
-std::vector<CopiedFile> filesOfCopy(const LiveScene& live, const fs::path& target, bool all,
+std::vector<CopiedFile> filesOfCopy(const render::LiveScene& live, const fs::path& target, bool all,
                                     const std::vector<fs::path>& libraryRoots) {
     const scene::Scene& scene = live.scene();
     const fs::path from = whole(scene.path).parent_path();

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra::view {
 
@@ -19,8 +19,8 @@ struct CopiedFile {
 /// The files that a copy of the scene at `target` needs beside it: those that `live` has read and that the
 /// copy would not find, or, with `all`, each of them. Files in or below the folder of the scene keep their
 /// relative places, and others go where the scene's names for them lead. The scene itself is not among them.
-std::vector<CopiedFile> filesOfCopy(const LiveScene& live, const std::filesystem::path& target, bool all,
-                                    const std::vector<std::filesystem::path>& libraryRoots);
+std::vector<CopiedFile> filesOfCopy(const render::LiveScene& live, const std::filesystem::path& target,
+                                    bool all, const std::vector<std::filesystem::path>& libraryRoots);
 
 /// Writes the text as the scene `target`, and copies the files. Folders are made. A file that exists with
 /// the same content is kept; one with another content is an error (file-E10), and then nothing is written.

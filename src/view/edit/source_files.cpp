@@ -21,7 +21,7 @@ SourceFile* find(std::vector<SourceFile>& files, const std::filesystem::path& pa
 
 }  // namespace
 
-std::vector<SourceFile> sourceFiles(const LiveScene& live) {
+std::vector<SourceFile> sourceFiles(const render::LiveScene& live) {
     const scene::Scene& scene = live.scene();
     std::vector<SourceFile> files{{scene.path, {}, "scene"}};
     std::set<std::filesystem::path> data;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "render/live/live_scene.h"
 #include "source/syntax.h"
-#include "view/scene/live_scene.h"
 
 namespace glibra::view {
 
@@ -18,7 +18,7 @@ struct SourceFile {
 
 /// The scene, the shaders in the order of pipeline stages and programs, and the files that they include. Each
 /// file is listed once; missing files are left out.
-std::vector<SourceFile> sourceFiles(const LiveScene& live);
+std::vector<SourceFile> sourceFiles(const render::LiveScene& live);
 
 // The names of source/syntax.h that the editor uses.
 

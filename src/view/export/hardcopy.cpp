@@ -16,9 +16,9 @@
 #include "image/write.h"
 #include "render/draw/axes.h"
 #include "render/file/job.h"
+#include "render/live/knobs.h"
 #include "render/scene_renderer.h"
 #include "suite/options/option_words.h"
-#include "view/scene/knobs.h"
 
 namespace glibra::view {
 
@@ -127,7 +127,7 @@ void HardcopyJob::State::drawChosenLabels(image::Image& picture) const {
     const std::array<const plan::FramePlan*, 1> plans{&renderer->plan()};
     const render::LabelBlock block =
         render::labelBlock(picture.width, picture.height,
-                           onlyLabels(render::labelsOf(renderer->scene(), plans), labelled), corner);
+                           render::onlyLabels(render::labelsOf(renderer->scene(), plans), labelled), corner);
     if (!block.lines.empty()) render::drawLabels(picture, block, block.left, block.top);
 }
 

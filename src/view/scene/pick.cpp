@@ -20,7 +20,7 @@ std::vector<const scene::Draw*> windowDraws(const scene::Scene& scene) {
     return draws;
 }
 
-const plan::PlannedDraw* visibleDraw(LiveScene& scene, const gpu::Target& picture, double time, int x,
+const plan::PlannedDraw* visibleDraw(render::LiveScene& scene, const gpu::Target& picture, double time, int x,
                                      int row) {
     std::vector<std::pair<const plan::PlannedDraw*, gpu::Query>> counted;
     render::FrameDrawer& drawer = scene.drawer();
@@ -41,7 +41,7 @@ const plan::PlannedDraw* visibleDraw(LiveScene& scene, const gpu::Target& pictur
     return found;
 }
 
-std::optional<Picked> pick(LiveScene& scene, const gpu::Target& picture, double time, int x, int y) {
+std::optional<Picked> pick(render::LiveScene& scene, const gpu::Target& picture, double time, int x, int y) {
     if (x < 0 || y < 0 || x >= picture.width() || y >= picture.height()) return std::nullopt;
     const int row = picture.height() - 1 - y;
     const plan::PlannedDraw* found = visibleDraw(scene, picture, time, x, row);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gpu/object/framebuffer.h"
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra::view {
 
@@ -27,12 +27,12 @@ std::vector<const scene::Draw*> windowDraws(const scene::Scene& scene);
 
 /// The last draw into the window whose fragments pass at the pixel; null if there is none. `row` counts from
 /// the lower edge. Draws the window's passes again, in that pixel alone.
-const plan::PlannedDraw* visibleDraw(LiveScene& scene, const gpu::Target& picture, double time, int x,
+const plan::PlannedDraw* visibleDraw(render::LiveScene& scene, const gpu::Target& picture, double time, int x,
                                      int row);
 
 /// Draws the one pixel again through the scene's own stages, and finds the draw whose fragments are the last
 /// to pass the depth test there. This is exact whatever the shaders discard or move. `picture` holds the
 /// frame of that time; x counts to the right and y downwards. Empty where the background is visible.
-std::optional<Picked> pick(LiveScene& scene, const gpu::Target& picture, double time, int x, int y);
+std::optional<Picked> pick(render::LiveScene& scene, const gpu::Target& picture, double time, int x, int y);
 
 }  // namespace glibra::view

@@ -69,7 +69,7 @@ double SliderScale::moved(double value, double positions, bool isFine) const {
     return std::clamp(least, low, std::max(low, std::floor(maximum)));
 }
 
-SliderScale scaleOf(const Knob& knob) {
+SliderScale scaleOf(const render::Knob& knob) {
     SliderScale scale{std::min(knob.minimum, knob.maximum), std::max(knob.minimum, knob.maximum),
                       knob.isInteger()};
     if (scale.minimum == scale.maximum) scale.maximum = scale.minimum + 1;

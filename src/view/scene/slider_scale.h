@@ -1,7 +1,7 @@
 #pragma once
 // Where a slider's thumb stands for a value, and which value a place of the thumb means.
 
-#include "view/scene/knobs.h"
+#include "render/live/knobs.h"
 
 namespace glibra::view {
 
@@ -22,7 +22,7 @@ struct SliderScale {
 
 /// The scale of a knob with a range. It is logarithmic if the range is positive and spans three decades or
 /// more.
-SliderScale scaleOf(const Knob& knob);
+SliderScale scaleOf(const render::Knob& knob);
 
 /// 0 for what dragging by steps of that size leaves of 0 (-1.767e-15); other values stay.
 double withoutLeftover(double value, double step);

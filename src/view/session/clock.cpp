@@ -7,14 +7,14 @@
 
 namespace glibra::view {
 
-Animation animationOf(const Knob& knob, double time) {
+Animation animationOf(const render::Knob& knob, double time) {
     Animation animation{knob.program, knob.tag, time, {}, knob.current};
     const SliderScale scale = scaleOf(knob);
     for (const double each : knob.current) animation.phases.push_back(scale.positionOf(each));
     return animation;
 }
 
-std::vector<double> valuesAt(const Animation& animation, const Knob& knob, double time) {
+std::vector<double> valuesAt(const Animation& animation, const render::Knob& knob, double time) {
     const SliderScale scale = scaleOf(knob);
     std::vector<double> values = knob.current;
     for (std::size_t i = 0; i < values.size() && i < animation.phases.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "view/scene/knobs.h"
+#include "render/live/knobs.h"
 
 namespace glibra::view {
 
@@ -20,15 +20,17 @@ struct Animation {
     std::vector<double> phases;  ///< of the components at `begin`, 0..2: up at 0..1, down at 1..2
     std::vector<double> before;  ///< the values that undo returns to
 
-    [[nodiscard]] bool isOf(const Knob& knob) const { return knob.program == program && knob.tag == tag; }
+    [[nodiscard]] bool isOf(const render::Knob& knob) const {
+        return knob.program == program && knob.tag == tag;
+    }
 };
 
 constexpr double kAnimationSeconds = 4;  ///< from one end to the other
 
 /// Begins at the knob's current values, upwards.
-Animation animationOf(const Knob& knob, double time);
+Animation animationOf(const render::Knob& knob, double time);
 /// The values of the animated knob at that time: from end to end and back, evenly on the slider's scale.
-std::vector<double> valuesAt(const Animation& animation, const Knob& knob, double time);
+std::vector<double> valuesAt(const Animation& animation, const render::Knob& knob, double time);
 
 class Clock {
   public:

@@ -260,8 +260,8 @@ class Drawing {
     Diagnostics draw(const Order& order) {
         Diagnostics diagnostics;
         if (const auto loading = order.at("loading").get<std::uint64_t>(); !live_ || loading != loading_) {
-            LiveScene::Loading loaded = LiveScene::load(context_, order.at("path").get<std::string>(),
-                                                        optionsOf(order.at("options")), live_.get());
+            render::LiveScene::Loading loaded = render::LiveScene::load(
+                context_, order.at("path").get<std::string>(), optionsOf(order.at("options")), live_.get());
             if (!loaded.scene) return std::move(loaded.diagnostics);
             live_ = std::move(loaded.scene);
             knobs_ = live_->knobs();
@@ -291,7 +291,7 @@ class Drawing {
 
   private:
     void set(const Order& value) {
-        for (Knob& each : knobs_) {
+        for (render::Knob& each : knobs_) {
             if (each.title != value[0].get<std::string>() || each.tag != value[1].get<std::string>())
                 continue;
             auto wanted = value[2].get<std::vector<double>>();
@@ -318,8 +318,8 @@ class Drawing {
     }
 
     gpu::Context& context_;
-    std::unique_ptr<LiveScene> live_;
-    std::vector<Knob> knobs_;
+    std::unique_ptr<render::LiveScene> live_;
+    std::vector<render::Knob> knobs_;
     std::uint64_t loading_ = 0;
     std::optional<gpu::Target> target_;
     int samples_ = 0;
@@ -331,7 +331,7 @@ std::string orderText(const DrawnState& state) {
     Order texts = Order::array(), knobs = Order::array(), roots = Order::array();
     for (const auto& [path, text] : state.options.texts) texts.push_back({path.string(), text});
     for (const std::filesystem::path& each : state.options.libraryRoots) roots.push_back(each.string());
-    for (const Knob& each : state.knobs) knobs.push_back({each.title, each.tag, each.current});
+    for (const render::Knob& each : state.knobs) knobs.push_back({each.title, each.tag, each.current});
     Order options{{"glman", state.options.view == ViewPolicy::glman},
                   {"shim", state.options.shim},
                   {"roots", roots},

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra::view {
 
@@ -98,9 +98,9 @@ class DrawingProcess {
 /// What a frame of a live scene depends on, besides the scene's files.
 struct DrawnState {
     std::filesystem::path scene;
-    std::uint64_t loading = 0;  ///< another number: the scene is loaded again
-    RenderOptions options;      ///< of loading: view policy, library roots, shim, texts
-    std::vector<Knob> knobs;    ///< title, tag and current values
+    std::uint64_t loading = 0;        ///< another number: the scene is loaded again
+    RenderOptions options;            ///< of loading: view policy, library roots, shim, texts
+    std::vector<render::Knob> knobs;  ///< title, tag and current values
     ViewState view;
     std::string camera;
     double time = 0;

@@ -18,7 +18,7 @@ bool History::isCurrent(const Session& session) const {
     const std::vector<Value>& values = states_[at_].values;
     if (values.size() != session.knobs().size()) return false;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const Knob& knob = session.knobs()[i];
+        const render::Knob& knob = session.knobs()[i];
         if (values[i].program != knob.program || values[i].tag != knob.tag ||
             values[i].values != session.restingValue(i))
             return false;

@@ -61,7 +61,7 @@ std::string Session::chooseFile(const Place& place, const std::filesystem::path&
 
 bool Session::open(const std::filesystem::path& path) {
     options_.texts.clear();
-    LiveScene::Loading loading = LiveScene::load(context_, path, options_, nullptr);
+    render::LiveScene::Loading loading = render::LiveScene::load(context_, path, options_, nullptr);
     if (!loading.scene) {
         diagnostics_ = std::move(loading.diagnostics);
         return false;
@@ -89,7 +89,7 @@ bool Session::open(const std::filesystem::path& path) {
 
 bool Session::reload() {
     if (path_.empty()) return false;
-    LiveScene::Loading loading = LiveScene::load(context_, path_, loadOptions(), live_.get());
+    render::LiveScene::Loading loading = render::LiveScene::load(context_, path_, loadOptions(), live_.get());
     if (!loading.scene) {
         diagnostics_ = std::move(loading.diagnostics);
         if (loading.isPreviousLost) dropScene();
@@ -144,7 +144,7 @@ void Session::stop(const base::DeviceLost& lost) {
                                     lost.place.file.empty() ? Place{path_.string(), 1, 1} : lost.place));
 }
 
-void Session::take(LiveScene::Loading loading, bool sameScene) {
+void Session::take(render::LiveScene::Loading loading, bool sameScene) {
     if (live_) kept_.keep(live_->scene(), knobs_);
     if (sameScene && live_) {
         view_.objects = moved(view_.objects, live_->scene(), loading.scene->scene());
@@ -167,17 +167,18 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
     if (objectTimer_) objectTimer_->forget();
     live_ = std::move(loading.scene);
     diagnostics_ = std::move(loading.diagnostics);
-    const std::vector<Knob> before = std::exchange(knobs_, live_->knobs());
+    const std::vector<render::Knob> before = std::exchange(knobs_, live_->knobs());
     kept_.restore(live_->scene(), knobs_);
     for (Animation& each : animations_) {  // they go with their program, wherever it stands now
-        const auto old =
-            std::find_if(before.begin(), before.end(), [&](const Knob& knob) { return each.isOf(knob); });
+        const auto old = std::find_if(before.begin(), before.end(),
+                                      [&](const render::Knob& knob) { return each.isOf(knob); });
         if (old == before.end()) continue;
-        const auto now = std::find_if(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
+        const auto now = std::find_if(knobs_.begin(), knobs_.end(), [&](const render::Knob& knob) {
             return knob.title == old->title && knob.tag == old->tag;
         });
-        const bool isRenamed = std::ranges::any_of(knobs_, [&](const Knob& knob) {
-            return each.isOf(knob) && std::ranges::find(before, knob.title, &Knob::title) == before.end();
+        const bool isRenamed = std::ranges::any_of(knobs_, [&](const render::Knob& knob) {
+            return each.isOf(knob) &&
+                   std::ranges::find(before, knob.title, &render::Knob::title) == before.end();
         });
         if (now != knobs_.end())
             each.program = now->program;
@@ -185,8 +186,8 @@ void Session::take(LiveScene::Loading loading, bool sameScene) {
             each.tag.clear();  // it ends
     }
     std::erase_if(animations_, [&](const Animation& each) {
-        return std::none_of(knobs_.begin(), knobs_.end(), [&](const Knob& knob) {
-            return each.isOf(knob) && knob.widget == Widget::slider &&
+        return std::none_of(knobs_.begin(), knobs_.end(), [&](const render::Knob& knob) {
+            return each.isOf(knob) && knob.widget == render::Widget::slider &&
                    knob.current.size() == each.phases.size();
         });
     });
@@ -246,7 +247,7 @@ RenderOptions Session::renderOptions(int width, int height) const {
     options.labels = labels_;
     if (!chosenFiles_.empty()) options.sceneText = textWithFiles();
     options.viewState = shownView();
-    for (const Knob& each : knobs_)
+    for (const render::Knob& each : knobs_)
         if (each.isChanged()) options.set.push_back(setArgument(live_->scene(), each, knobs_));
     return options;
 }

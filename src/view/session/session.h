@@ -17,11 +17,11 @@
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/texture.h"
+#include "render/live/knobs.h"
+#include "render/live/live_scene.h"
 #include "view/debug_view/debug_renderer.h"
 #include "view/debug_view/pixel_probe.h"
 #include "view/edit/save_values.h"
-#include "view/scene/knobs.h"
-#include "view/scene/live_scene.h"
 #include "view/scene/pick.h"
 #include "view/scene/transforms.h"
 #include "view/session/clock.h"
@@ -79,16 +79,16 @@ class Session {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     /// How often a scene was loaded. Whatever was derived from live() before the last loading is out of date.
     [[nodiscard]] std::uint64_t timesLoaded() const { return timesLoaded_; }
-    [[nodiscard]] const LiveScene& live() const { return *live_; }
-    LiveScene& live() { return *live_; }
+    [[nodiscard]] const render::LiveScene& live() const { return *live_; }
+    render::LiveScene& live() { return *live_; }
     /// The diagnostics of the last loading and of the frames since, and those about long loops with the
     /// current values.
     [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
-    [[nodiscard]] const std::vector<Knob>& knobs() const { return knobs_; }
+    [[nodiscard]] const std::vector<render::Knob>& knobs() const { return knobs_; }
     /// Null if there is none. `program` is the title of the knob's program; if it is empty, the first knob
     /// with the tag is returned.
-    [[nodiscard]] const Knob* knob(std::string_view program, std::string_view tag) const;
+    [[nodiscard]] const render::Knob* knob(std::string_view program, std::string_view tag) const;
     /// Sets any finite values, also beyond the knob's limits. If there are fewer values than components, the
     /// other components stay.
     void setValue(std::size_t knob, std::vector<double> values);
@@ -103,9 +103,9 @@ class Session {
     /// The knob's values, or those from before its animation.
     [[nodiscard]] const std::vector<double>& restingValue(std::size_t knob) const;
     /// The values that differ from the file's, those of animations as they were before.
-    [[nodiscard]] KeptValues keptValues() const;
+    [[nodiscard]] render::KeptValues keptValues() const;
     /// Sets them, as far as the scene says the same about them as then. Returns true if a value has changed.
-    bool setKeptValues(KeptValues kept);
+    bool setKeptValues(render::KeptValues kept);
     /// Sets a value given as "NAME=VALUE", as on the command line. Returns what is wrong with it.
     Diagnostics setByText(const std::string& argument);
 
@@ -224,7 +224,7 @@ class Session {
     /// The draws that are drawn with another state than the scene says (LiveScene::tryStates), until the
     /// scene says another one for them, or another scene is opened. They are found again after an edit, and a
     /// draw that takes the place of another does not inherit its state.
-    [[nodiscard]] const TriedStates& triedStates() const { return trials_.states(); }
+    [[nodiscard]] const render::TriedStates& triedStates() const { return trials_.states(); }
     void tryState(const scene::Draw& draw, const base::RasterState& state);
     /// The text of a file of the scene, with what was typed in it; empty if it cannot be read.
     [[nodiscard]] std::string readText(const std::filesystem::path& file) const;
@@ -261,7 +261,7 @@ class Session {
 
   private:
     void followTrials();
-    void take(LiveScene::Loading loading, bool sameScene);
+    void take(render::LiveScene::Loading loading, bool sameScene);
     void dropScene();
     Diagnostics drawShown();
     [[nodiscard]] ViewState shownView() const;
@@ -285,10 +285,10 @@ class Session {
     gpu::Context& context_;
     RenderOptions options_;
     std::filesystem::path path_;
-    std::unique_ptr<LiveScene> live_;
+    std::unique_ptr<render::LiveScene> live_;
     Diagnostics diagnostics_;
-    std::vector<Knob> knobs_;
-    KeptValues kept_;
+    std::vector<render::Knob> knobs_;
+    render::KeptValues kept_;
     ViewState view_;
     Clock clock_;
     std::string camera_;

@@ -11,8 +11,8 @@
 
 namespace glibra::view {
 
-const Knob* Session::knob(std::string_view program, std::string_view tag) const {
-    for (const Knob& each : knobs_)
+const render::Knob* Session::knob(std::string_view program, std::string_view tag) const {
+    for (const render::Knob& each : knobs_)
         if (each.tag == tag && (program.empty() || each.title == program)) return &each;
     return nullptr;
 }
@@ -31,7 +31,7 @@ void Session::applyValue(std::size_t knob) {
 
 void Session::setValue(std::size_t knob, std::vector<double> values) {
     if (knob >= knobs_.size()) return;
-    Knob& changed = knobs_[knob];
+    render::Knob& changed = knobs_[knob];
     std::vector<double> wanted = changed.current;
     for (std::size_t i = 0; i < std::min(values.size(), wanted.size()); ++i) {
         if (!std::isfinite(static_cast<float>(values[i]))) return;
@@ -45,7 +45,7 @@ void Session::setValue(std::size_t knob, std::vector<double> values) {
 void Session::animate(std::size_t knob, bool on) {
     if (knob >= knobs_.size()) return;
     std::erase_if(animations_, [&](const Animation& each) { return each.isOf(knobs_[knob]); });
-    if (!on || knobs_[knob].widget != Widget::slider || !knobs_[knob].words.empty()) return;
+    if (!on || knobs_[knob].widget != render::Widget::slider || !knobs_[knob].words.empty()) return;
     animations_.push_back(animationOf(knobs_[knob], clock_.time()));
     clock_.play(true);
 }
@@ -85,18 +85,18 @@ void Session::resetValues() {
     kept_.forget();
 }
 
-KeptValues Session::keptValues() const {
-    KeptValues kept = kept_;
+render::KeptValues Session::keptValues() const {
+    render::KeptValues kept = kept_;
     if (!live_) return kept;
-    std::vector<Knob> resting = knobs_;
+    std::vector<render::Knob> resting = knobs_;
     for (std::size_t i = 0; i < resting.size(); ++i) resting[i].current = restingValue(i);
     kept.keep(live_->scene(), resting);
     return kept;
 }
 
-bool Session::setKeptValues(KeptValues kept) {
+bool Session::setKeptValues(render::KeptValues kept) {
     if (!live_) return false;
-    std::vector<Knob> wanted = knobs_;
+    std::vector<render::Knob> wanted = knobs_;
     kept_ = std::move(kept);  // also for programs that the scene lacks until it is mended
     kept_.restore(live_->scene(), wanted);
     bool isChanged = false;
@@ -123,7 +123,7 @@ Diagnostics Session::setByText(const std::string& argument) {
     bool isKnown = false;
     Diagnostics problems;
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
-        const Knob& knob = knobs_[i];
+        const render::Knob& knob = knobs_[i];
         if (knob.tag != parsed->name) continue;
         // The control of a variable belongs to no program.
         const bool isMeant = knob.program ? plan::isFor(*parsed, live_->scene().programs[knob.program])
@@ -142,7 +142,7 @@ Diagnostics Session::setByText(const std::string& argument) {
     }
     if (isKnown) return problems;
     std::vector<std::string> names;
-    for (const Knob& each : knobs_) names.push_back(each.tag);
+    for (const render::Knob& each : knobs_) names.push_back(each.tag);
     return plan::unusedOverrides(std::span(&*parsed, 1), {false}, names);
 }
 
@@ -172,14 +172,14 @@ void Session::holdKey(std::string_view key, double seconds) {
     for (const scene::KeyBinding& each : bindings) {
         if (!each.isHeld || !glib::sameWord(each.key, key)) continue;
         for (std::size_t i = 0; i < knobs_.size(); ++i) {
-            const Knob& knob = knobs_[i];
+            const render::Knob& knob = knobs_[i];
             if (knob.program || knob.tag != each.variable || each.values.empty()) continue;
             std::vector<double> moved = knob.current;
             const std::vector<double>& aim = each.values.front();
             for (std::size_t k = 0; k < moved.size() && k < aim.size(); ++k) {
                 moved[k] += (aim[k] - moved[k]) * seconds;
                 // A value that the scene states outside of its range can come back into it.
-                if (knob.widget == Widget::slider)
+                if (knob.widget == render::Widget::slider)
                     moved[k] = std::clamp(moved[k], std::min(knob.minimum, knob.current[k]),
                                           std::max(knob.maximum, knob.current[k]));
             }

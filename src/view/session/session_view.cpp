@@ -43,8 +43,8 @@ void Session::showLike(const Session& other) {
     Clock clock = other.clock_;
     clock.setTime(other.pictureTime_);
     if (clock.time() != clock_.time()) setClock(clock);
-    for (const Knob& each : other.knobs_) {
-        const Knob* known = knob(each.title, each.tag);
+    for (const render::Knob& each : other.knobs_) {
+        const render::Knob* known = knob(each.title, each.tag);
         if (!known) known = knob("", each.tag);
         if (!known || known->current.size() != each.current.size()) continue;
         std::vector<double> values = each.current;

@@ -43,7 +43,7 @@ void Trials::set(const scene::Draw& draw, const base::RasterState& state, const 
     const base::RasterState ofScene = isTried ? known->state.ofScene : draw.raster;
     if (known != trials_.end()) trials_.erase(known);
     if (state != ofScene)
-        trials_.push_back({draw.place.file, draw.id, draw.id, TriedState{draw.word, ofScene, state}});
+        trials_.push_back({draw.place.file, draw.id, draw.id, render::TriedState{draw.word, ofScene, state}});
     keepTexts(textOf);
     list();
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 namespace glibra::view {
 
@@ -19,7 +19,7 @@ class Trials {
     [[nodiscard]] bool empty() const { return trials_.empty(); }
     /// By the draws of the scene as it is now. A draw whose line is missing has none, until the line is there
     /// again.
-    [[nodiscard]] const TriedStates& states() const { return states_; }
+    [[nodiscard]] const render::TriedStates& states() const { return states_; }
     /// The draw gets another state; that of the scene ends the trial.
     void set(const scene::Draw& draw, const base::RasterState& state, const TextOf& textOf);
     /// The scene has been read again.
@@ -30,13 +30,13 @@ class Trials {
     struct Trial {
         std::filesystem::path file;
         DrawId then, now;  ///< in texts_, and in the texts as they are; `now` has no line if it is gone
-        TriedState state;
+        render::TriedState state;
     };
     void keepTexts(const TextOf& textOf);
     void list();
 
     std::vector<Trial> trials_;
-    TriedStates states_;                                  ///< of those that are not gone
+    render::TriedStates states_;                          ///< of those that are not gone
     std::map<std::filesystem::path, std::string> texts_;  ///< in which all trials stood
 };
 

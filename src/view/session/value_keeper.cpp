@@ -29,7 +29,7 @@ const char* wordIn(Enum value, const auto& words) {
 Json knobsJson(const Session& session) {
     Json knobs = Json::array();
     for (std::size_t i = 0; i < session.knobs().size(); ++i) {
-        const Knob& each = session.knobs()[i];
+        const render::Knob& each = session.knobs()[i];
         knobs.push_back({{"program", each.title},
                          {"tag", each.tag},
                          {"widget", wordIn(each.widget, kWidgets)},
@@ -145,7 +145,7 @@ bool ValueKeeper::restore(Session& session) {
     if (!folder_.empty() && session.hasScene()) {
         const fs::path file = fileOf(folder_, session.path());
         if (const auto bytes = image::readFile(file, {file.string(), {}}, kLargestKept))
-            isRestored = session.setKeptValues(KeptValues::ofText(base::asText(*bytes)));
+            isRestored = session.setKeptValues(render::KeptValues::ofText(base::asText(*bytes)));
     }
     see(session);
     return isRestored;

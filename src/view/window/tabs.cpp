@@ -18,7 +18,7 @@ fs::path whole(const fs::path& file) {
 }
 
 /// The files of the scene, and those that it lacks, where they would be found.
-std::vector<fs::path> allFiles(const LiveScene& live) {
+std::vector<fs::path> allFiles(const render::LiveScene& live) {
     std::vector<fs::path> files = live.files();
     for (fs::path& each : live.missingFiles()) files.push_back(std::move(each));
     return files;

@@ -94,7 +94,7 @@ void Window::closeNow(std::size_t tab) {
     if (const Session& session = tabs_.at(tab).session; session.hasScene()) {
         ClosedTab closed{session.path(),  tab, session.knobs(), session.view(), session.clock(),
                          session.camera()};
-        std::erase_if(closed.knobs, [](const Knob& each) { return !each.isChanged(); });
+        std::erase_if(closed.knobs, [](const render::Knob& each) { return !each.isChanged(); });
         closed_.push_back(std::move(closed));
         tabs_.at(tab).values.forget(session);
         if (closed_.size() > kMostClosed) closed_.erase(closed_.begin());
@@ -113,9 +113,10 @@ void Window::reopenTab() {
     closed_.pop_back();
     openScene(closed.scene, true);
     if (session().path() != closed.scene || !session().hasScene()) return;
-    for (const Knob& each : closed.knobs)
+    for (const render::Knob& each : closed.knobs)
         for (std::size_t i = 0; i < session().knobs().size(); ++i)
-            if (const Knob& known = session().knobs()[i]; known.title == each.title && known.tag == each.tag)
+            if (const render::Knob& known = session().knobs()[i];
+                known.title == each.title && known.tag == each.tag)
                 session().setValue(i, each.current);
     session().setView(closed.view);
     session().setClock(closed.clock);

@@ -42,7 +42,7 @@ inline bool isAny(const Ui& ui, bool (Panel::*is)() const) {
 struct ClosedTab {
     std::filesystem::path scene;
     std::size_t index = 0;
-    std::vector<Knob> knobs;  ///< that were changed
+    std::vector<render::Knob> knobs;  ///< that were changed
     ViewState view;
     Clock clock;
     std::string camera;

@@ -16,7 +16,7 @@ namespace glibra::view {
 namespace {
 
 std::vector<StateLine> linesOf(const Ui& ui, const FrameItem& item) {
-    const LiveScene& live = ui.session.live();
+    const render::LiveScene& live = ui.session.live();
     const plan::PlannedDraw* draw = plannedDraw(live.plan(), item);
     if (draw == nullptr) return {};
     const scene::NodeList& frame = live.scene().frame;

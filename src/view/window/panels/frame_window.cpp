@@ -58,7 +58,7 @@ std::string followedKey(std::span<const FrameItem> before, const FrameWindow::Te
 /// Lists the frame anew, with thumbnails. The chosen item and the folded passes stay, also when their lines
 /// have moved.
 void listFrame(Ui& ui, FrameWindow& window, bool isOther) {
-    const LiveScene& live = ui.session.live();
+    const render::LiveScene& live = ui.session.live();
     const std::vector<FrameItem> before = std::exchange(window.items, frameItems(live.scene(), live.plan()));
     const bool isFirst = before.empty();
     if (isOther) {

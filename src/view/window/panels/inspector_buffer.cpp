@@ -68,7 +68,7 @@ void pages(Ui& ui, Inspector& inspector) {
 std::string exportBuffer(Ui& ui, const std::string& name, bool isPrevious,
                          const std::filesystem::path& file) {
     if (!ui.session.canLookInto()) return "no frame has been drawn";
-    const LiveScene& live = ui.session.live();
+    const render::LiveScene& live = ui.session.live();
     for (const scene::BufferIndex each : live.scene().buffers.indices()) {
         if (live.scene().buffers[each].name != name) continue;
         const gpu::Buffer* buffer = live.buffers().buffer({each, isPrevious});

@@ -29,7 +29,7 @@ struct Chosen {
 
 /// What the key names now; the picture if that no longer exists.
 Chosen chosenOf(Ui& ui, Inspector& inspector) {
-    const LiveScene& live = ui.session.live();
+    const render::LiveScene& live = ui.session.live();
     if (inspector.chosen == "depth") return {{}, {}, true};
     for (const scene::TextureIndex each : live.scene().textures.indices())
         if (textureKey(live.scene(), each) == inspector.chosen && live.texture(each))
@@ -42,7 +42,7 @@ Chosen chosenOf(Ui& ui, Inspector& inspector) {
 }
 
 std::string titleOf(const Ui& ui, const Chosen& chosen) {
-    const LiveScene& live = ui.session.live();
+    const render::LiveScene& live = ui.session.live();
     if (chosen.buffer) {
         const scene::Buffer& buffer = live.scene().buffers[chosen.buffer];
         return fmt::format("{}: buffer, {} bytes, line {}", buffer.name,
@@ -58,7 +58,7 @@ bool hasHistory(const scene::Scene& scene, const Chosen& chosen) {
 }
 
 /// The values of these begin far from 0..1.
-bool needsRange(const LiveScene& live, const Chosen& chosen) {
+bool needsRange(const render::LiveScene& live, const Chosen& chosen) {
     const gpu::Texture* texture = chosen.texture ? live.texture(chosen.texture) : nullptr;
     return texture && (base::isInteger(texture->format()) || base::hasDepth(texture->format()));
 }
@@ -82,7 +82,7 @@ Chosen choose(Ui& ui, Inspector& inspector) {
         mark(ui, "inspector/item/{}", key);
         ImGui::PopID();
     };
-    const LiveScene& live = ui.session.live();
+    const render::LiveScene& live = ui.session.live();
     item("picture", {});
     item("depth", {{}, {}, true});
     for (const scene::TextureIndex each : live.scene().textures.indices())
@@ -155,7 +155,7 @@ void read(Ui& ui, Inspector& inspector, const Chosen& chosen) {
 /// one.
 void beginWithHidden(const Ui& ui, Inspector& inspector) {
     if (inspector.chosen != "picture") return;
-    const LiveScene& live = ui.session.live();
+    const render::LiveScene& live = ui.session.live();
     for (const scene::TextureIndex each : live.scene().textures.indices()) {
         if (!live.texture(each)) continue;
         inspector.chosen = textureKey(live.scene(), each);

@@ -29,8 +29,8 @@ void updateTexture(const gpu::Capabilities& capabilities, const render::LabelBlo
 /// Finds the values to label; none in `only`: all. Returns false if there are none.
 bool hasLabels(const Ui& ui, std::vector<std::string>& only) {
     if (ui.settings.labelChoice == LabelChoice::all) return true;
-    const std::vector<Knob>& knobs = ui.session.knobs();
-    for (const Knob& each : knobs)
+    const std::vector<render::Knob>& knobs = ui.session.knobs();
+    for (const render::Knob& each : knobs)
         if (ui.settings.labelChoice == LabelChoice::changed ? each.isChanged()
                                                             : ui.labelled.contains(labelKey(each)))
             only.push_back(labelBegin(each));
@@ -39,7 +39,7 @@ bool hasLabels(const Ui& ui, std::vector<std::string>& only) {
 
 }  // namespace
 
-std::string labelKey(const Knob& knob) {
+std::string labelKey(const render::Knob& knob) {
     return knob.title + "/" + knob.tag;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/object/texture.h"
-#include "view/scene/knobs.h"
+#include "render/live/knobs.h"
 
 namespace glibra::view {
 
@@ -19,7 +19,7 @@ struct LabelOverlay {
 };
 
 /// How Ui::labelled names a value.
-std::string labelKey(const Knob& knob);
+std::string labelKey(const render::Knob& knob);
 /// A menu of which values are labelled.
 void labelChoice(Ui& ui, const char* id, const char* name, float width);
 /// Draws the values over the picture, if they are wanted.

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "render/live/knobs.h"
 #include "view/edit/edited_file.h"
 #include "view/edit/recovery.h"
 #include "view/edit/save_values.h"
-#include "view/scene/knobs.h"
 #include "view/window/platform/settings.h"
 
 namespace glibra::view {
@@ -26,7 +26,7 @@ struct TabTitle {
 /// The changed values of a scene, as they would be saved.
 struct UnsavedValues {
     std::filesystem::path scene;
-    std::vector<Knob> knobs;
+    std::vector<render::Knob> knobs;
     std::vector<ChosenFile> files;
 };
 

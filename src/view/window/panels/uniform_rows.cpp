@@ -45,16 +45,16 @@ struct Part {
     [[nodiscard]] std::size_t index() const { return row.index; }
 };
 
-const char* ownerOf(const Knob& knob, const Row& row) {
+const char* ownerOf(const render::Knob& knob, const Row& row) {
     return row.isShared ? "shared" : knob.title.c_str();
 }
 
 /// The widget's name for `--state` and Sliders::typing.
-std::string widgetName(const Knob& knob, const Row& row) {
+std::string widgetName(const render::Knob& knob, const Row& row) {
     return fmt::format("uniform/{}/{}", ownerOf(knob, row), knob.tag);
 }
 std::string widgetName(const Ui& ui, const Part& part) {
-    const Knob& knob = ui.session.knobs()[part.index()];
+    const render::Knob& knob = ui.session.knobs()[part.index()];
     const std::string name = widgetName(knob, part.row);
     return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, part.component);
 }
@@ -85,7 +85,7 @@ int shownInteger(double value) {
 
 /// A menu of the words of a choice.
 void wordMenu(Ui& ui, const Part& part) {
-    const Knob& knob = ui.session.knobs()[part.index()];
+    const render::Knob& knob = ui.session.knobs()[part.index()];
     int word = shownInteger(knob.current[part.component]);
     std::string items;  // ended by zero bytes
     for (const std::string& each : knob.words) items += each + '\0';
@@ -96,7 +96,7 @@ void wordMenu(Ui& ui, const Part& part) {
 
 /// Returns true if the user wants the menu of the value.
 bool slider(Ui& ui, const Part& part) {
-    const Knob& knob = ui.session.knobs()[part.index()];
+    const render::Knob& knob = ui.session.knobs()[part.index()];
     if (!knob.words.empty()) {
         wordMenu(ui, part);
         return false;
@@ -126,7 +126,7 @@ bool slider(Ui& ui, const Part& part) {
 }
 
 void number(Ui& ui, const Part& part) {
-    const Knob& knob = ui.session.knobs()[part.index()];
+    const render::Knob& knob = ui.session.knobs()[part.index()];
     double value = knob.current[part.component];
     const auto speed = static_cast<float>(
         knob.isInteger() ? .1 : std::max(.002, std::abs(knob.initial[part.component]) * .005));
@@ -151,7 +151,7 @@ void number(Ui& ui, const Part& part) {
 /// true if the user wants the menu of the value.
 bool components(Ui& ui, const Row& row) {
     bool wantsMenu = false;
-    const Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = ui.session.knobs()[row.index];
     const std::size_t count = knob.current.size();
     const std::size_t inRow =
         std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, knob.type.rows)), 1, kMostInRow);
@@ -163,7 +163,7 @@ bool components(Ui& ui, const Row& row) {
         if (i % inRow != 0) ImGui::SameLine(0, space);
         ImGui::SetNextItemWidth(std::max(20.F, each));
         ImGui::PushID(static_cast<int>(i));
-        if (knob.widget == Widget::slider)
+        if (knob.widget == render::Widget::slider)
             wantsMenu = slider(ui, {row, i}) || wantsMenu;
         else
             number(ui, {row, i});
@@ -173,7 +173,7 @@ bool components(Ui& ui, const Row& row) {
 }
 
 void booleanRow(Ui& ui, const Row& row) {
-    const Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = ui.session.knobs()[row.index];
     bool on = knob.current.front() != 0;
     if (checkBox("##on", &on))
         ui.session.setValue(row.index, std::vector<double>(knob.current.size(), on ? 1.0 : 0.0));
@@ -181,7 +181,7 @@ void booleanRow(Ui& ui, const Row& row) {
 }
 
 void color(Ui& ui, const Row& row) {
-    const Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = ui.session.knobs()[row.index];
     std::array<float, 4> rgba{0, 0, 0, 1};
     const std::size_t count = std::min<std::size_t>(rgba.size(), knob.current.size());
     std::copy_n(knob.current.begin(), count, rgba.begin());
@@ -195,12 +195,12 @@ void color(Ui& ui, const Row& row) {
 }
 
 /// Animations move between the ends of a range.
-bool canMove(const Knob& knob) {
-    return knob.widget == Widget::slider && knob.words.empty();
+bool canMove(const render::Knob& knob) {
+    return knob.widget == render::Widget::slider && knob.words.empty();
 }
 
 void contextMenu(Ui& ui, std::size_t index) {
-    const Knob& knob = ui.session.knobs()[index];
+    const render::Knob& knob = ui.session.knobs()[index];
     if (!ImGui::BeginPopup("menu")) return;
     ImGui::TextDisabled("%s", knob.declaration.c_str());
     if (canMove(knob)) {
@@ -230,7 +230,7 @@ void contextMenu(Ui& ui, std::size_t index) {
 /// The buttons after the value: animate, and back to the scene's value.
 void knobButtons(Ui& ui, const Row& row) {
     const std::size_t index = row.index;
-    const Knob& knob = ui.session.knobs()[index];
+    const render::Knob& knob = ui.session.knobs()[index];
     const float side = ImGui::GetFrameHeight();
     if (canMove(knob)) {
         const bool isMoving = ui.session.isAnimated(index);
@@ -252,7 +252,7 @@ void knobButtons(Ui& ui, const Row& row) {
 /// The name, with an ellipsis in its middle if it is too long, and the menu. Returns true if the user wants
 /// it.
 bool knobName(Ui& ui, const Row& row) {
-    const Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = ui.session.knobs()[row.index];
     const float width = ImGui::GetContentRegionAvail().x;
     const bool fits = ImGui::CalcTextSize(knob.tag.c_str()).x <= width;
     ImGui::AlignTextToFramePadding();
@@ -264,7 +264,7 @@ bool knobName(Ui& ui, const Row& row) {
     ui.frame.hoverText = knob.declaration;
     std::string owners;
     if (row.isShared)
-        for (const Knob& each : ui.session.knobs())
+        for (const render::Knob& each : ui.session.knobs())
             if (each.tag == knob.tag && each.initial == knob.initial) owners += " " + each.title;
     ImGui::SetTooltip("%s\n%s:%d\n%s%s%sRight click: animate, reset, label or copy", knob.declaration.c_str(),
                       knob.place.file.c_str(), knob.place.line, owners.empty() ? "" : "in", owners.c_str(),
@@ -273,7 +273,7 @@ bool knobName(Ui& ui, const Row& row) {
 }
 
 void rowOf(Ui& ui, const Row& row) {
-    const Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = ui.session.knobs()[row.index];
     ImGui::PushID(static_cast<int>(row.index));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -281,14 +281,14 @@ void rowOf(Ui& ui, const Row& row) {
     ImGui::TableNextColumn();
     const std::size_t stopsBefore = ui.sliders.drawn.size();
     switch (knob.widget) {
-        case Widget::checkBox:
+        case render::Widget::checkBox:
             booleanRow(ui, row);
             break;
-        case Widget::color:
+        case render::Widget::color:
             color(ui, row);
             break;
-        case Widget::slider:
-        case Widget::numbers:
+        case render::Widget::slider:
+        case render::Widget::numbers:
             wantsMenu = components(ui, row) || wantsMenu;
             break;
     }

@@ -14,8 +14,8 @@
 
 #include "base/text.h"
 #include "glib/text.h"
+#include "render/live/knobs.h"
 #include "view/export/hardcopy.h"
-#include "view/scene/knobs.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/label_overlay.h"
 #include "view/window/panels/save_scene.h"
@@ -30,7 +30,7 @@ namespace {
 /// Rows of the knobs for which `isShown` is true.
 template <class IsShown>
 void rows(Ui& ui, const IsShown& isShown) {
-    const std::vector<Knob>& knobs = ui.session.knobs();
+    const std::vector<render::Knob>& knobs = ui.session.knobs();
     float widest = 0;
     for (std::size_t i = 0; i < knobs.size(); ++i)
         if (isShown(i)) widest = std::max(widest, ImGui::CalcTextSize(knobs[i].tag.c_str()).x);
@@ -73,7 +73,7 @@ class ValuesPanel final : public Panel {
   public:
     void show(Ui& ui) override {
         if (!section(ui, "Values", "uniforms", true)) return;
-        const std::vector<Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.session.knobs();
         if (knobs.empty()) return withoutValues(ui);
         if (std::exchange(loaded_, ui.session.timesLoaded()) != ui.session.timesLoaded()) {
             shared_ = sharedKnobs(knobs);
@@ -107,7 +107,7 @@ class ValuesPanel final : public Panel {
                                  filter_.size());
         mark(ui, "uniforms/filter");
     }
-    [[nodiscard]] bool isFound(const Knob& knob) const {
+    [[nodiscard]] bool isFound(const render::Knob& knob) const {
         if (filter_[0] == 0) return true;
         const std::string wanted = glib::lower(filter_.data());
         return glib::lower(knob.tag).find(wanted) != std::string::npos ||
@@ -115,11 +115,11 @@ class ValuesPanel final : public Panel {
     }
 
     void allGroups(Ui& ui) {
-        const std::vector<Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.session.knobs();
         std::optional<scene::ProgramIndex> drawn;
         bool isSharedDrawn = shared_.empty();
         bool isAny = false;
-        for (const Knob& first : knobs) {
+        for (const render::Knob& first : knobs) {
             const scene::ProgramIndex program = first.program;
             if (program == drawn) continue;
             drawn = program;
@@ -130,7 +130,7 @@ class ValuesPanel final : public Panel {
     }
 
     bool sharedGroup(Ui& ui) {
-        const std::vector<Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.session.knobs();
         float widest = 0;
         for (const auto& each : shared_)
             if (isFound(knobs[each.front()]))
@@ -148,8 +148,8 @@ class ValuesPanel final : public Panel {
 
     /// The values of the program that are its own, and below a fold those that others have, too. Returns
     /// false if the filter finds none of them.
-    bool programGroup(Ui& ui, const Knob& first) {
-        const std::vector<Knob>& knobs = ui.session.knobs();
+    bool programGroup(Ui& ui, const render::Knob& first) {
+        const std::vector<render::Knob>& knobs = ui.session.knobs();
         const scene::ProgramIndex program = first.program;
         std::size_t sharedCount = 0, count = 0;
         for (std::size_t i = 0; i < knobs.size(); ++i) {
@@ -179,8 +179,8 @@ class ValuesPanel final : public Panel {
         return true;
     }
 
-    void sharedFold(Ui& ui, const Knob& first, std::size_t count) {
-        const std::vector<Knob>& knobs = ui.session.knobs();
+    void sharedFold(Ui& ui, const render::Knob& first, std::size_t count) {
+        const std::vector<render::Knob>& knobs = ui.session.knobs();
         const std::string title = base::counted(count, "shared value") + " alone###alone";
         const bool isUnfolded = ImGui::TreeNodeEx(
             title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);

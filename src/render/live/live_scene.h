@@ -16,15 +16,15 @@
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"
+#include "render/live/knobs.h"
+#include "render/live/live_state.h"
 #include "render/load/vertex_box.h"
 #include "render/simulation/simulation.h"
 #include "render/stats.h"
 #include "scene/file_lookup.h"
 #include "scene/scene.h"
-#include "view/scene/knobs.h"
-#include "view/scene/live_state.h"
 
-namespace glibra::view {
+namespace glibra::render {
 
 struct LiveState;
 
@@ -48,7 +48,7 @@ class LiveScene {
     [[nodiscard]] std::vector<Knob> knobs() const;
     /// Knobs of uniforms that nothing sets, until setValue() does so.
     [[nodiscard]] std::vector<Knob> unsetKnobs() const;
-    /// The current values as text, see render::labelsOf and onlyLabels.
+    /// The current values as text, see labelsOf and onlyLabels.
     [[nodiscard]] std::vector<std::string> labels(std::span<const std::string> only = {}) const;
     /// True if a program that draws something reads Timer.
     [[nodiscard]] bool isAnimated() const;
@@ -63,11 +63,11 @@ class LiveScene {
     /// The core GLSL that was made from a shader's line, if the driver rejected that shader; otherwise empty.
     [[nodiscard]] std::vector<glsl::EmittedLine> translatedLines(const Place& place) const;
     /// Times and counts of the last loading: translating, compiling, reading files.
-    [[nodiscard]] const render::Stats& loadStats() const;
+    [[nodiscard]] const Stats& loadStats() const;
 
     /// Counts over all frames: "draws", "draws out of their tile", which were skipped, and passes and
     /// dispatches that were not repeated because they are as in the frame before (plan::StillNodes).
-    [[nodiscard]] const render::Stats& drawStats() const;
+    [[nodiscard]] const Stats& drawStats() const;
 
     void setValue(const Knob& knob);
     /// The camera that the picture is seen from in place of the scene's own, where the window's transforms
@@ -85,9 +85,9 @@ class LiveScene {
     /// What lasts begins anew with the next frame.
     void restart();
     /// How far the Step blocks have run.
-    [[nodiscard]] std::vector<render::Simulation::Progress> steps() const;
+    [[nodiscard]] std::vector<Simulation::Progress> steps() const;
     /// Calls `hook` around every run of a Once or Step block.
-    void setRunHook(render::Simulation::RunHook hook);
+    void setRunHook(Simulation::RunHook hook);
     /// The warnings about loops that the driver would end too early with the current values (draw-W08).
     Diagnostics longLoops();
     /// True if the driver ends loops, and the text and the values of a program do not show that its loops are
@@ -107,7 +107,7 @@ class LiveScene {
     /// Makes a plan in which draws with that program (FrameDrawer::programOf) have more in their fragment
     /// stage, and all inputs, uniforms and textures that they then read. Returns false, and changes nothing,
     /// if the driver does not link it. Indices into an earlier plan are not valid any more.
-    bool observe(const render::BuiltProgram& program, const glsl::MainWrapper& fragment);
+    bool observe(const BuiltProgram& program, const glsl::MainWrapper& fragment);
     /// Makes the plan as it was.
     void stopObserving();
     /// With `on`, objects outside the picture are drawn too: debug views may show parts of them inside it.
@@ -119,26 +119,26 @@ class LiveScene {
     /// Draws a frame into the target, in the target's size. `time` is in seconds.
     Diagnostics draw(const gpu::Target& target, const ViewState& view, double time, bool axes);
     /// The matrices of the last frame.
-    [[nodiscard]] const render::ViewMatrices& view() const;
+    [[nodiscard]] const ViewMatrices& view() const;
     /// How far the view policy moved the eye back in the last frame, in units of eye space.
     [[nodiscard]] double eyeDistance() const;
     /// Gives access to single draws; see FrameDrawer. It may draw anything, so the next frame is drawn whole.
-    render::FrameDrawer& drawer();
+    FrameDrawer& drawer();
     /// The box around what the draw draws, in model space, without what its shaders do; nothing if it is not
     /// known or the program places vertices in another way than by the matrices.
-    [[nodiscard]] const render::VertexBox* boxOf(const plan::PlannedDraw& draw);
+    [[nodiscard]] const VertexBox* boxOf(const plan::PlannedDraw& draw);
     /// The mesh of a draw in memory, and on the device; null if there is none.
     const geometry::Mesh* meshOf(const plan::PlannedDraw& draw);
-    [[nodiscard]] const render::DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
+    [[nodiscard]] const DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
     /// Null if it is not on the device.
     [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex index) const;
     /// What samplers read of the texture: with its samples resolved and its mipmaps made. Null if it is not
     /// on the device. `isPrevious`: the other copy of a texture with history.
     const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
     /// DeviceTextures::numbersOf.
-    Result<render::TexelNumbers> numbersOf(const scene::TextureView& view);
-    [[nodiscard]] const render::DeviceBuffers& buffers() const;
-    [[nodiscard]] const render::DeviceScene& device() const;
+    Result<TexelNumbers> numbersOf(const scene::TextureView& view);
+    [[nodiscard]] const DeviceBuffers& buffers() const;
+    [[nodiscard]] const DeviceScene& device() const;
     /// The block through which a program uses the buffer, as a storage block; null if none does. Valid until
     /// the next call for that buffer.
     [[nodiscard]] const base::StorageBlock* blockOf(scene::BufferIndex buffer) const;
@@ -148,4 +148,4 @@ class LiveScene {
     std::unique_ptr<LiveState> state_;
 };
 
-}  // namespace glibra::view
+}  // namespace glibra::render

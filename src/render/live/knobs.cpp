@@ -1,4 +1,4 @@
-#include "view/scene/knobs.h"
+#include "render/live/knobs.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "plan/uniforms.h"
 #include "render/draw/axes.h"
 
-namespace glibra::view {
+namespace glibra::render {
 namespace {
 
 Widget widgetOf(const glib::UniformSpec& spec, const plan::ActiveUniform& uniform,
@@ -44,7 +44,7 @@ Knob knobOf(const scene::Scene& scene, const plan::PlannedProgram& planned, cons
         if (each.uniform == named.uniform) control = &each;
     Knob knob;
     knob.program = planned.variant.program;
-    knob.title = render::titleOf(scene, knob.program);
+    knob.title = titleOf(scene, knob.program);
     knob.tag = spec.tag;
     knob.type = uniform.type;
     knob.widget = widgetOf(spec, uniform, control);
@@ -121,7 +121,7 @@ Knob unsetKnob(const scene::Scene& scene, const plan::PlannedProgram& planned,
                const plan::ActiveUniform& uniform) {
     Knob knob;
     knob.program = planned.variant.program;
-    knob.title = render::titleOf(scene, knob.program);
+    knob.title = titleOf(scene, knob.program);
     knob.tag = uniform.name;
     knob.type = uniform.type;
     knob.isUnset = true;
@@ -374,4 +374,4 @@ KeptValues KeptValues::ofText(std::string_view text) {
     return kept;
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::render

@@ -13,7 +13,7 @@
 #include "plan/frame_plan.h"
 #include "scene/scene.h"
 
-namespace glibra::view {
+namespace glibra::render {
 
 enum class Widget {
     slider,    ///< <min cur max>: one slider per component, integer steps for int and uint
@@ -96,7 +96,7 @@ std::string valueText(const Knob& knob);
 std::string pairText(const Knob& knob);
 /// A Program statement with all knobs of that program; for none, the Let statements of all variables.
 std::string programLine(const scene::Scene& scene, scene::ProgramIndex program, std::span<const Knob> knobs);
-/// How the label of the value begins: "Dots : uKd = " (render::labelsOf).
+/// How the label of the value begins: "Dots : uKd = " (labelsOf).
 std::string labelBegin(const Knob& knob);
 /// The labels that begin so; all if `only` is empty.
 std::vector<std::string> onlyLabels(std::vector<std::string> labels, std::span<const std::string> only);
@@ -104,4 +104,4 @@ std::vector<std::string> onlyLabels(std::vector<std::string> labels, std::span<c
 /// program has the uniform too. The numbers are the shortest text that reads back as the same value.
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs);
 
-}  // namespace glibra::view
+}  // namespace glibra::render

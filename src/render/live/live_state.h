@@ -19,12 +19,12 @@
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "plan/frame_plan.h"
+#include "render/live/knobs.h"
 #include "render/pipeline.h"
 #include "render/stats.h"
 #include "scene/scene.h"
-#include "view/scene/knobs.h"
 
-namespace glibra::view {
+namespace glibra::render {
 
 /// A draw of the frame that is drawn with another state than the scene says, to try that.
 struct TriedState {
@@ -47,11 +47,11 @@ bool hasTangents(const plan::PlannedMesh& mesh);
 
 /// Declared apart because a pipeline notes in it what loading takes.
 struct LiveStats {
-    render::Stats ofLoading;
+    Stats ofLoading;
 };
 
-struct LiveState : LiveStats, render::Pipeline {
-    LiveState(gpu::Context& usedContext, RenderOptions usedOptions, render::InterpretedScene interpreted)
+struct LiveState : LiveStats, Pipeline {
+    LiveState(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted)
         : Pipeline(usedContext, std::move(usedOptions), std::move(interpreted), ofLoading, {}) {
         adjustPlan = [this](plan::FramePlan& made) { apply(scene, changedKnobs, made); };
         if (source) cameras = source->cameras();
@@ -61,7 +61,7 @@ struct LiveState : LiveStats, render::Pipeline {
         }
     }
 
-    render::Stats drawStats;
+    Stats drawStats;
     bool isSimulationWrong = false;  ///< its blocks have errors; they do not run
     std::map<std::string, std::vector<double>, std::less<>> variables;  ///< as the user set them
     std::vector<Knob> changedKnobs;  ///< of programs, set by the user; a new plan does not know them
@@ -93,4 +93,4 @@ struct LiveState : LiveStats, render::Pipeline {
     Diagnostics drawFrame(const gpu::Target& target, double time);
 };
 
-}  // namespace glibra::view
+}  // namespace glibra::render

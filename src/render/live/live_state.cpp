@@ -1,4 +1,4 @@
-#include "view/scene/live_state.h"
+#include "render/live/live_state.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include "glib/modern/statement_table.h"
 #include "glib/number.h"
 
-namespace glibra::view {
+namespace glibra::render {
 namespace {
 
 using glib::Command;
@@ -96,7 +96,7 @@ std::string LiveState::sourceOfSteps() const {
     for (const scene::Shape& each : scene.shapes) addFile(each.file);
     for (const plan::FramePlan* each : simulation->plans()) {
         for (const plan::PlannedProgram& planned : each->programs) {
-            const render::BuiltProgram* built = programs.find(planned.variant);
+            const BuiltProgram* built = programs.find(planned.variant);
             text += fmt::format("program {}\n", built && built->program ? built->program->id() : 0);
         }
         for (const scene::TextureIndex texture : each->textures)
@@ -120,12 +120,12 @@ bool LiveState::moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostic
 }
 
 Diagnostics LiveState::makePlan(bool variablesDiffer) {
-    plan::PlanOptions planOptions = render::planOptionsOf(context.capabilities());
+    plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
     planOptions.shareTargets = !keepsTextures;
     planOptions.reportsNames = !hasBlocks();
     plan = planList(scene.frame, planOptions);
     // Picking draws the window's passes again, after the frame.
-    if (!render::texturesComeFirst(plan)) plan.sharing.clear();
+    if (!texturesComeFirst(plan)) plan.sharing.clear();
     Diagnostics diagnostics = std::move(plan.diagnostics);
     plan.diagnostics.clear();
     const bool isNew = !simulation;
@@ -195,7 +195,7 @@ void LiveState::lookThrough() {
     ownFrame = scene.frame;
     ownView = std::exchange(scene.view, wanted->view);
     for (scene::Pass& pass : scene.frame.passes) {
-        if (!render::isMoved(*ownFrame, pass)) continue;
+        if (!isMoved(*ownFrame, pass)) continue;
         const auto own = find(pass.camera.empty() ? "eye" : pass.camera);
         const bool isMirrored = own != cameras.end() && own->isMirrored;
         for (auto& step : pass.steps) {
@@ -233,4 +233,4 @@ void LiveState::takeTriedBack() {
     untried.clear();
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::render

@@ -1,4 +1,4 @@
-#include "view/scene/live_scene.h"
+#include "render/live/live_scene.h"
 
 #include <algorithm>
 #include <new>
@@ -10,10 +10,10 @@
 #include "plan/loop_rounds.h"
 #include "render/consequences.h"
 #include "render/draw/axes.h"
+#include "render/live/live_state.h"
 #include "render/load/open_loops.h"
-#include "view/scene/live_state.h"
 
-namespace glibra::view {
+namespace glibra::render {
 namespace {
 
 bool hasOpenLoops(const plan::FramePlan* plan) {
@@ -29,8 +29,8 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
                                    const RenderOptions& options, LiveScene* previous) {
     Loading loading;
     try {
-        render::Stats stats;
-        Result<render::InterpretedScene> interpreted = render::interpretFile(path, options, stats);
+        Stats stats;
+        Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
         loading.diagnostics = std::move(interpreted.diagnostics);
         if (!interpreted) return loading;
         auto state = std::make_unique<LiveState>(context, options, std::move(*interpreted));
@@ -40,8 +40,8 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         append(loading.diagnostics, state->prepare(previous ? previous->state_.get() : nullptr));
         if (!earlierSteps.empty() && state->sourceOfSteps() == earlierSteps)
             state->simulation->takeOver(*previous->state_->simulation);
-        render::applyStrict(loading.diagnostics, false);
-        render::explainRemovedLoops(state->scene, state->plan, state->programs, loading.diagnostics);
+        applyStrict(loading.diagnostics, false);
+        explainRemovedLoops(state->scene, state->plan, state->programs, loading.diagnostics);
         loading.scene.reset(new LiveScene(std::move(state)));
         loading.isPreviousLost = false;
     } catch (const std::bad_alloc&) {
@@ -60,11 +60,11 @@ std::vector<Knob> LiveScene::knobs() const {
     return knobsOf(state_->scene, state_->plans());
 }
 std::vector<Knob> LiveScene::unsetKnobs() const {
-    return view::unsetKnobs(state_->scene, state_->plans());
+    return render::unsetKnobs(state_->scene, state_->plans());
 }
 
 std::vector<std::string> LiveScene::labels(std::span<const std::string> only) const {
-    return onlyLabels(render::labelsOf(state_->scene, state_->plans()), only);
+    return onlyLabels(labelsOf(state_->scene, state_->plans()), only);
 }
 
 bool LiveScene::isAnimated() const {
@@ -81,7 +81,7 @@ bool LiveScene::isAnimated() const {
 
 bool LiveScene::showsEarlierProgram(scene::ProgramIndex program) const {
     return std::ranges::any_of(state_->plan.programs, [&](const plan::PlannedProgram& each) {
-        const render::BuiltProgram* built =
+        const BuiltProgram* built =
             each.variant.program == program ? state_->programs.find(each.variant) : nullptr;
         return built != nullptr && built->isLastGood;
     });
@@ -119,11 +119,11 @@ std::vector<glsl::EmittedLine> LiveScene::translatedLines(const Place& place) co
     return state_->programs.refusedLines(place);
 }
 
-const render::Stats& LiveScene::loadStats() const {
+const Stats& LiveScene::loadStats() const {
     return state_->loadStats;
 }
 
-const render::Stats& LiveScene::drawStats() const {
+const Stats& LiveScene::drawStats() const {
     return state_->drawStats;
 }
 
@@ -136,7 +136,7 @@ bool LiveScene::keepTextures(Diagnostics& diagnostics) {
     return true;
 }
 
-bool LiveScene::observe(const render::BuiltProgram& program, const glsl::MainWrapper& fragment) {
+bool LiveScene::observe(const BuiltProgram& program, const glsl::MainWrapper& fragment) {
     if (!state_->programs.observe(program, fragment)) return false;
     state_->planAgain();
     return true;
@@ -169,7 +169,7 @@ Diagnostics LiveScene::longLoops() {
     Diagnostics diagnostics;
     for (const plan::PlannedProgram& each : state_->plan.programs)
         append(diagnostics, plan::reportLongLoops(each, [this] { return state_->loopLimit(); }));
-    render::applyStrict(diagnostics, false);  // programs may share a file
+    applyStrict(diagnostics, false);  // programs may share a file
     return diagnostics;
 }
 
@@ -238,7 +238,7 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
     LiveState& state = *state_;
     Diagnostics diagnostics;
     look(target.width(), target.height(), view, time, diagnostics);
-    const render::Tile whole{0, 0, target.width(), target.height()};
+    const Tile whole{0, 0, target.width(), target.height()};
     if (state.simulation && !state.isSimulationWrong) {
         state.inputs.time = time;
         append(diagnostics, state.simulation->advance(state.inputs));
@@ -252,22 +252,22 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
     return diagnostics;
 }
 
-const render::ViewMatrices& LiveScene::view() const {
+const ViewMatrices& LiveScene::view() const {
     return state_->view;
 }
 double LiveScene::eyeDistance() const {
     return state_->eyeDistance;
 }
-render::FrameDrawer& LiveScene::drawer() {
+FrameDrawer& LiveScene::drawer() {
     state_->forgetDrawn();
     return *state_->drawer;
 }
-const render::VertexBox* LiveScene::boxOf(const plan::PlannedDraw& draw) {
+const VertexBox* LiveScene::boxOf(const plan::PlannedDraw& draw) {
     LiveState& state = *state_;
     const plan::PlannedMesh& mesh = state.plan.meshes[draw.mesh];
     const plan::ProgramVariant& variant = state.plan.programs[draw.program].variant;
     if (state.programs.placementOf(variant) == glsl::Placement::unknown) return nullptr;
-    const render::VertexBox& box = state.device.meshes().bounds(mesh.shape, hasTangents(mesh), nullptr);
+    const VertexBox& box = state.device.meshes().bounds(mesh.shape, hasTangents(mesh), nullptr);
     return box.isKnown ? &box : nullptr;
 }
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
@@ -275,7 +275,7 @@ const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
     Diagnostics alreadyReported;
     return state_->device.meshes().mesh(planned.shape, hasTangents(planned), &alreadyReported);
 }
-const render::DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
+const DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
     return state_->device.meshes().onDevice(state_->plan, draw.mesh);
 }
 const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
@@ -284,13 +284,13 @@ const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
 const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
     return state_->device.textures().completed({.texture = index, .isPrevious = isPrevious});
 }
-Result<render::TexelNumbers> LiveScene::numbersOf(const scene::TextureView& view) {
+Result<TexelNumbers> LiveScene::numbersOf(const scene::TextureView& view) {
     return state_->device.textures().numbersOf(view);
 }
-const render::DeviceScene& LiveScene::device() const {
+const DeviceScene& LiveScene::device() const {
     return state_->device;
 }
-const render::DeviceBuffers& LiveScene::buffers() const {
+const DeviceBuffers& LiveScene::buffers() const {
     return state_->device.buffers();
 }
 
@@ -340,13 +340,13 @@ void LiveScene::restart() {
     if (state_->simulation) state_->simulation->forget();
 }
 
-std::vector<render::Simulation::Progress> LiveScene::steps() const {
+std::vector<Simulation::Progress> LiveScene::steps() const {
     if (!state_->simulation) return {};
     return state_->simulation->progress();
 }
 
-void LiveScene::setRunHook(render::Simulation::RunHook hook) {
+void LiveScene::setRunHook(Simulation::RunHook hook) {
     if (state_->simulation) state_->simulation->setRunHook(std::move(hook));
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::render

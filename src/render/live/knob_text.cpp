@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "view/scene/knobs.h"
+#include "render/live/knobs.h"
 
-namespace glibra::view {
+namespace glibra::render {
 namespace {
 
 /// The shortest decimal number that reads back as the same value.
@@ -101,4 +101,4 @@ std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<c
     return name + "=" + joined(knob.current, knob.current.size(), ",");
 }
 
-}  // namespace glibra::view
+}  // namespace glibra::render
