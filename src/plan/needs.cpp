@@ -30,9 +30,14 @@ namespace {
 
 class NeedFinder {
   public:
-    NeedFinder(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
-               bool everything)
-        : scene_(scene), nodes_(nodes), questions_(questions), everything_(everything) {
+    NeedFinder(const scene::Scene& scene, const scene::NodeList& nodes, PlannedPrograms& programs,
+               const Answers& answers, bool everything, Questions& questions)
+        : scene_(scene),
+          nodes_(nodes),
+          programs_(programs),
+          answers_(answers),
+          everything_(everything),
+          questions_(questions) {
         needs_.textures.resize(scene.textures.size());
         needs_.buffers.resize(scene.buffers.size());
     }
@@ -120,13 +125,9 @@ class NeedFinder {
                                    [this](scene::TextureIndex each) { return live_.contains(each); });
     }
 
-    bool mayWrite(const scene::Draw& draw) const {
-        return !usesBuiltin(scene_, draw) && questions_.mayWriteImages &&
-               questions_.mayWriteImages(draw.program);
-    }
     /// True if the draw stores into something that is read later.
-    bool hasEffect(const scene::Draw& draw, const scene::Pass& pass) const {
-        return mayWrite(draw) && writesLive(questions_.usesOf(draw, pass));
+    bool hasEffect(const scene::Draw& draw, const scene::Pass& pass) {
+        return programs_.mayWrite(draw) && writesLive(programs_.usesOf(draw, pass));
     }
     [[nodiscard]] bool writesLive(const std::vector<ObjectUse>& uses) const {
         return std::ranges::any_of(uses, [this](const ObjectUse& each) {
@@ -174,21 +175,22 @@ class NeedFinder {
         if (!everything_) {
             if (drawsNothing(scene_.shapes[draw.shape])) return StepNeed::drawsNothing;
             if (!isSeen && !hasEffect(draw, pass)) return StepNeed::coveredByClear;
-            if (isOutOfSight(draw, pass, at)) return StepNeed::outOfSight;
+            if (isOutOfSight(at)) return StepNeed::outOfSight;
         }
-        use(questions_.usesOf(draw, pass));
+        use(programs_.usesOf(draw, pass));
         return StepNeed::needed;
     }
 
-    bool isOutOfSight(const scene::Draw& draw, const scene::Pass& pass, scene::StepIndex at) {
-        if (!questions_.outOfSight) return false;
-        const auto [known, isNew] = inSight_.try_emplace(at, false);
-        if (isNew) {
-            std::string why = questions_.outOfSight(draw, pass);
-            known->second = why.empty();
-            if (!known->second) needs_.outOfSight.emplace(at, std::move(why));
+    /// True, too, if it is not known yet.
+    bool isOutOfSight(scene::StepIndex at) {
+        if (answers_.seesAll) return false;
+        const auto known = answers_.unseen.find(at);
+        if (known == answers_.unseen.end()) {
+            if (asked_.insert(at).second) questions_.unseen.push_back(at);
+            return !answers_.asksAhead;
         }
-        return !known->second;
+        if (!known->second.empty()) needs_.outOfSight.emplace(at, known->second);
+        return !known->second.empty();
     }
 
     /// What is read before the pass: its targets, as far as it keeps them. `isColorSeen`: something of the
@@ -221,8 +223,7 @@ class NeedFinder {
     }
 
     void visitDispatch(std::size_t index) {
-        if (!questions_.usesOfDispatch) return;
-        const std::vector<ObjectUse> uses = questions_.usesOfDispatch(nodes_.dispatches[index]);
+        const std::vector<ObjectUse> uses = programs_.usesOf(nodes_.dispatches[index]);
         needs_.dispatches[index] = everything_ || writesLive(uses);
         if (needs_.dispatches[index]) use(uses);
     }
@@ -236,21 +237,23 @@ class NeedFinder {
 
     const scene::Scene& scene_;
     const scene::NodeList& nodes_;
-    const NeedQuestions& questions_;
+    PlannedPrograms& programs_;
+    const Answers& answers_;
     bool everything_;
+    Questions& questions_;
     std::set<Object> live_;    ///< their content is read by a later node
     std::set<Object> pinned_;  ///< a clear does not end the need for them
     std::set<int> liveDepths_;
     bool isWindowLive_ = true;
-    std::map<scene::StepIndex, bool> inSight_;  ///< what has been asked
+    std::set<scene::StepIndex> asked_;  ///< whether it is out of sight
     Needs needs_;
 };
 
 }  // namespace
 
-Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, const NeedQuestions& questions,
-                const std::vector<scene::ObjectView>& roots, bool everything) {
-    return NeedFinder(scene, nodes, questions, everything).find(roots);
+Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, PlannedPrograms& programs,
+                const Answers& answers, const PlanOptions& options, Questions& questions) {
+    return NeedFinder(scene, nodes, programs, answers, options.everything, questions).find(options.roots);
 }
 
 }  // namespace glibra::plan

@@ -19,6 +19,11 @@ bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform) {
            });
 }
 
+template <class T>
+void askFor(const T& what, std::vector<T>& questions) {
+    if (std::ranges::find(questions, what) == questions.end()) questions.push_back(what);
+}
+
 /// Adds the vertex inputs whose names are in the table of well-known names.
 void listNamedInputs(const ProgramInterface& interface, std::vector<std::string>& to) {
     for (const ActiveInput& input : interface.inputs) {
@@ -43,7 +48,10 @@ PlannedProgramIndex PlannedPrograms::of(const ProgramVariant& variant, scene::Un
     if (withValues_.size() <= values) withValues_.resize(scene_.uniformSets.size() + 1);
     for (PlannedProgramIndex each = withValues_[values]; each; each = states_[each].other)
         if (plan_.programs[each].variant == variant) return each;
-    const ProgramInterface& interface = questions_.interfaceOf(variant);
+    static const ProgramInterface kUnknown;
+    const auto known = answers_.interfaces.find(variant);
+    if (known == answers_.interfaces.end()) askFor(variant, questions_.interfaces);
+    const ProgramInterface& interface = known == answers_.interfaces.end() ? kUnknown : *known->second;
     PlannedProgram program{variant, &interface, {}, {}, {}};
     State state;
     state.diagnostics = interface.facts.diagnostics;
@@ -100,8 +108,15 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
 }
 
 int PlannedPrograms::loopLimit() {
-    if (!loopLimit_) loopLimit_ = questions_.loopLimit ? questions_.loopLimit() : 0;
-    return *loopLimit_;
+    questions_.loopLimit = questions_.loopLimit || !answers_.loopLimit;
+    return answers_.loopLimit.value_or(0);
+}
+
+bool PlannedPrograms::mayWrite(const scene::Draw& draw) {
+    if (usesBuiltin(scene_, draw)) return false;
+    const auto known = answers_.writers.find(draw.program);
+    if (known == answers_.writers.end()) askFor(draw.program, questions_.writers);
+    return known != answers_.writers.end() && known->second;
 }
 
 PlannedInputsIndex PlannedPrograms::inputsOf(const scene::Draw& draw, PlannedProgramIndex program) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "plan/accesses.h"
+#include "plan/answers.h"
 #include "plan/frame_plan.h"
-#include "plan/plan_questions.h"
 #include "plan/texture_binding.h"
 
 namespace glibra::plan {
@@ -19,9 +19,9 @@ namespace glibra::plan {
 class PlannedPrograms {
   public:
     /// All of them must outlive this.
-    PlannedPrograms(const scene::Scene& scene, const PlanQuestions& questions, const PlanOptions& options,
-                    FramePlan& plan)
-        : scene_(scene), questions_(questions), options_(options), plan_(plan) {
+    PlannedPrograms(const scene::Scene& scene, const Answers& answers, const PlanOptions& options,
+                    Questions& questions, FramePlan& plan)
+        : scene_(scene), answers_(answers), options_(options), questions_(questions), plan_(plan) {
         plan.usedOverrides.resize(options.overrides.size());
     }
 
@@ -45,7 +45,8 @@ class PlannedPrograms {
         return of(ProgramVariant{.program = dispatch.program, .inPieces = isCut || dispatch.tiles > 1},
                   dispatch.uniforms, dispatch.place.file);
     }
-    /// Returns the index of the variant with these values in the plan. The first call asks for its interface.
+    /// Returns the index of the variant with these values in the plan. One whose interface is not known is
+    /// asked for, and not usable.
     /// `file`: of the statement that gives the values, for messages.
     PlannedProgramIndex of(const ProgramVariant& variant, scene::UniformSetIndex uniforms = {},
                            const std::string& file = {});
@@ -76,6 +77,8 @@ class PlannedPrograms {
     /// written, so that the draw is needed and its error reported.
     std::vector<ObjectUse> usesOf(const scene::Draw& draw, const scene::Pass& pass);
     std::vector<ObjectUse> usesOf(const scene::Dispatch& dispatch);
+    /// False, too, if it is not known yet.
+    bool mayWrite(const scene::Draw& draw);
 
   private:
     void resolve(PlannedProgram& program, State& state, scene::UniformSetIndex uniforms,
@@ -84,15 +87,15 @@ class PlannedPrograms {
     int loopLimit();
 
     const scene::Scene& scene_;
-    const PlanQuestions& questions_;
+    const Answers& answers_;
     const PlanOptions& options_;
+    Questions& questions_;
     FramePlan& plan_;
     std::vector<PlannedProgramIndex> withValues_;  ///< by place of the uniform set, from 1; 0: of none
     scene::List<State, PlannedProgram> states_;
     std::map<std::tuple<PlannedProgramIndex, scene::SlotTableIndex, bool>, std::vector<TextureUse>> uses_;
     /// Values of uniforms do not matter, so that draws that differ only in them share a vertex array.
     std::map<std::pair<ProgramVariant, scene::AttributeSetIndex>, PlannedInputsIndex> inputs_;
-    std::optional<int> loopLimit_;
 };
 
 }  // namespace glibra::plan

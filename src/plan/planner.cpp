@@ -223,19 +223,26 @@ std::vector<Skipped> listSkipped(const scene::Scene& scene, const Needs& needs, 
 
 class FramePlanner {
   public:
-    FramePlanner(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
+    FramePlanner(const scene::Scene& scene, const scene::NodeList& nodes, const Answers& answers,
                  const PlanOptions& options)
         : scene_(scene),
           nodes_(nodes),
-          questions_(questions),
           options_(options),
-          programs_(scene, questions, options, plan_),
+          programs_(scene, answers, options, questions_, plan_),
           meshOfShape_(scene.shapes.size()),
-          reads_(scene.shapes.size()) {}
+          reads_(scene.shapes.size()) {
+        plan_.nodes = &nodes;
+        needs_ = findNeeds(scene, nodes, programs_, answers, options, questions_);
+    }
 
-    FramePlan plan() && {
-        plan_.nodes = &nodes_;
-        const Needs needs = this->needs();
+    std::variant<FramePlan, Questions> plan() && {
+        if (questions_.isEmpty()) complete(needs_);
+        if (!questions_.isEmpty()) return std::move(questions_);
+        return std::move(plan_);
+    }
+
+  private:
+    void complete(const Needs& needs) {
         for (const scene::NodeIndex& node : nodes_.order) planNode(node, needs);
         if (options_.everything) planUndrawnPrograms();
         const std::set<scene::TextureIndex> idle = idleNoise();
@@ -254,21 +261,6 @@ class FramePlanner {
         if (options_.shareTargets && !options_.everything)
             plan_.sharing = sharedTargets(scene_, plan_, options_.roots);
         if (!options_.everything) plan_.skipped = listSkipped(scene_, needs, plan_);
-        return std::move(plan_);
-    }
-
-  private:
-    Needs needs() {
-        NeedQuestions questions;
-        questions.usesOf = [this](const scene::Draw& draw, const scene::Pass& pass) {
-            return programs_.usesOf(draw, pass);
-        };
-        questions.mayWriteImages = questions_.mayWriteImages;
-        if (!options_.everything) questions.outOfSight = questions_.outOfSight;
-        questions.usesOfDispatch = [this](const scene::Dispatch& dispatch) {
-            return programs_.usesOf(dispatch);
-        };
-        return findNeeds(scene_, nodes_, questions, options_.roots, options_.everything);
     }
 
     /// Built-in noise that is planned only because all textures are, unless PlanOptions::idleNoise.
@@ -502,10 +494,11 @@ class FramePlanner {
 
     const scene::Scene& scene_;
     const scene::NodeList& nodes_;
-    const PlanQuestions& questions_;
     const PlanOptions& options_;
+    Questions questions_;
     FramePlan plan_;
     PlannedPrograms programs_;
+    Needs needs_;
     scene::List<PlannedMeshIndex, scene::Shape> meshOfShape_;
     std::map<std::pair<scene::ShapeIndex, geometry::Topology>, PlannedMeshIndex> adjacentMeshes_;
     scene::List<std::set<std::string>, scene::Shape> reads_;  ///< attributes that some program reads
@@ -515,9 +508,9 @@ class FramePlanner {
 
 }  // namespace
 
-FramePlan planFrame(const scene::Scene& scene, const scene::NodeList& nodes, const PlanQuestions& questions,
-                    const PlanOptions& options) {
-    return FramePlanner(scene, nodes, questions, options).plan();
+std::variant<FramePlan, Questions> planFrame(const scene::Scene& scene, const scene::NodeList& nodes,
+                                             const Answers& answers, const PlanOptions& options) {
+    return FramePlanner(scene, nodes, answers, options).plan();
 }
 
 }  // namespace glibra::plan

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,9 +13,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "plan/needs.h"
-#include "plan/texture_binding.h"
-#include "plan/uniforms.h"
+#include "plan/planner.h"
 #include "render/scene_state.h"
 
 namespace glibra::render {
@@ -60,7 +59,7 @@ plan::ProgramInterface samplersIn(const glsl::TranslatedProgram& program) {
             sampler.type.word = words[i];
         }
     }
-    guess.facts.textureBindings = program.textureBindings;
+    guess.facts = program;
     guess.usable = true;
     return guess;
 }
@@ -72,36 +71,32 @@ void SceneState::makeAhead() {
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return;
     std::erase_if(*overrides, [](const plan::Override& each) { return !each.word.empty(); });
-    const auto usesOf = [&](const scene::Draw& draw, const scene::Pass& pass) {
-        const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
-        const glsl::TranslatedProgram* translated = programs.translated(variant);
-        std::vector<plan::ObjectUse> found;
-        if (!translated || hasError(translated->diagnostics)) return found;
-        device.meshes().bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
-        if (!variant.program) return found;
-        const plan::ProgramInterface guess = samplersIn(*translated);
-        std::vector<bool> used;
-        const auto samplers =
-            plan::resolveUniforms(scene.programs[variant.program], scene.path, guess, *overrides, used,
-                                  {scene.suppliesNames ? &scene : nullptr,
-                                   draw.uniforms ? &scene.uniformSets[draw.uniforms] : nullptr})
-                .samplers;
-        const gpu::Capabilities& driver = context.capabilities();
-        const auto units = plan::assignUnits(guess, samplers, driver.combinedTextureUnits, 0);
-        if (!units) return found;
-        for (const plan::TextureUse& use : plan::textureUses(scene, draw.slots, draw.sampling, guess, *units))
-            if (use.view.texture) found.push_back({use.view});
-        return found;
+    std::map<plan::ProgramVariant, plan::ProgramInterface> guesses;
+    const auto answer = [&](const plan::Questions& asked, plan::Answers& answers) {
+        for (const plan::ProgramVariant& each : asked.interfaces) {
+            const glsl::TranslatedProgram* translated = programs.translated(each);
+            const bool isKnown = each.program && translated && !hasError(translated->diagnostics);
+            const auto guess =
+                guesses.emplace(each, isKnown ? samplersIn(*translated) : plan::ProgramInterface()).first;
+            answers.interfaces.emplace(each, &guess->second);
+        }
+        for (const scene::ProgramIndex each : asked.writers)
+            answers.writers.emplace(each, programs.mayWriteImages(each));
+        answers.loopLimit = 0;
+        for (const scene::StepIndex& each : asked.unseen)
+            answers.unseen.emplace(
+                each, outOfSight(scene.frame.draw(each), scene.frame.passes[each.pass], nullptr));
     };
-    const plan::Needs needs = plan::findNeeds(
-        scene, scene.frame,
-        {usesOf, [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
-         [this](const scene::Draw& draw, const scene::Pass& pass) {
-             return outOfSight(draw, pass, nullptr);
-         }},
-        {}, false);
-    for (const scene::TextureIndex each : scene.textures.indices())
-        if (needs.textures[each]) device.textures().readAhead(each);
+    plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
+    planOptions.overrides = std::move(*overrides);
+    planOptions.lacksCompute = "nothing of it is known before its programs are compiled";
+    planOptions.reportsNames = false;
+    const plan::FramePlan guessed = plan::planFrame(scene, scene.frame, {}, planOptions, answer);
+    guessed.visitDraws([&](const plan::PlannedDraw& planned, const scene::Draw& draw, const auto&) {
+        const plan::ProgramVariant& variant = guessed.programs[planned.program].variant;
+        device.meshes().bounds(draw.shape, programs.mayReadTangents(variant), nullptr);
+    });
+    for (const scene::TextureIndex each : guessed.textures) device.textures().readAhead(each);
 }
 
 }  // namespace glibra::render

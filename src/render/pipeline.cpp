@@ -44,16 +44,19 @@ int Pipeline::loopLimit() {
 }
 
 plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
-                                   decltype(plan::PlanQuestions::outOfSight) outOfSight) {
-    plan::FramePlan made = plan::planFrame(
-        scene, nodes,
-        {.interfaceOf = [this](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-             return programs.interfaceOf(variant);
-         },
-         .mayWriteImages = [this](scene::ProgramIndex program) { return programs.mayWriteImages(program); },
-         .loopLimit = [this] { return loopLimit(); },
-         .outOfSight = std::move(outOfSight)},
-        planOptions);
+                                   const OutOfSight& outOfSight) {
+    const auto answer = [&](const plan::Questions& asked, plan::Answers& answers) {
+        for (const plan::ProgramVariant& each : asked.interfaces)
+            answers.interfaces.emplace(each, &programs.interfaceOf(each));
+        for (const scene::ProgramIndex each : asked.writers)
+            answers.writers.emplace(each, programs.mayWriteImages(each));
+        if (asked.loopLimit) answers.loopLimit = loopLimit();
+        for (const scene::StepIndex& each : asked.unseen)
+            answers.unseen.emplace(each, outOfSight(nodes.draw(each), nodes.passes[each.pass]));
+    };
+    plan::Answers known;
+    known.seesAll = !outOfSight;
+    plan::FramePlan made = plan::planFrame(scene, nodes, std::move(known), planOptions, answer);
     if (adjustPlan) adjustPlan(made);
     return made;
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gpu/context/context.h"
@@ -77,9 +78,11 @@ struct Pipeline {
     [[nodiscard]] bool recordsLoops() const;
     /// The loops that the driver has ended since the last call: draw-W08.
     Diagnostics takeCutLoops();
-    /// Answers all of a plan's questions, that of draws out of sight by `outOfSight`.
+    /// Why nothing of a draw can be seen, or an empty text.
+    using OutOfSight = std::function<std::string(const scene::Draw& draw, const scene::Pass& pass)>;
+    /// The plan of that list. Without `outOfSight` all draws may be seen.
     [[nodiscard]] plan::FramePlan planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
-                                           decltype(plan::PlanQuestions::outOfSight) outOfSight = {});
+                                           const OutOfSight& outOfSight = {});
     /// True if the scene has Once or Step blocks. planSimulation() then reports what plan::reportNames()
     /// finds in all lists, so the plan of the frame must not (PlanOptions::reportsNames).
     [[nodiscard]] bool hasBlocks() const { return !scene.once.empty() || !scene.steps.empty(); }

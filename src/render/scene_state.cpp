@@ -117,12 +117,12 @@ Diagnostics SceneState::preparePlan(Result<plan::PlanOptions> asked, Stats& stat
     const bool countsPrimitives = options.checks && std::ranges::any_of(scene.checks, [](const auto& each) {
                                       return each.kind == scene::Check::Kind::primitives;
                                   });
-    decltype(plan::PlanQuestions::outOfSight) unseen;
+    OutOfSight unseen;
     if (!asked->everything && !countsPrimitives)
         unseen = [&](const scene::Draw& draw, const scene::Pass& pass) {
             return outOfSight(draw, pass, &meshDiagnostics);
         };
-    plan = planList(scene.frame, *asked, std::move(unseen));
+    plan = planList(scene.frame, *asked, unseen);
     isBroken = false;
     if (!isMoving) {
         stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());

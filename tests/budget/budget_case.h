@@ -48,13 +48,15 @@ class Budget {
         plan::ProgramInterface builtin;
         builtin.usable = builtin.isBuiltin = true;
         builtin.inputs = {{"aVertex", 0}};
-        const plan::FramePlan plan =
-            plan::planFrame(scene, scene.frame,
-                            {[&](const plan::ProgramVariant& variant) -> const plan::ProgramInterface& {
-                                 return variant.program ? program : builtin;
-                             },
-                             [](scene::ProgramIndex) { return false; }},
-                            {});
+        plan::Answers known;
+        known.loopLimit = 0;
+        known.seesAll = true;
+        const plan::FramePlan plan = plan::planFrame(
+            scene, scene.frame, known, {}, [&](const plan::Questions& open, plan::Answers& answers) {
+                for (const plan::ProgramVariant& each : open.interfaces)
+                    answers.interfaces.emplace(each, each.program ? &program : &builtin);
+                for (const scene::ProgramIndex each : open.writers) answers.writers.emplace(each, false);
+            });
         choice = budget::choose(scene, plan, request);
         replaced = apply(choice, scene);
         return choice;

@@ -227,21 +227,26 @@ struct Programs {
         builtin.uniforms.push_back(uniform("uModelViewProjectionMatrix", "mat4"));
         builtin.inputs = {{"aVertex", 0}, {"aColor", 1}};
     }
-    FramePlan plan(const scene::Scene& scene, const PlanOptions& options = {},
-                   decltype(PlanQuestions::outOfSight) outOfSight = {}) {
-        return planFrame(scene, scene.frame,
-                         {.interfaceOf = [this](const ProgramVariant& variant) -> const ProgramInterface& {
-                              asked.push_back(variant);
-                              return variant.program ? byIndex.at(variant.program) : builtin;
-                          },
-                          .mayWriteImages =
-                              [this](scene::ProgramIndex program) {
-                                  askedForImages.push_back(program);
-                                  return std::find(imageWriters.begin(), imageWriters.end(), program) !=
-                                         imageWriters.end();
-                              },
-                          .outOfSight = std::move(outOfSight)},
-                         options);
+    /// `outOfSight`: Answers::unseen of a draw; without it all are seen.
+    FramePlan plan(
+        const scene::Scene& scene, const PlanOptions& options = {},
+        const std::function<std::string(const scene::Draw&, const scene::Pass&)>& outOfSight = {}) {
+        Answers known;
+        known.seesAll = !outOfSight;
+        return planFrame(scene, scene.frame, known, options, [&](const Questions& open, Answers& answers) {
+            for (const ProgramVariant& each : open.interfaces) {
+                asked.push_back(each);
+                answers.interfaces.emplace(each, each.program ? &byIndex.at(each.program) : &builtin);
+            }
+            for (const scene::ProgramIndex each : open.writers) {
+                askedForImages.push_back(each);
+                answers.writers.emplace(each, std::ranges::find(imageWriters, each) != imageWriters.end());
+            }
+            answers.loopLimit = 0;
+            for (const scene::StepIndex& each : open.unseen)
+                answers.unseen.emplace(each,
+                                       outOfSight(scene.frame.draw(each), scene.frame.passes[each.pass]));
+        });
     }
     [[nodiscard]] std::vector<scene::ProgramIndex> askedPrograms() const {
         std::vector<scene::ProgramIndex> programs;
