@@ -164,10 +164,15 @@ void Window::paint() {
         const int left = static_cast<int>(std::lround(ui().frame.picture[0] * perUnit));
         const int top = height - static_cast<int>(std::lround(ui().frame.picture[1] * perUnit));
         const gpu::Target& shown = *session().shownPicture();
+        // The picture from before an edit keeps its proportions if the window has another size now.
+        const double scale = std::min(static_cast<double>(picture->width()) / shown.width(),
+                                      static_cast<double>(picture->height()) / shown.height());
+        const int wide = static_cast<int>(std::lround(shown.width() * scale));
+        const int high = static_cast<int>(std::lround(shown.height() * scale));
+        const int x = left + (picture->width() - wide) / 2, y = top - (picture->height() + high) / 2;
         shown.readable().bindForReading();
-        glBlitFramebuffer(0, 0, shown.width(), shown.height(), left, top - picture->height(),
-                          left + picture->width(), top, GL_COLOR_BUFFER_BIT,
-                          shown.width() == picture->width() ? GL_NEAREST : GL_LINEAR);
+        glBlitFramebuffer(0, 0, shown.width(), shown.height(), x, y, x + wide, y + high, GL_COLOR_BUFFER_BIT,
+                          scale == 1 ? GL_NEAREST : GL_LINEAR);
     }
     glViewport(0, 0, width, height);
     // ImGui restores the bound program afterwards, which a reload may have deleted.

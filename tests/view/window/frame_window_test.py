@@ -259,6 +259,23 @@ class BeforeAndAfter(WindowTest):
         window.wait(lambda s: not s["before"]["shown"])
         self.assertEqual(window.pixels(), after)
 
+    def test_it_keeps_its_proportions(self):
+        scene = self.files / "square.glib"
+        scene.write_text("WindowSize 300 300\nBackground .2 .4 .8\nOrtho -1 1 -1 1\nSphere .9 60 60\n")
+        window = self.open(scene)
+        seen = window.state()["reloads"]
+        scene.write_text(scene.read_text().replace("300 300", "300 100"))
+        window.wait(lambda s: s["reloads"] > seen and s["width"] > 2 * s["height"])
+        window.key("k")
+        self.assertTrue(window.settle()["before"]["shown"])
+        width, height, shown = window.pixels()
+        middle = shown[3 * width * (height // 2):3 * width * (height // 2 + 1)]
+        colors = [middle[i:i + 3] for i in range(0, len(middle), 3)]
+        blue = colors.count(bytes((51, 102, 204)))
+        self.assertAlmostEqual((width - height) / 2, next(i for i, c in enumerate(colors)
+                                                         if c == bytes((51, 102, 204))), delta=2)
+        self.assertLess(blue, height / 5, "a disk of .9 of a square that is as high as the picture")
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv, verbosity=2)
