@@ -1,5 +1,10 @@
 #include "base/text.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
 #include "base/utf8.h"
 
 namespace glibra::base {
@@ -39,6 +44,14 @@ std::string escapeXml(std::string_view text) {
         text.remove_prefix(next.bytes);
     }
     return escaped;
+}
+
+std::string readableBytes(std::uint64_t bytes) {
+    constexpr std::array kUnits{"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+    auto value = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    for (; value >= 1024 && unit + 1 < kUnits.size(); ++unit) value /= 1024;
+    return fmt::format("{} {}", std::ceil(value * 10) / 10, kUnits[unit]);
 }
 
 }  // namespace glibra::base

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -117,5 +118,9 @@ inline std::string shellWord(std::string_view text, std::string_view plain = "_-
 /// are escaped. What XML cannot contain (most control characters, U+FFFE, U+FFFF, bytes that are not UTF-8)
 /// becomes U+FFFD.
 std::string escapeXml(std::string_view text);
+
+/// "2.1 GiB", "300 MiB", "1.5 KiB", "17 bytes": rounded up to tenths, so that a size just above a limit is
+/// not displayed as the limit.
+std::string readableBytes(std::uint64_t bytes);
 
 }  // namespace glibra::base

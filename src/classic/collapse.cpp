@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/hash.h"
+
 #include "classic/vertex_lists.h"
 
 namespace glibra::classic {
@@ -20,11 +22,6 @@ std::uint64_t bitsOf(double value) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
     return bits;
-}
-
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t bits) {
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15ULL;
-    return hash ^ (hash >> 32);
 }
 
 class Collapse {
@@ -76,7 +73,7 @@ class Collapse {
         for (const VertexColumn& column : from_.columns()) {
             const auto width = static_cast<std::size_t>(column.components);
             for (std::size_t c = skipped; c < width; ++c)
-                hash = mixed(hash, bitsOf(static_cast<double>(column.values[vertex * width + c])));
+                hash = base::combined(hash, bitsOf(static_cast<double>(column.values[vertex * width + c])));
             skipped = 0;
         }
         return hash;
@@ -112,7 +109,7 @@ class Collapse {
     }
 
     [[nodiscard]] std::uint64_t hashAt(std::uint64_t others, const std::array<double, 3>& cells) const {
-        for (const double each : cells) others = mixed(others, bitsOf(each));
+        for (const double each : cells) others = base::combined(others, bitsOf(each));
         return others;
     }
 

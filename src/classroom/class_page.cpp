@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/hash.h"
 #include "base/page_template.h"
 #include "base/text.h"
 #include "base/utf8.h"
@@ -27,13 +28,6 @@
 
 namespace glibra::classroom {
 namespace {
-
-std::uint64_t shuffled(std::string_view text) {
-    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-    for (const char each : text) hash = (hash ^ static_cast<unsigned char>(each)) * 1099511628211ULL;
-    hash = (hash ^ (hash >> 33U)) * 0xff51afd7ed558ccdULL;
-    return hash ^ (hash >> 33U);
-}
 
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
     if (from.size() < 2) return;
@@ -75,7 +69,7 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
     std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
         const auto key = [&](std::size_t i) {
             const std::string& name = room.entries[i].submission.name;
-            return std::pair(shuffled(name), name);
+            return std::pair(base::murmurMixed(base::fnv1a(name)), name);
         };
         return key(a) < key(b);
     });

@@ -6,16 +6,10 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "base/hash.h"
+
 namespace glibra::classroom {
 namespace {
-
-/// Spreads the bits of a rolling hash, whose order would otherwise prefer some tokens (the finaliser of
-/// MurmurHash3, by Appleby).
-std::uint64_t mixed(std::uint64_t value) {
-    value = (value ^ (value >> 33U)) * 0xff51afd7ed558ccdULL;
-    value = (value ^ (value >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
-    return value ^ (value >> 33U);
-}
 
 constexpr std::uint64_t kSeveral = std::numeric_limits<std::uint64_t>::max();
 
@@ -80,16 +74,16 @@ class Covered {
 
 std::vector<std::uint64_t> gramHashes(std::span<const SourceToken> tokens) {
     if (tokens.size() < kGram) return {};
-    constexpr std::uint64_t kBase = 0x9e3779b97f4a7c15ULL;
-    std::uint64_t highest = 1;  // kBase to the power of kGram - 1
-    for (std::size_t i = 1; i < kGram; ++i) highest *= kBase;
+    std::uint64_t highest = 1;  // kGolden to the power of kGram - 1
+    for (std::size_t i = 1; i < kGram; ++i) highest *= base::kGolden;
     std::vector<std::uint64_t> hashes;
     hashes.reserve(tokens.size() - kGram + 1);
     std::uint64_t rolling = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         if (i >= kGram) rolling -= highest * tokens[i - kGram].code;
-        rolling = rolling * kBase + tokens[i].code;
-        if (i + 1 >= kGram) hashes.push_back(mixed(rolling));
+        rolling = rolling * base::kGolden + tokens[i].code;
+        // Mixed, because the order of rolling hashes would prefer some tokens.
+        if (i + 1 >= kGram) hashes.push_back(base::murmurMixed(rolling));
     }
     return hashes;
 }

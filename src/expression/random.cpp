@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/hash.h"
+
 namespace glibra::expression {
 namespace {
-
-constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15U;
 
 std::optional<std::uint64_t> wholeNumber(double value) {
     constexpr double kBound = 0x1p63;
@@ -53,7 +53,8 @@ std::optional<double> random(double i, double seed) {
     const auto index = wholeNumber(i);
     const auto first = wholeNumber(seed);
     if (!index || !first) return std::nullopt;
-    const std::uint64_t hash = mix(mix(*first + kGolden) + *index * kGolden);
+    const std::uint64_t hash =
+        base::splitMixed(base::splitMixed(*first + base::kGolden) + *index * base::kGolden);
     return static_cast<double>(hash >> 11U) * 0x1p-53;
 }
 
@@ -77,7 +78,7 @@ double gradientNoise(const double* point, int dimensions) {
         std::array<double, 3> offset{};
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t side = (c >> k) & 1U;
-            hash = mix(hash + kGolden + cell[k] + side);
+            hash = base::splitMixed(hash + base::kGolden + cell[k] + side);
             offset[k] = inside[k] - static_cast<double>(side);
         }
         corner[c] = slope(hash, offset.data(), dimensions);

@@ -7,16 +7,9 @@
 
 namespace glibra::expression {
 
-/// The finaliser of splitmix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014): a
-/// bijection of 64 bits.
-constexpr std::uint64_t mix(std::uint64_t x) {
-    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31U);
-}
-
 /// A number in [0, 1), a multiple of 2^-53: number `i` of the sequence that splitmix64 gives after the state
-/// mix(seed + c), where c = 0x9e3779b97f4a7c15. Both arguments are cut toward zero. Nothing if one is beyond
+/// base::splitMixed(seed + c), where c = 0x9e3779b97f4a7c15. Both arguments are cut toward zero. Nothing if
+/// one is beyond
 /// +-2^63.
 std::optional<double> random(double i, double seed);
 

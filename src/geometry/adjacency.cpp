@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/hash.h"
+
 namespace glibra::geometry {
 namespace {
 
@@ -23,7 +25,7 @@ std::vector<std::uint32_t> weldVertices(const Attribute& position) {
         const auto own = place(vertex);
         std::uint64_t hash = 0;
         for (const float coordinate : own)
-            hash = spread(hash ^ std::bit_cast<std::uint32_t>(coordinate + 0.F));  // -0 becomes 0
+            hash = base::splitMixed(hash ^ std::bit_cast<std::uint32_t>(coordinate + 0.F));  // -0 becomes 0
         first.push_back(known.findOrEnter(
             hash, vertex, [&](std::uint32_t other) { return std::ranges::equal(place(other), own); }));
     }
@@ -51,7 +53,7 @@ class EdgeTable {
         const auto next = static_cast<std::uint32_t>(edges_.size());
         const std::uint64_t key = std::uint64_t{std::min(from, to)} << 32 | std::max(from, to);
         const std::uint32_t edge =
-            known_.findOrEnter(spread(key), next, [&](auto e) { return edges_[e].key == key; });
+            known_.findOrEnter(base::splitMixed(key), next, [&](auto e) { return edges_[e].key == key; });
         if (edge == next) edges_.push_back({key, {}, {}});
         const bool isForward = from < to;
         Sides& along = isForward ? edges_[edge].forward : edges_[edge].backward;

@@ -11,15 +11,6 @@ namespace glibra::geometry {
 
 // An open-addressed table from keys kept elsewhere to the numbers 0, 1, 2 ... in order of first appearance.
 
-/// Mixes 64 bits ("splitmix64": Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014).
-constexpr std::uint64_t spread(std::uint64_t x) {
-    x ^= x >> 30;
-    x *= 0xbf58476d1ce4e5b9U;
-    x ^= x >> 27;
-    x *= 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-}
-
 /// The table holds only numbers; the caller keeps the keys and compares them.
 class HashIndex {
   public:

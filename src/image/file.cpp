@@ -19,6 +19,7 @@
 #include <system_error>
 
 #include "base/contained.h"
+#include "base/text.h"
 
 namespace glibra::image {
 namespace {
@@ -115,8 +116,8 @@ Result<std::vector<std::byte>> readFile(const base::FileSource& source, const Fi
         if (size == 0) return diagnose("file-E02", fmt::format("'{}' is empty", label.name), label.place);
         if (size <= largest) return std::nullopt;
         return diagnose("file-E09",
-                        fmt::format("'{}' has {}, the limit is {}", label.name, readableBytes(size),
-                                    readableBytes(largest)),
+                        fmt::format("'{}' has {}, the limit is {}", label.name, base::readableBytes(size),
+                                    base::readableBytes(largest)),
                         label.place);
     };
     if (source.content) {

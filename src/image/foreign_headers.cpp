@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "image/bytes.h"
 
 namespace glibra::image {
@@ -365,10 +366,11 @@ Result<TiffHeader> readTiffHeader(ByteSpan file, const FileLabel& label, const L
         return *std::move(refused);
     const std::uint64_t most = limits.texelBytes / (header.samples * (header.bits + 7) / 8);
     if (header.tileWidth > 0 && header.tileHeight > most / header.tileWidth)
-        return diagnose("file-E09",
-                        fmt::format("'{}' has tiles of {} x {} pixels, the limit of one is {}", label.name,
-                                    header.tileWidth, header.tileHeight, readableBytes(limits.texelBytes)),
-                        label.place);
+        return diagnose(
+            "file-E09",
+            fmt::format("'{}' has tiles of {} x {} pixels, the limit of one is {}", label.name,
+                        header.tileWidth, header.tileHeight, base::readableBytes(limits.texelBytes)),
+            label.place);
     return header;
 }
 
@@ -488,7 +490,7 @@ std::optional<Diagnostic> judgePart(const ExrPart& part, const FileLabel& label,
         tile * part.channels.size() * sizeof(float) > std::max<std::uint64_t>(limits.texelBytes, 1))
         return diagnose("file-E09",
                         fmt::format("'{}' has tiles of {} x {} pixels, the limit of one is {}", label.name,
-                                    part.tileWidth, part.tileHeight, readableBytes(limits.texelBytes)),
+                                    part.tileWidth, part.tileHeight, base::readableBytes(limits.texelBytes)),
                         label.place);
     return std::nullopt;
 }

@@ -2,20 +2,9 @@
 
 #include <fmt/format.h>
 
-namespace glibra::image {
+#include "base/text.h"
 
-std::string readableBytes(std::uint64_t bytes) {
-    const auto count = static_cast<double>(bytes);
-    // Rounded up: a size just above a limit must not be displayed as the limit.
-    const auto tenths = [](double value) {
-        const auto scaled = static_cast<std::uint64_t>(value * 10);
-        return static_cast<double>(static_cast<double>(scaled) < value * 10 ? scaled + 1 : scaled) / 10;
-    };
-    constexpr double kMiB = 1 << 20;
-    if (bytes >= kGiB) return fmt::format("{} GiB", tenths(count / static_cast<double>(kGiB)));
-    if (count >= kMiB) return fmt::format("{} MiB", tenths(count / kMiB));
-    return fmt::format("{} bytes", bytes);
-}
+namespace glibra::image {
 
 std::optional<Diagnostic> checkSize(std::uint64_t width, std::uint64_t height, std::uint64_t bytesPerPixel,
                                     const Limits& limits, const FileLabel& label) {
@@ -27,10 +16,11 @@ std::optional<Diagnostic> checkSize(std::uint64_t width, std::uint64_t height, s
             label.place);
     const std::uint64_t bytes = width * height * bytesPerPixel;
     if (bytes > limits.texelBytes)
-        return diagnose("file-E09",
-                        fmt::format("'{}' has {} of pixels ({} x {}), the limit is {}", label.name,
-                                    readableBytes(bytes), width, height, readableBytes(limits.texelBytes)),
-                        label.place);
+        return diagnose(
+            "file-E09",
+            fmt::format("'{}' has {} of pixels ({} x {}), the limit is {}", label.name,
+                        base::readableBytes(bytes), width, height, base::readableBytes(limits.texelBytes)),
+            label.place);
     return checkSceneBytes(bytes, limits, fmt::format("'{}'", label.name), label.place);
 }
 
@@ -40,8 +30,8 @@ std::optional<Diagnostic> checkSceneBytes(std::uint64_t bytes, const Limits& lim
     return diagnose(
         "draw-E08",
         fmt::format("{} needs {}, but the textures of a scene may have {} together, and {} are left", what,
-                    readableBytes(bytes), readableBytes(kSceneTexelBytes),
-                    readableBytes(limits.sceneBytesLeft)),
+                    base::readableBytes(bytes), base::readableBytes(kSceneTexelBytes),
+                    base::readableBytes(limits.sceneBytesLeft)),
         place);
 }
 

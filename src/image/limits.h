@@ -49,9 +49,6 @@ std::optional<Diagnostic> checkInflation(std::uint64_t width, std::uint64_t heig
 std::optional<Diagnostic> checkPacked(std::uint64_t width, std::uint64_t height, std::uint64_t bytesPerPixel,
                                       std::uint64_t fileBytes, const Limits& limits, const FileLabel& label);
 
-/// "2.1 GiB", "300 MiB", "17 bytes".
-std::string readableBytes(std::uint64_t bytes);
-
 /// The messages of language, 8.2 that several readers report. `damaged` is file-E04: "'name': what".
 Diagnostic damaged(const FileLabel& label, const std::string& what);
 

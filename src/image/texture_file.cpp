@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "base/text.h"
 #include "image/bytes.h"
 #include "image/convert.h"
 #include "image/file.h"
@@ -122,7 +123,7 @@ Result<TexelBlock> decodeRawTexture(ByteSpan file, int dimensions, const FileLab
         return diagnose("file-E09",
                         fmt::format("'{}' has {}, the limits are {} per side and {}", label.name,
                                     describeShape(shape), shape.dimensions == 3 ? limits.side3D : limits.side,
-                                    readableBytes(limits.texelBytes)),
+                                    base::readableBytes(limits.texelBytes)),
                         label.place);
     if (auto over =
             checkSceneBytes(file.size() - offset, limits, fmt::format("'{}'", label.name), label.place))
@@ -269,7 +270,7 @@ Pictures readPictures(std::span<const base::FileSource> files, int dimensions, c
                 diagnose("file-E09",
                          fmt::format("{}: the {} have more than {}, the limit of one texture", command,
                                      std::string_view(command) == "CubeMap" ? "faces" : "pictures",
-                                     readableBytes(options.limits.texelBytes)),
+                                     base::readableBytes(options.limits.texelBytes)),
                          place));
             return all;
         }

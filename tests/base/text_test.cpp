@@ -26,5 +26,15 @@ TEST(Text, CountedNounsAgreeWithTheirNumber) {
     EXPECT_EQ(countedInGroups(1, "byte"), "1 byte");
 }
 
+TEST(ReadableBytes, AreRoundedUpSoThatASizeBeyondALimitLooksLarger) {
+    EXPECT_EQ(readableBytes(17), "17 bytes");
+    EXPECT_EQ(readableBytes(1536), "1.5 KiB");
+    EXPECT_EQ(readableBytes(3 << 20), "3 MiB");
+    EXPECT_EQ(readableBytes((3 << 20) + 1), "3.1 MiB");
+    EXPECT_EQ(readableBytes(std::uint64_t{1} << 30), "1 GiB");
+    EXPECT_EQ(readableBytes((std::uint64_t{1} << 30) + 1), "1.1 GiB");
+    EXPECT_EQ(readableBytes(~std::uint64_t{0}), "16 EiB");
+}
+
 }  // namespace
 }  // namespace glibra::base

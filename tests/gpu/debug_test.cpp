@@ -80,12 +80,5 @@ TEST(Errors, LackOfMemoryHasTheIdOfDrawing) {
     EXPECT_EQ(allocationError(0x0502, "a buffer").id, "gpu-E02");
 }
 
-TEST(Errors, BytesAreWrittenForPeople) {
-    EXPECT_EQ(readableBytes(17), "17 bytes");
-    EXPECT_EQ(readableBytes(1536), "1.5 KiB");
-    EXPECT_EQ(readableBytes(std::uint64_t{4} << 30), "4.0 GiB");
-    EXPECT_EQ(readableBytes(~std::uint64_t{0}), "16.0 EiB");
-}
-
 }  // namespace
 }  // namespace glibra::gpu

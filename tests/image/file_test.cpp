@@ -94,14 +94,6 @@ TEST_F(WholeFile, BeyondTheLimitIsRejectedBeforeReading) {
     EXPECT_EQ(read.diagnostics[0].text, "'a' has 3 GiB, the limit is 2 GiB");
 }
 
-TEST(ReadableBytes, AreRoundedUpSoThatASizeBeyondALimitLooksLarger) {
-    EXPECT_EQ(readableBytes(17), "17 bytes");
-    EXPECT_EQ(readableBytes(kGiB), "1 GiB");
-    EXPECT_EQ(readableBytes(kGiB + 1), "1.1 GiB");
-    EXPECT_EQ(readableBytes(3 << 20), "3 MiB");
-    EXPECT_EQ(readableBytes((3 << 20) + 1), "3.1 MiB");
-}
-
 TEST_F(WholeFile, IsWrittenUnderItsNameOnly) {
     const auto bytes = testing::bytesOf({1, 2, 3});
     EXPECT_TRUE(writeFileAtomically(folder / "out.png", bytes).empty());

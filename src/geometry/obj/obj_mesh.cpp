@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/hash.h"
 #include "geometry/adjacency.h"
 #include "geometry/frame.h"
 #include "geometry/mesh.h"
@@ -98,8 +99,8 @@ std::vector<ObjCorner> groupedCorners(const ObjModel& model, std::vector<glm::dv
             if (group != kFlat) {
                 const std::uint64_t key = group << 32 | corners[i].position;
                 const std::uint32_t next = normal;
-                normal =
-                    known.findOrEnter(spread(key), next, [&](std::uint32_t n) { return keys[n] == key; });
+                normal = known.findOrEnter(base::splitMixed(key), next,
+                                           [&](std::uint32_t n) { return keys[n] == key; });
                 if (normal == next) add(key);
                 normals[normal] += area;
                 if (someFace[normal] == glm::dvec3(0)) someFace[normal] = area;
@@ -200,7 +201,8 @@ ObjVertices objVertices(const ObjModel& model) {
                 if (!others)
                     others.emplace(model.corners.size() + model.lineCorners.size() + model.points.size());
                 const std::uint64_t hash =
-                    spread((std::uint64_t{corner.position} << 32 | corner.texCoord) ^ spread(corner.normal));
+                    base::splitMixed((std::uint64_t{corner.position} << 32 | corner.texCoord) ^
+                                     base::splitMixed(corner.normal));
                 vertex = others->findOrEnter(hash, next, isCorner);
             }
             if (vertex == next) vertices.corners.push_back(corner);
@@ -320,7 +322,8 @@ Mesh wireObj(const ObjModel& model, bool withTangents) {
         if (from == to) return;
         const std::uint64_t key = std::uint64_t{std::min(from, to)} << 32 | std::max(from, to);
         const auto next = static_cast<std::uint32_t>(keys.size());
-        if (known.findOrEnter(spread(key), next, [&](std::uint32_t e) { return keys[e] == key; }) != next)
+        if (known.findOrEnter(base::splitMixed(key), next, [&](std::uint32_t e) { return keys[e] == key; }) !=
+            next)
             return;
         keys.push_back(key);
         mesh.indices.push_back(vertexA);

@@ -502,9 +502,8 @@ Result<ObjModel> parseObj(std::string_view text, std::string path, ObjElements w
         return diagnose(std::string(id), fmt::format("'{}' {}", fileName(path), what), {path, 1, 1});
     };
     if (text.size() > kLargestModelFile)
-        return failure("file-E09", fmt::format("has {:.1f} GiB, the limit is 1 GiB",
-                                               static_cast<double>(text.size()) /
-                                                   static_cast<double>(kLargestModelFile)));
+        return failure("file-E09", fmt::format("has {}, the limit is {}", base::readableBytes(text.size()),
+                                               base::readableBytes(kLargestModelFile)));
     if (isCompilerOutput(text)) return failure("file-E08", "is a compiler's object file, not a model");
     if (base::isNoText(text)) return failure("file-E08", base::notThe("an OBJ model", text));
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);

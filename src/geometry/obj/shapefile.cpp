@@ -213,9 +213,8 @@ Result<Mesh> parseShp(std::span<const std::byte> bytes, std::string path) {
         return diagnose(std::move(id), fmt::format("'{}': {}", fileName(path), what), place);
     };
     if (bytes.size() > kLargestModelFile)
-        return failure("file-E09", fmt::format("{:.1f} GiB, the limit is 1 GiB",
-                                               static_cast<double>(bytes.size()) /
-                                                   static_cast<double>(kLargestModelFile)));
+        return failure("file-E09", fmt::format("{}, the limit is {}", base::readableBytes(bytes.size()),
+                                               base::readableBytes(kLargestModelFile)));
     ShapeReader reader(bytes);
     if (const std::string fault = reader.read(); !fault.empty()) return failure("file-E04", fault);
     if (reader.passesLimit())

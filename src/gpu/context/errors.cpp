@@ -45,15 +45,4 @@ Diagnostic allocationError(GLenum code, std::string_view what) {
     return diagnose("gpu-E02", "OpenGL refuses " + std::string(what) + ": " + errorName(code));
 }
 
-std::string readableBytes(std::uint64_t bytes) {
-    static constexpr std::array<const char*, 7> kUnits{"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
-    auto value = static_cast<double>(bytes);
-    std::size_t unit = 0;
-    while (value >= 1024 && unit + 1 < kUnits.size()) {
-        value /= 1024;
-        ++unit;
-    }
-    return fmt::format("{:.{}f} {}", value, unit == 0 || value >= 100 ? 0 : 1, kUnits[unit]);
-}
-
 }  // namespace glibra::gpu

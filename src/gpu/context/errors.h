@@ -23,7 +23,4 @@ GLenum takeError();
 /// texture".
 Diagnostic allocationError(GLenum code, std::string_view what);
 
-/// 1536 -> "1.5 KiB", for messages.
-std::string readableBytes(std::uint64_t bytes);
-
 }  // namespace glibra::gpu

@@ -5,6 +5,7 @@
 #include <new>
 #include <vector>
 
+#include "base/text.h"
 #include "gpu/context/errors.h"
 
 namespace glibra::gpu {
@@ -18,7 +19,7 @@ constexpr GLenum kUploadTarget = GL_COPY_WRITE_BUFFER;
 
 Result<Buffer> Buffer::allocate(const std::byte* content, std::size_t bytes, GLenum usage) {
     if (bytes > static_cast<std::size_t>(std::numeric_limits<GLsizeiptr>::max()))
-        return allocationError(GL_OUT_OF_MEMORY, "a buffer of " + readableBytes(bytes));
+        return allocationError(GL_OUT_OF_MEMORY, "a buffer of " + base::readableBytes(bytes));
     Buffer buffer;
     buffer.name_ = Name<glDeleteBuffers>(glGenBuffers);
     buffer.size_ = bytes;
@@ -26,7 +27,7 @@ Result<Buffer> Buffer::allocate(const std::byte* content, std::size_t bytes, GLe
     buffer.bind(kUploadTarget);
     glBufferData(kUploadTarget, static_cast<GLsizeiptr>(bytes), content, usage);
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
-        return allocationError(code, "a buffer of " + readableBytes(bytes));
+        return allocationError(code, "a buffer of " + base::readableBytes(bytes));
     return buffer;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/number.h"
+#include "base/text.h"
 #include "gpu/context/errors.h"
 
 namespace glibra::gpu {
@@ -80,7 +81,7 @@ Result<Renderbuffer> Renderbuffer::create(const Capabilities& capabilities, int 
                                        " x " + std::to_string(highest));
     const auto bytes = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
                        bytesPerTexel(format) * static_cast<std::uint64_t>(used);
-    what += " (" + readableBytes(bytes) + ")";
+    what += " (" + base::readableBytes(bytes) + ")";
 
     Renderbuffer made;
     made.name_ = Name<glDeleteRenderbuffers>(glGenRenderbuffers);

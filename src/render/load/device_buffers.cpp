@@ -63,8 +63,8 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
         return {diagnose("memory-E17",
                          fmt::format("buffer '{}' needs {}, but the buffers of a scene may have {} together, "
                                      "and {} are left",
-                                     buffer.name, image::readableBytes(all), image::readableBytes(kMostBytes),
-                                     image::readableBytes(bytesLeft_)),
+                                     buffer.name, base::readableBytes(all), base::readableBytes(kMostBytes),
+                                     base::readableBytes(bytesLeft_)),
                          buffer.place)};
     bytesLeft_ -= all;
     const Result<std::vector<std::byte>> content = declaredBytes(index);

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <variant>
 
-// Compiled in, because a shared library would be loaded at every start of the program.
-#define XXH_INLINE_ALL
-#include <xxhash.h>
+#include "base/hash.h"
 
 namespace glibra::render {
 namespace {
@@ -17,8 +16,8 @@ std::string stampOf(const scene::Scene& scene, scene::FileIndex file) {
     if (!file) return "-";
     const std::filesystem::path& path = scene.files[file].path;
     if (const auto& content = scene.files[file].content) {
-        const XXH128_hash_t hash = XXH3_128bits(content->data(), content->size());
-        return fmt::format("|{}|{:x}{:016x}", path.string(), hash.high64, hash.low64);
+        const base::Hash hash = base::hashOf({std::as_bytes(std::span(*content))});
+        return fmt::format("|{}|{:x}{:016x}", path.string(), hash.high, hash.low);
     }
     std::error_code failure;
     const auto size = std::filesystem::file_size(path, failure);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/text.h"
 #include "geometry/shapes/primitive.h"
 #include "scene/classic/classic.h"
@@ -18,21 +19,16 @@
 namespace glibra::scene {
 namespace {
 
-std::uint64_t combine(std::uint64_t hash, std::uint64_t value) {
-    hash ^= value + 0x9e3779b97f4a7c15U + (hash << 6U) + (hash >> 2U);
-    return hash * 0xff51afd7ed558ccdU;
-}
-
 std::uint64_t hashOf(const geometry::Mesh& mesh) {
     std::uint64_t hash = static_cast<std::uint64_t>(mesh.topology);
-    hash = combine(hash, static_cast<std::uint64_t>(mesh.patchVertices));
+    hash = base::combined(hash, static_cast<std::uint64_t>(mesh.patchVertices));
     for (const geometry::Attribute& each : mesh.attributes)
         for (const float value : each.values) {
             std::uint32_t bits = 0;
             std::memcpy(&bits, &value, sizeof bits);
-            hash = combine(hash, bits);
+            hash = base::combined(hash, bits);
         }
-    return combine(hash, mesh.indices.size());
+    return base::combined(hash, mesh.indices.size());
 }
 
 bool isSameMesh(const geometry::Mesh& a, const geometry::Mesh& b) {

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/suggest.h"
 #include "glib/text.h"
 #include "scene/run/camera_use.h"
@@ -128,7 +129,7 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const KeyedValues& tag,
 std::size_t hashOfSet(const UniformSet& set) {
     std::size_t hash = set.objects.size();
     const auto add = [&hash](const auto& part) {
-        hash = (hash ^ std::hash<std::remove_cvref_t<decltype(part)>>()(part)) * 0x9e3779b97f4a7c15U;
+        hash = base::combined(hash, std::hash<std::remove_cvref_t<decltype(part)>>()(part));
     };
     for (const glib::UniformSpec& each : set.values) {
         add(each.tag);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "base/hash.h"
 #include "base/suggest.h"
 #include "glib/text.h"
 #include "suite/file/glob.h"
@@ -17,23 +18,6 @@ namespace glibra::suite {
 namespace {
 
 constexpr int kMostShards = 1'000'000;
-
-std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash) {
-    for (const char c : bytes) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 0x100000001b3U;
-    }
-    return hash;
-}
-
-std::uint64_t finalized(std::uint64_t h) {
-    h ^= h >> 33U;
-    h *= 0xff51afd7ed558ccdU;
-    h ^= h >> 33U;
-    h *= 0xc4ceb9fe1a85ec53U;
-    h ^= h >> 33U;
-    return h;
-}
 
 /// Disjoint sets of numbers.
 class Groups {
@@ -95,11 +79,10 @@ std::vector<std::string_view> shardNames(const Suite& suite) {
 }
 
 int shardOf(std::string_view suiteName, std::string_view shardName, int count) {
-    constexpr std::uint64_t kOffsetBasis = 0xcbf29ce484222325U;
-    std::uint64_t hash = fnv1a(suiteName, kOffsetBasis);
-    hash = fnv1a(std::string_view("\0", 1), hash);
-    hash = fnv1a(shardName, hash);
-    return static_cast<int>(finalized(hash) % static_cast<std::uint64_t>(count));
+    std::uint64_t hash = base::fnv1a(suiteName);
+    hash = base::fnv1a(std::string_view("\0", 1), hash);
+    hash = base::fnv1a(shardName, hash);
+    return static_cast<int>(base::murmurMixed(hash) % static_cast<std::uint64_t>(count));
 }
 
 namespace {

@@ -4,27 +4,18 @@
 
 #include <array>
 #include <charconv>
-
-// Compiled in, because a shared library would be loaded at every start of the program.
-#define XXH_INLINE_ALL
-#include <xxhash.h>
+#include <cstdint>
 
 namespace glibra::suite {
 
 Hash hashOf(const image::Image& picture) {
     const std::array<std::int32_t, 4> shape{picture.width, picture.height, picture.components,
                                             static_cast<std::int32_t>(picture.type)};
-    XXH3_state_t state;
-    XXH3_128bits_reset(&state);
-    XXH3_128bits_update(&state, shape.data(), sizeof shape);
-    XXH3_128bits_update(&state, picture.data.data(), picture.data.size());
-    const XXH128_hash_t digest = XXH3_128bits_digest(&state);
-    return {digest.high64, digest.low64};
+    return base::hashOf({std::as_bytes(std::span(shape)), picture.data});
 }
 
 Hash hashOf(std::span<const std::byte> bytes) {
-    const XXH128_hash_t digest = XXH3_128bits(bytes.data(), bytes.size());
-    return {digest.high64, digest.low64};
+    return base::hashOf({bytes});
 }
 
 std::string toText(const Hash& hash) {

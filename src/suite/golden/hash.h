@@ -1,22 +1,18 @@
 #pragma once
-// Hashes of pixels and files: XXH3 with 128 bits (Yann Collet). They are not cryptographic: somebody can make
-// two files with one hash on purpose.
+// Hashes of pixels and files, and their texts.
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "base/hash.h"
 #include "image/image.h"
 
 namespace glibra::suite {
 
-struct Hash {
-    std::uint64_t high = 0, low = 0;
-    friend bool operator==(const Hash&, const Hash&) = default;
-};
+using base::Hash;
 
 /// Hash of the size, the component count, the component type and all pixels. It is the same on all machines
 /// with the same byte order.
