@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
 #include <map>
 
 #include "bench/subjects/primitives.h"
