@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "bench/subjects/primitives.h"
+#include "bench/subjects/teapot.h"
 
 namespace glibra::bench {
 namespace {
