@@ -26,6 +26,8 @@ TEST_F(Layers, HalfFloatsLoseMoreOfASumThanFloats) {
         EXPECT_GT(half.points.back().error, half.points.front().error) << way;
         EXPECT_LT(curve("accumulation", way + std::string("float")).points.back().error, .01) << way;
     }
+    for (const Figure& each : figures)
+        EXPECT_NE(each.findings.back().find("half floats"), std::string::npos) << each.findings.back();
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST(Recommendation, IsTheSmallestMeanProductWhereSettingsAreDifficulties) {
               "alone");
     EXPECT_EQ(recommendation(byDifficulty(
                   {{"a", {pointAt(1, .1), pointAt(2, .1)}}, {"b", {pointAt(1, .3), pointAt(2, .9)}}})),
-              "In short: use a, for every distance");
+              "In short: use a, at all settings of distance");
 }
 
 TEST(Recommendation, IsTheSameWhenTimesVary) {
@@ -127,7 +127,7 @@ TEST(Recommendation, IsTheSameWhenTimesVary) {
         return recommendation(figure);
     };
     for (const double noise : {.8, .95, 1., 1.05, 1.2}) EXPECT_EQ(sentence(noise), sentence(1)) << noise;
-    EXPECT_EQ(sentence(1), "In short: use fine, for every distance");
+    EXPECT_EQ(sentence(1), "In short: use fine, at all settings of distance");
 }
 
 TEST(Recommendation, IsNothingThatIsWrong) {
@@ -153,7 +153,7 @@ TEST(Recommendation, IsNothingThatASceneCannotUse) {
                                   {"slow shader", {timedPoint(1, .1, 9), timedPoint(2, .1, 9)}}});
     EXPECT_NE(recommendation(figure).find("use on the processor"), std::string::npos);
     figure.curves[0].isForScenes = false;
-    EXPECT_EQ(recommendation(figure), "In short: use shader, for every distance");
+    EXPECT_EQ(recommendation(figure), "In short: use shader, at all settings of distance");
 }
 
 TEST(Recommendation, AnErrorOfNothingIsNoReasonToPayForIt) {
@@ -327,6 +327,20 @@ TEST(RunApartFromTheStart, ASubjectThatCrashesIsReportedAndTheOthersAreMeasured)
     ASSERT_EQ(report.subjects[2].diagnostics.size(), 1U);
     EXPECT_EQ(report.subjects[2].diagnostics[0].text, "subject 'worse' failed: no memory for that");
     EXPECT_FALSE(report.machine.processor.empty());
+}
+
+std::string problemsOfTheOtherProcess(const std::string& /*request*/) {
+    Bench bench({.quick = true});
+    if (bench.capabilities().family.find("llvmpipe") == std::string::npos) return "skipped";
+    std::string text = filteredInBytes(bench, crashes) ? "points" : "none";
+    for (const Diagnostic& each : bench.problems()) text += "; " + toString(each);
+    return text;
+}
+
+TEST(FilteredInBytesApartFromTheStart, TellsWhyThereIsNoCurve) {
+    const std::optional<std::string> answer = Apart().run(problemsOfTheOtherProcess, "");
+    if (answer == "skipped") GTEST_SKIP() << "only llvmpipe filters in bytes";
+    EXPECT_EQ(answer, "none; warning: subject 'bytes' ended by signal 11 (Segmentation fault) [bench-E04]");
 }
 
 TEST(Run, ContinuesAfterASubjectThatFails) {

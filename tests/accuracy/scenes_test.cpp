@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,64 +25,42 @@ gpu::Context& context() {
     return *shared;
 }
 
-/// A folder with a scene that fills 0 <= x < 3.375, 0 <= y < 8 of 8 x 8 pixels with the colour of the
-/// fragment shader.
-class QuadScene {
-  public:
-    explicit QuadScene(const std::string& rgb) {
-        char name[] = "/tmp/glibra-scenes-XXXXXX";
-        if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
-        folder_ = name;
-        std::ofstream(folder_ / "s.glib")
-            << "WindowSize 8 8\nOrtho 0 8 0 8\nLookAt 0 0 50 0 0 0 0 1 0\nBackground 0 0 0\n"
-               "Vertex v.vert\nFragment f.frag\nProgram P\n"
-               "glBegin quads\nglVertex -9 -9 0\nglVertex 3.375 -9 0\nglVertex 3.375 20 0\nglVertex -9 20 0\n"
-               "glEnd\n";
-        std::ofstream(folder_ / "v.vert") << "#version 330 core\nvoid main() {\n"
-                                             "  gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n";
-        std::ofstream(folder_ / "f.frag")
-            << "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(" << rgb << ", 1.); }\n";
-    }
-    QuadScene(const QuadScene&) = delete;
-    QuadScene& operator=(const QuadScene&) = delete;
-    ~QuadScene() { fs::remove_all(folder_); }
-    [[nodiscard]] fs::path path() const { return folder_ / "s.glib"; }
+constexpr const char* kScene = "s.glib";  ///< there is no such file
+constexpr const char* kVertex =
+    "#version 330 core\nvoid main() {\n  gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n";
 
-  private:
-    fs::path folder_;
-};
+/// A scene that fills 0 <= x < 3.375, 0 <= y < 8 of 8 x 8 pixels with the colour of the fragment shader.
+RenderOptions quadScene(const std::string& rgb) {
+    RenderOptions options;
+    options.sceneText =
+        "WindowSize 8 8\nOrtho 0 8 0 8\nLookAt 0 0 50 0 0 0 0 1 0\nBackground 0 0 0\n"
+        "Vertex v.vert\nFragment f.frag\nProgram P\n"
+        "glBegin quads\nglVertex -9 -9 0\nglVertex 3.375 -9 0\nglVertex 3.375 20 0\nglVertex -9 20 0\n"
+        "glEnd\n";
+    options.texts = {
+        {"v.vert", kVertex},
+        {"f.frag", "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(" + rgb + ", 1.); }\n"}};
+    return options;
+}
 
 /// A scene that draws the same into a texture of 8 x 8 texels, and shows one texel over the whole window.
-class TextureScene {
-  public:
-    explicit TextureScene(double column) {
-        char name[] = "/tmp/glibra-scenes-XXXXXX";
-        if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
-        folder_ = name;
-        std::ofstream(folder_ / "s.glib")
-            << "WindowSize 4 4\nTexture2D 6 8 8\nRenderToTexture 6\nOrtho 0 8 0 8\n"
-               "LookAt 0 0 50 0 0 0 0 1 0\nBackground 0 0 0\nVertex v.vert\nFragment white.frag\nProgram P\n"
-               "glBegin quads\nglVertex -9 -9 0\nglVertex 3.375 -9 0\nglVertex 3.375 20 0\nglVertex -9 20 0\n"
-               "glEnd\nRenderToTexture\nFragment texel.frag\nProgram Q uTexUnit 6\n"
-               "glBegin quads\nglVertex -9 -9 0\nglVertex 20 -9 0\nglVertex 20 20 0\nglVertex -9 20 "
-               "0\nglEnd\n";
-        std::ofstream(folder_ / "v.vert") << "#version 330 core\nvoid main() {\n"
-                                             "  gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n";
-        std::ofstream(folder_ / "white.frag")
-            << "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n";
-        std::ofstream(folder_ / "texel.frag")
-            << "#version 330 core\nuniform sampler2D uTexUnit;\nout vec4 fColor;\nvoid main() { fColor = "
-               "texture(uTexUnit, vec2("
-            << (column + .5) / 8 << ", .5)); }\n";
-    }
-    TextureScene(const TextureScene&) = delete;
-    TextureScene& operator=(const TextureScene&) = delete;
-    ~TextureScene() { fs::remove_all(folder_); }
-    [[nodiscard]] fs::path path() const { return folder_ / "s.glib"; }
-
-  private:
-    fs::path folder_;
-};
+RenderOptions textureScene(double column) {
+    RenderOptions options;
+    options.sceneText =
+        "WindowSize 4 4\nTexture2D 6 8 8\nRenderToTexture 6\nOrtho 0 8 0 8\n"
+        "LookAt 0 0 50 0 0 0 0 1 0\nBackground 0 0 0\nVertex v.vert\nFragment white.frag\nProgram P\n"
+        "glBegin quads\nglVertex -9 -9 0\nglVertex 3.375 -9 0\nglVertex 3.375 20 0\nglVertex -9 20 0\n"
+        "glEnd\nRenderToTexture\nFragment texel.frag\nProgram Q uTexUnit 6\n"
+        "glBegin quads\nglVertex -9 -9 0\nglVertex 20 -9 0\nglVertex 20 20 0\nglVertex -9 20 0\nglEnd\n";
+    options.texts = {
+        {"v.vert", kVertex},
+        {"white.frag", "#version 330 core\nout vec4 fColor;\nvoid main() { fColor = vec4(1.); }\n"},
+        {"texel.frag",
+         "#version 330 core\nuniform sampler2D uTexUnit;\nout vec4 fColor;\n"
+         "void main() { fColor = texture(uTexUnit, vec2(" +
+             std::to_string((column + .5) / 8) + ", .5)); }\n"}};
+    return options;
+}
 
 /// The red component of a pixel of a float picture.
 float redAt(const image::Image& picture, int x, int y) {
@@ -95,22 +72,21 @@ float redAt(const image::Image& picture, int x, int y) {
 
 TEST(SampledPicture, GivesEdgesInTexturesTheShareThatIsCovered) {
     for (const auto& [column, share] : {std::pair(2., 1.F), {3., .375F}, {4., 0.F}}) {
-        const TextureScene scene(column);
-        const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+        const image::Image picture = sampledPicture(context(), kScene, textureScene(column), 8);
         EXPECT_NEAR(redAt(picture, 1, 1), share, 1e-5) << column;
     }
 }
 
 TEST(SampledPicture, GivesEdgesTheShareThatIsCovered) {
-    const QuadScene scene("vec3(1.)");
-    const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+    const RenderOptions scene = quadScene("vec3(1.)");
+    const image::Image picture = sampledPicture(context(), kScene, scene, 8);
     ASSERT_EQ(picture.width, 8);
     for (int y = 0; y < 8; ++y) {
         EXPECT_EQ(redAt(picture, 2, y), 1);
         EXPECT_EQ(redAt(picture, 3, y), .375F);
         EXPECT_EQ(redAt(picture, 4, y), 0);
     }
-    const Result<image::Image> plain = scenePicture(context(), scene.path(), {});
+    const Result<image::Image> plain = scenePicture(context(), kScene, scene);
     ASSERT_TRUE(plain);
     const PictureError error = pictureError(picture, *plain);
     EXPECT_NEAR(error.rootMeanSquare, .375 / std::sqrt(8), 1e-6);
@@ -120,14 +96,14 @@ TEST(SampledPicture, GivesEdgesTheShareThatIsCovered) {
 
 TEST(SampledPicture, ShowsShadersThePlaceOfEachSample) {
     // Half of every pixel; a sample in the middle alone gives all or nothing.
-    const QuadScene scene("vec3(step(.5, fract(gl_FragCoord.x + .001)))");
-    const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+    const RenderOptions scene = quadScene("vec3(step(.5, fract(gl_FragCoord.x + .001)))");
+    const image::Image picture = sampledPicture(context(), kScene, scene, 8);
     EXPECT_EQ(redAt(picture, 1, 4), .5F);
 }
 
 TEST(SampledPicture, LimitsEachSampleToTheRangeOfAScreen) {
-    const QuadScene scene("vec3(4., -4., 0.)");
-    const image::Image picture = sampledPicture(context(), scene.path(), {}, 8);
+    const RenderOptions scene = quadScene("vec3(4., -4., 0.)");
+    const image::Image picture = sampledPicture(context(), kScene, scene, 8);
     EXPECT_EQ(redAt(picture, 1, 1), 1);
     EXPECT_EQ(redAt(picture, 3, 1), .375F);  // 3 of 8 columns of samples
 }

@@ -282,13 +282,17 @@ void Bench::attempt(const std::function<void()>& work) {
     try {
         work();
     } catch (const Failed& failed) {
-        for (const Diagnostic& each : failed.diagnostics)
-            if (std::ranges::find(problems(), each.text, &Diagnostic::text) == problems().end())
-                problems().push_back(each);
+        report(failed.diagnostics);
     }
 }
 
-Diagnostics& Bench::problems() {
+void Bench::report(const Diagnostics& diagnostics) {
+    Diagnostics& known = state_->problems;
+    for (const Diagnostic& each : diagnostics)
+        if (std::ranges::find(known, each.text, &Diagnostic::text) == known.end()) known.push_back(each);
+}
+
+const Diagnostics& Bench::problems() const {
     return state_->problems;
 }
 

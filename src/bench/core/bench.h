@@ -96,7 +96,8 @@ std::string verdict(const Timing& ratio, bool mayBeEqual);
 struct BenchOptions {
     bool quick = false;  ///< fewer settings and repeats: seconds instead of minutes in all
     Driver driver = Driver::automatic;
-    /// llvmpipe filters byte textures in eight bits, unless it is told otherwise before it is loaded.
+    /// Byte textures are filtered with eight bits, as llvmpipe does by default, and not with floats. Only the
+    /// first context of a process decides, and other drivers filter as they always do.
     bool filtersInBytes = false;
 };
 
@@ -127,8 +128,10 @@ class Bench {
     /// Does what needs the driver; if that fails, the rest of the subject is measured all the same, and
     /// problems() say why.
     void attempt(const std::function<void()>& work);
-    /// What could not be measured, and why; each message once.
-    Diagnostics& problems();
+    /// Adds to problems(), each message once.
+    void report(const Diagnostics& diagnostics);
+    /// What could not be measured, and why.
+    [[nodiscard]] const Diagnostics& problems() const;
 
     /// A process without a driver, forked by the constructor.
     Apart& apart();

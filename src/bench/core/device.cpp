@@ -67,6 +67,15 @@ std::vector<float> padded(std::span<const Four> inputs, int inputsPerValue, int 
 
 }  // namespace
 
+std::string halfFloatSentence(Bench& bench) {
+    const Canvas canvas(bench, 1, 1, gpu::TexelFormat::rgba16f);
+    canvas.bind();
+    // Half floats above 1 are 4 / 4096 apart.
+    Shader(bench, "out vec4 fColor;\nvoid main() { fColor = vec4(1. + 3. / 4096.); }\n").draw();
+    return canvas.pixels(1).front() == 1 ? "this driver cuts half floats off"
+                                         : "this driver rounds half floats to the nearest";
+}
+
 Shader::Shader(Bench& bench, std::span<const gpu::StageSource> stages, std::vector<std::string> captured)
     : program_(
           std::make_shared<const gpu::Program>(built(bench.capabilities(), stages, std::move(captured)))),

@@ -10,7 +10,10 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <type_traits>
 
 #include "bench/core/bench.h"
 #include "geometry/mesh.h"
@@ -24,6 +27,20 @@
 namespace glibra::bench {
 
 inline constexpr double kByte = 255;  ///< errors of pictures are in steps of a byte
+
+/// The formats of colours that subjects compare, coarsest first.
+struct NamedFormat {
+    const char* name;
+    gpu::TexelFormat format;
+};
+inline constexpr NamedFormat kColorFormats[] = {{"8 bit", gpu::TexelFormat::rgba8},
+                                                {"16 bit", gpu::TexelFormat::rgba16},
+                                                {"half float", gpu::TexelFormat::rgba16f},
+                                                {"float", gpu::TexelFormat::rgba32f}};
+
+/// What the driver makes of a float between two half floats when it draws into rgba16f, for the findings of
+/// figures whose errors rest on it.
+std::string halfFloatSentence(Bench& bench);
 
 /// The captured outputs of a draw.
 struct Captured {

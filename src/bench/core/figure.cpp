@@ -155,7 +155,7 @@ std::string chooseCurve(std::span<const Choice> choices, const Figure& figure) {
         return std::pair(each.product > least + most * std::log(kAlike), each.error);
     });
     if (best.best == static_cast<int>(smallest.size()))
-        return fmt::format("use {}, for every {}", best.curve->name, figure.settingName);
+        return fmt::format("use {}, at all settings of {}", best.curve->name, figure.settingName);
     return fmt::format("use {}, the best choice over all settings of {} together, and for {} of {} alone",
                        best.curve->name, figure.settingName, best.best, smallest.size());
 }

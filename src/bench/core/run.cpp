@@ -11,6 +11,7 @@
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <type_traits>
@@ -347,6 +348,10 @@ std::optional<std::vector<Point>> filteredInBytes(Bench& bench, Bench::Measure m
     options.driver = bench.context().driver();
     options.filtersInBytes = true;
     const SubjectRun run = runApart(bench.apart(), {"bytes", "bytes", measure}, options).subjects.front();
+    for (Diagnostic each : run.diagnostics) {
+        each.severity = Severity::warning;  // the rest of the subject is measured all the same
+        bench.report({std::move(each)});
+    }
     if (hasError(run.diagnostics) || run.figures.empty()) return std::nullopt;
     return run.figures.front().curves.front().points;
 }

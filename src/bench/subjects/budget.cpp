@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 
 #include "bench/subjects/scene_pictures.h"
 #include "bench/subjects/subjects.h"

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "base/text.h"
 #include "bench/subjects/filters.h"
 #include "bench/subjects/subjects.h"
 
@@ -19,11 +21,6 @@ constexpr ColorCurve kColorCurves[] = {
     {"power 2.2", "pow(c, vec3(2.2))", "pow(c, vec3(1. / 2.2))"},
     {"square and root", "c * c", "sqrt(c)"},
     {"decoded by the curve, encoded by power 2.2", kSrgbDecode, "pow(c, vec3(1. / 2.2))"}};
-constexpr std::pair<const char*, gpu::TexelFormat> kLinearFormats[] = {
-    {"8 bit", gpu::TexelFormat::rgba8},
-    {"16 bit", gpu::TexelFormat::rgba16},
-    {"half float", gpu::TexelFormat::rgba16f},
-    {"float", gpu::TexelFormat::rgba32f}};
 
 std::string colorPass(const char* expression) {
     return fmt::format(R"(uniform sampler2D uPicture;
@@ -36,7 +33,8 @@ void main() {{
                        expression);
 }
 
-/// Every byte, decoded into a texture, encoded again, and so on; all passes write texels of one format.
+/// Every byte, decoded into a texture, encoded again, and so on; all passes but the last, which writes
+/// floats, write texels of one format.
 Figure roundTripFigure(Bench& bench) {
     Figure figure{.name = "round-trips",
                   .title = "Bytes made linear and encoded again, by the curve and by the texels between",
@@ -48,7 +46,7 @@ Figure roundTripFigure(Bench& bench) {
     Plane ramp{256, 1, {}};
     for (int i = 0; i < 256; ++i) ramp.values.push_back(i / kByte);
     for (const ColorCurve& curve : kColorCurves)
-        for (const auto& [format, texels] : kLinearFormats) {
+        for (const auto& [format, texels] : kColorFormats) {
             const std::string name = fmt::format("{}, {}", curve.name, format);
             Passes passes;
             for (int trips = 1; trips <= bench.pick(4, 16); trips *= 2) {
@@ -62,15 +60,18 @@ Figure roundTripFigure(Bench& bench) {
                 double largest = 0;
                 for (std::size_t i = 0; i < ramp.values.size(); ++i)
                     largest = std::max(largest, kByte * std::abs(back.values[i] - ramp.values[i]));
-                figure.add(name, {1. * trips, fmt::format("{} round trips", trips), largest, time,
+                figure.add(name, {1. * trips, base::counted(trips, "round trip"), largest, time,
                                   chain.bytesBetween()});
             }
-            if (figure.curves.back().points.front().error < .5)
-                figure.note("{}: every byte comes back", name);
+            const Point &once = figure.curves.back().points.front(),
+                        &last = figure.curves.back().points.back();
+            if (last.error < .5)
+                figure.note("{}: every byte comes back after {}", name, last.label);
             else
-                figure.note("{}: bytes are off by up to {} after one round trip", name,
-                            numberText(figure.curves.back().points.front().error));
+                figure.note("{}: bytes are off by up to {} after {}, {} after {}", name,
+                            numberText(once.error), once.label, numberText(last.error), last.label);
         }
+    figure.findings.push_back(halfFloatSentence(bench));
     return figure;
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <ranges>
 
+#include "base/text.h"
 namespace glibra::bench {
 namespace {
 
@@ -52,15 +55,6 @@ std::string pass(std::string_view declarations, std::string_view statements) {
     return fmt::format("{}{}void main() {{\n    ivec2 p = ivec2(gl_FragCoord.xy);\n{}}}\n", kFilterHead,
                        declarations, statements);
 }
-
-struct Format {
-    gpu::TexelFormat format;
-    std::string_view name;
-};
-constexpr Format kFormats[] = {{gpu::TexelFormat::rgba32f, "float"},
-                               {gpu::TexelFormat::rgba16f, "half float"},
-                               {gpu::TexelFormat::rgba16, "16 bit"},
-                               {gpu::TexelFormat::rgba8, "8 bit"}};
 
 /// A way to filter: its passes for a setting, and the format of the texels between them.
 struct FilterMethod {
@@ -119,7 +113,7 @@ Figure blurFigure(Bench& bench) {
     const auto paired = [](int radius) { return pairedBlur(gaussianWeights(radius)); };
     std::vector<FilterMethod> methods{
         {"direct", [](int radius) { return directBlur(gaussianWeights(radius)); }}};
-    for (const Format& each : kFormats)
+    for (const NamedFormat& each : std::views::reverse(kColorFormats))
         methods.push_back({fmt::format("separable, {} between", each.name), separable, each.format});
     methods.push_back({"separable in pairs, float between", paired});
     methods.push_back({"separable in pairs, 8 bit between", paired, gpu::TexelFormat::rgba8});
@@ -149,7 +143,7 @@ Figure repeatedFigure(Bench& bench) {
     for (int count = 1, next = 1; count <= most; ++count) {
         plane = blurred(plane, gaussianWeights(2));
         if (count != next) continue;
-        cases.push_back({count, fmt::format("{} blurs", count), picture, plane});
+        cases.push_back({count, base::counted(count, "blur"), picture, plane});
         next *= 2;
     }
     const auto passes = [](int count) {
@@ -159,13 +153,14 @@ Figure repeatedFigure(Bench& bench) {
         return all;
     };
     std::vector<FilterMethod> methods;
-    for (const Format& each : kFormats)
+    for (const NamedFormat& each : std::views::reverse(kColorFormats))
         methods.push_back({fmt::format("{} between", each.name), passes, each.format});
     const std::vector<double> shifts = addFilters(figure, bench, methods, cases);
     for (std::size_t i = 0; i < shifts.size(); ++i)
         figure.note("{}: {} of a byte's step after 1 blur, {} after {}, of the mean {:+.2g}", methods[i].name,
                     numberText(figure.curves[i].points.front().error), numberText(figure.last(i).error), most,
                     shifts[i]);
+    figure.findings.push_back(halfFloatSentence(bench));
     return figure;
 }
 
@@ -178,7 +173,7 @@ Figure sobelFigure(Bench& bench) {
                   .reference = "the 3 x 3 kernels in double on the CPU",
                   .alternatives = Alternatives::setting};
     std::vector<FilterMethod> methods{{"direct", [](int) { return directSobel(); }}};
-    for (const Format& each : kFormats) {
+    for (const NamedFormat& each : std::views::reverse(kColorFormats)) {
         // Normalised texels hold 0..1. The smoothed column is in 0..4, its difference in -1..1.
         const bool isFloat = gpu::isFloat(each.format);
         const double scale = isFloat ? 1 : 1. / 5, bias = isFloat ? 0 : 1. / 5;

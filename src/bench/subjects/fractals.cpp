@@ -177,7 +177,7 @@ void setFractalView(const Shader& shader, const FractalView& view, bool isDouble
         shader.setDouble("uCentre", place).setDouble("uSpacing", view.spacing());
     else
         shader.set("uCentre", glm::vec2(place)).set("uSpacing", view.spacing());
-    shader.set("uOrbit", centreOrbit());
+    if (shader.has("uOrbit")) shader.set("uOrbit", centreOrbit());
 }
 
 struct Case {

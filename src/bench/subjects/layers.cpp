@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "bench/core/device.h"
 #include "bench/subjects/subjects.h"
@@ -7,15 +8,6 @@
 namespace glibra::bench {
 namespace {
 
-/// Where many layers are added up or blended, by the format of the target.
-struct LayerFormat {
-    const char* name;
-    gpu::TexelFormat format;
-};
-constexpr LayerFormat kLayerFormats[] = {{"8 bit", gpu::TexelFormat::rgba8},
-                                         {"16 bit", gpu::TexelFormat::rgba16},
-                                         {"half float", gpu::TexelFormat::rgba16f},
-                                         {"float", gpu::TexelFormat::rgba32f}};
 constexpr int kLayerSide = 64;
 
 /// Adds a point for each number of layers: `draw` draws them all, `wanted` is a pixel's red in closed form.
@@ -58,7 +50,7 @@ Figure blendingFigure(Bench& bench) {
 out vec4 fColor;
 void main() { fColor = vec4(vec3(vPlace.x), .1 * vPlace.y); }
 )");
-    for (const LayerFormat& each : kLayerFormats)
+    for (const NamedFormat& each : kColorFormats)
         addLayers(
             figure, bench, each.name, each.format, shader,
             [](int, int) { glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); },
@@ -66,10 +58,11 @@ void main() { fColor = vec4(vec3(vPlace.x), .1 * vPlace.y); }
     for (const Curve& curve : figure.curves)
         figure.note("{}: {} of a byte's step after {}", curve.name, numberText(curve.points.back().error),
                     curve.points.back().label);
+    figure.findings.push_back(halfFloatSentence(bench));
     return figure;
 }
 
-/// The mean of many samples: as a sum that is divided at the end, and as a mean that each sample moves.
+/// The mean of many samples: as a sum of n-th parts, and as a mean that each sample moves.
 Figure accumulationFigure(Bench& bench) {
     Figure figure{.name = "accumulation",
                   .title = "The mean of many samples, accumulated in a target",
@@ -92,7 +85,7 @@ void main() { fColor = vec4((vPlace.x + .5 * uSample) * uShare); }
         return x + .5 * sum / layers;
     };
     for (const bool isRunning : {false, true})
-        for (const LayerFormat& each : std::span(kLayerFormats).last(2))
+        for (const NamedFormat& each : std::span(kColorFormats).last(2))
             addLayers(
                 figure, bench, fmt::format("{}, {}", isRunning ? "running mean" : "sum of shares", each.name),
                 each.format, shader,
@@ -104,6 +97,7 @@ void main() { fColor = vec4((vPlace.x + .5 * uSample) * uShare); }
                 },
                 mean);
     figure.noteOrders("samples");
+    figure.findings.push_back(halfFloatSentence(bench));
     return figure;
 }
 

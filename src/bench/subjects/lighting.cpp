@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <tuple>
 
 #include "bench/core/device.h"
 #include "geometry/shapes/cylinders.h"

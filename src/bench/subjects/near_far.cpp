@@ -1,7 +1,7 @@
-#include <stdlib.h>
-
 #include <algorithm>
-#include <fstream>
+#include <cstddef>
+#include <string>
+#include <string_view>
 
 #include "bench/subjects/scene_pictures.h"
 #include "bench/subjects/subjects.h"
@@ -29,11 +29,12 @@ Group front
     Rotate 40 1 0 0
     QuadXY 0 400 1 1
 EndGroup
+# The farther plane is drawn last: it wins where both have the same depth.
 Pass window from eye
-    Use Black
-    Draw back
     Use White
     Draw front
+    Use Black
+    Draw back
 EndPass
 )";
 constexpr std::string_view kPlaneVertex = R"(#version 330 core
@@ -48,39 +49,19 @@ out vec4 fColor;
 void main() { fColor = vec4(1.); }
 )";
 
-/// A folder with the scene, until it is left.
-class PlanesFolder {
-  public:
-    PlanesFolder() {
-        std::string name = std::filesystem::temp_directory_path() / "glibra-planes-XXXXXX";
-        if (!::mkdtemp(name.data())) throw Failed({diagnose("file-E10", "cannot make a temporary folder")});
-        folder_ = name;
-        for (const auto& [file, text] : {std::pair("planes.glib", kTwoPlanes),
-                                         {"plane.vert", kPlaneVertex},
-                                         {"black.frag", kBlack},
-                                         {"white.frag", kWhite}})
-            std::ofstream(folder_ / file) << text;
-    }
-    PlanesFolder(const PlanesFolder&) = delete;
-    PlanesFolder& operator=(const PlanesFolder&) = delete;
-    ~PlanesFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    [[nodiscard]] std::filesystem::path scene() const { return folder_ / "planes.glib"; }
-
-  private:
-    std::filesystem::path folder_;
-};
-
 }  // namespace
 
 std::vector<Figure> measureNearFar(Bench& bench) {
-    const PlanesFolder planes;
+    RenderOptions planes;
+    planes.samples = 1;
+    planes.sceneText = kTwoPlanes;
+    planes.texts = {{"plane.vert", std::string(kPlaneVertex)},
+                    {"black.frag", std::string(kBlack)},
+                    {"white.frag", std::string(kWhite)}};
     Figure figure{.name = "planes",
                   .title = "Two planes of a scene, 100 units away, with far at 1000",
                   .settingName = "far / near",
-                  .errorName = "pixels in which the farther one wins",
+                  .errorName = "pixels in which the nearer one does not win",
                   .reference = "the nearer plane, which must be visible in every pixel",
                   .alternatives = Alternatives::none,
                   .countsWrong = true};
@@ -89,16 +70,14 @@ std::vector<Figure> measureNearFar(Bench& bench) {
         double widest = 0;
         bool isClean = true;
         for (double ratio = 100; ratio <= 1e7; ratio *= 10) {
-            RenderOptions options;
-            options.samples = 1;
+            RenderOptions options = planes;
             options.set = {fmt::format("near={}", 1000 / ratio), fmt::format("gap={}", gap)};
-            const image::Image picture = need(scenePicture(bench.context(), planes.scene(), options));
+            const auto draw = [&] { return scenePicture(bench.context(), "planes.glib", options); };
+            const image::Image picture = need(draw());
             const auto black = std::ranges::count(picture.data, std::byte{0});
             const double wrong = static_cast<double>(black) / static_cast<double>(picture.data.size());
-            figure.add(
-                curve,
-                {ratio, fmt::format("{:.0e}:1", ratio), wrong,
-                 bench.time([&] { (void)scenePicture(bench.context(), planes.scene(), options); }, .2)});
+            figure.add(curve,
+                       {ratio, fmt::format("{:.0e}:1", ratio), wrong, bench.time([&] { (void)draw(); }, .2)});
             isClean = isClean && wrong == 0;
             if (isClean) widest = ratio;
         }

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/gtc/packing.hpp>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "bench/core/run.h"
 #include "noise/tables.h"

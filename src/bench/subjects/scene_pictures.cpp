@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <random>
 #include <sstream>
+#include <system_error>
 
 #include "base/own_library.h"
 #include "bench/core/device.h"
@@ -111,13 +115,17 @@ std::size_t outside(const image::Image& picture, const Ranges& ranges) {
 }
 
 /// The cheapest value whose error stays below a step of eight bits.
-std::string enough(const Curve& curve, const std::string& name) {
+std::string enough(const Curve& curve, const SceneSweep& sweep) {
     const auto found = std::ranges::find_if(curve.points, [](const Point& each) { return each.error < 1; });
     const Point& finest = curve.points.back();
-    if (found == curve.points.end() - 1)
-        return fmt::format("no value but the last one is within 1/255 of it, in the mean");
-    return fmt::format("{} = {} is within 1/255 of the finest, in the mean, in {} instead of {}", name,
-                       found->label, secondsText(found->time->median), secondsText(finest.time->median));
+    if (found == curve.points.end())
+        return fmt::format("{}: no value is within 1/255 of the reference, in the mean", curve.name);
+    if (&*found == &finest && !sweep.reference)
+        return fmt::format("{}: no value but the last one is within 1/255 of it, in the mean", curve.name);
+    const std::string text =
+        fmt::format("{}: {} = {} is within 1/255 of the {}, in the mean, in {}", curve.name, sweep.name,
+                    found->label, sweep.reference ? "reference" : "finest", secondsText(found->time->median));
+    return &*found == &finest ? text : text + " instead of " + secondsText(finest.time->median);
 }
 
 }  // namespace
@@ -266,7 +274,7 @@ int displacement(const image::Image& a, const image::Image& b, int most) {
 }
 
 std::vector<Figure> measureSweep(Bench& bench, const SceneSweep& sweep) {
-    Curve curve{.name = sweep.scene.filename().string()};
+    Curve curve{.name = sweep.curve.empty() ? sweep.scene.filename().string() : sweep.curve};
     std::vector<image::Image> pictures;
     for (const double value : sweep.values) {
         RenderOptions options = sweep.options;
@@ -275,11 +283,11 @@ std::vector<Figure> measureSweep(Bench& bench, const SceneSweep& sweep) {
         render::Stats stats;
         Result<render::SceneRenderer> loaded =
             render::SceneRenderer::load(bench.context(), sweep.scene, options, stats);
-        append(bench.problems(), loaded.diagnostics);
+        bench.report(loaded.diagnostics);
         if (!loaded) return {};
         const double time = options.time;
         Result<image::Image> picture = loaded->draw(time, stats);
-        append(bench.problems(), picture.diagnostics);
+        bench.report(picture.diagnostics);
         if (!picture) return {};
         pictures.push_back(std::move(*picture));
         const Timing timing = bench.time([&] {
@@ -288,18 +296,22 @@ std::vector<Figure> measureSweep(Bench& bench, const SceneSweep& sweep) {
         });
         curve.points.push_back({value, fmt::format("{}", value), 0, timing});
     }
+    const image::Image& reference = sweep.reference ? *sweep.reference : pictures.back();
     for (std::size_t i = 0; i < pictures.size(); ++i)
-        curve.points[i].error = pictureError(pictures.back(), pictures[i]).rootMeanSquare * kByte;
-    Curve others = curve;  // the finest is the reference itself
-    others.points.pop_back();
-    Figure figure{.name = "sweep",
-                  .title = fmt::format("{}: {}", curve.name, sweep.name),
-                  .settingName = sweep.name,
-                  .errorName = "root mean square of the difference",
-                  .errorUnit = "1/255",
-                  .reference = fmt::format("the picture with {} = {}, so that point has no error of its own",
-                                           sweep.name, curve.points.back().label),
-                  .findings = {orderSentence(others, sweep.name), enough(curve, sweep.name)}};
+        curve.points[i].error = pictureError(reference, pictures[i]).rootMeanSquare * kByte;
+    Curve fitted = curve;
+    if (!sweep.reference) fitted.points.pop_back();  // the finest is the reference itself
+    Figure figure{
+        .name = "sweep",
+        .title = fmt::format("{}: {}", sweep.scene.filename().string(), sweep.name),
+        .settingName = sweep.name,
+        .errorName = "root mean square of the difference",
+        .errorUnit = "1/255",
+        .reference = sweep.reference
+                         ? "a picture that is none of these"
+                         : fmt::format("the picture with {} = {}, so that point has no error of its own",
+                                       sweep.name, curve.points.back().label),
+        .findings = {orderSentence(fitted, sweep.name), enough(curve, sweep)}};
     figure.curves.push_back(std::move(curve));
     return {std::move(figure)};
 }

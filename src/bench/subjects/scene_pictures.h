@@ -62,13 +62,15 @@ int displacement(const image::Image& a, const image::Image& b, int most);
 
 struct SceneSweep {
     std::filesystem::path scene;
-    RenderOptions options;       ///< the time of the picture is one of them
-    std::string name;            ///< of the variable or uniform
-    std::vector<double> values;  ///< at least two; the last one is the finest
+    RenderOptions options;                    ///< the time of the picture is one of them
+    std::string name;                         ///< of the variable or uniform
+    std::vector<double> values;               ///< at least two; the last one is the finest
+    std::string curve{};                      ///< its name; empty: that of the scene's file
+    const image::Image* reference = nullptr;  ///< null: the picture at the last value
 };
 
-/// One figure: the root mean square of the difference from the picture at the last value, and the time to
-/// draw the picture once more, whole. Of a picture at a time above 0 it contains the steps since 0.
+/// One figure: the root mean square of the difference from the reference, and the time to draw the picture
+/// once more, whole. Of a picture at a time above 0 it contains the steps since 0.
 std::vector<Figure> measureSweep(Bench& bench, const SceneSweep& sweep);
 
 }  // namespace glibra::bench

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <span>
 
 #include "bench/subjects/scene_pictures.h"

@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/subjects/scene_pictures.h"
 #include "bench/subjects/subjects.h"
@@ -13,23 +17,33 @@ std::vector<Figure> measureShadows(Bench& bench) {
     SceneSweep sweep;
     sweep.scene = scene->path;
     sweep.name = "resolution";
-    sweep.values = bench.pick(std::vector{64., 256., 1024.}, {64., 128., 256., 512., 1024., 2048., 4096.});
+    sweep.values = bench.pick(std::vector{64., 256., 1024.}, {64., 128., 256., 512., 1024., 2048.});
     sweep.options.width = sweep.options.height = bench.pick(128, 600);
     sweep.options.samples = 1;
-    std::vector<Figure> figures;
-    // With the offset of the scene, with none (stripes of wrong shadow), and with one that detaches shadows.
-    for (const auto& [name, title, factor] : {std::tuple("offset", "the offset of the scene", 2),
-                                              {"no-offset", "no offset", 0},
-                                              {"large-offset", "four times the offset", 8}}) {
+    RenderOptions finest = sweep.options;
+    finest.set = {"resolution=4096"};
+    const image::Image reference = need(scenePicture(bench.context(), sweep.scene, finest));
+    sweep.reference = &reference;
+    Figure figure{.name = "offset",
+                  .title = "Shadow maps by their resolution and their offset",
+                  .settingName = sweep.name,
+                  .errorName = "root mean square of the difference",
+                  .errorUnit = "1/255",
+                  .reference = "the picture with resolution = 4096 and the offset of the scene"};
+    const std::pair<const char*, std::vector<std::string>> offsets[] = {
+        {"the offset of the scene", {}},
+        {"no offset: stripes of wrong shadow", {"factor=0", "units=0"}},
+        {"an offset that detaches shadows", {"units=1000000"}}};
+    for (const auto& [name, set] : offsets) {
         SceneSweep each = sweep;
-        each.options.set = {fmt::format("factor={}", factor), fmt::format("units={}", 2 * factor)};
-        for (Figure& figure : measureSweep(bench, each)) {
-            figure.name = name;
-            figure.title = fmt::format("Shadow maps by their resolution, with {}", title);
-            figures.push_back(std::move(figure));
+        each.curve = name;
+        each.options.set = set;
+        for (Figure& one : measureSweep(bench, each)) {
+            std::ranges::move(one.curves, std::back_inserter(figure.curves));
+            std::ranges::move(one.findings, std::back_inserter(figure.findings));
         }
     }
-    return figures;
+    return {std::move(figure)};
 }
 
 }  // namespace glibra::bench

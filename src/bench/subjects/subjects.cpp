@@ -9,7 +9,6 @@
 #include "bench/subjects/lighting.h"
 #include "bench/subjects/minification.h"
 #include "bench/subjects/noise.h"
-#include "bench/subjects/primitives.h"
 #include "bench/subjects/tessellation.h"
 #include "bench/subjects/volume.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What `glibra bench` measures: one row of subjects() and one file per subject.
+// What `glibra bench` measures: a table of the subjects, and the function that measures each.
 
 #include <span>
 
@@ -13,6 +13,7 @@ std::span<const Subject> subjects();
 // Each gives its figures (those with parts of their own are declared beside these), and throws Failed if it
 // has none. Without a driver, what needs none is measured all the same, and gpu-E01 is among the problems of
 // `bench`.
+std::vector<Figure> measurePrimitives(Bench& bench);
 std::vector<Figure> measureNearFar(Bench& bench);
 std::vector<Figure> measureShadows(Bench& bench);
 std::vector<Figure> measureTransforms(Bench& bench);

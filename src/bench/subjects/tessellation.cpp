@@ -4,9 +4,11 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
 #include <map>
 
-#include "bench/subjects/primitives.h"
+#include "bench/subjects/teapot.h"
 
 namespace glibra::bench {
 namespace {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/ext/quaternion_double.hpp>
