@@ -118,7 +118,7 @@ class Evaluation {
         return found == known_.end() ? std::nullopt : Value(found->second);
     }
 
-    /// Goes behind a token, or behind the bracket that it opens.
+    /// Goes on after a token, or after the bracket that ends what it opens.
     void skip() {
         int depth = 0;
         do {

@@ -88,7 +88,8 @@ struct Fields {
     std::optional<int> zone;  ///< minutes east of UTC
 };
 
-/// Reads "23:59", "23:59:30.25" or "11:45 pm" from `i` on, and moves it behind; false if there is no such.
+/// Reads "23:59", "23:59:30.25" or "11:45 pm" from `i` on, and moves it after that; false if there is no
+/// such.
 bool readClock(const std::vector<std::string_view>& parts, std::size_t& i, Fields& to) {
     const int hour = numberAt(parts, i), minute = numberAt(parts, i + 2);
     if (hour < 0 || minute < 0 || !(isAt(parts, i + 1, ":") || isAt(parts, i + 1, "h"))) return false;
@@ -152,8 +153,8 @@ std::optional<Fields> readWords(const std::vector<std::string_view>& parts) {
     Fields read;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::string_view part = parts[i];
-        if (std::size_t behind = i; readClock(parts, behind, read)) {
-            i = behind - 1;
+        if (std::size_t after = i; readClock(parts, after, read)) {
+            i = after - 1;
         } else if (base::isDigit(part[0])) {
             int& field = part.size() == 4 ? read.year : read.day;
             if (field >= 0 || part.size() == 3) return std::nullopt;

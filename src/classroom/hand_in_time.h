@@ -8,10 +8,10 @@ namespace glibra::classroom {
 
 /// The begun days from one time to another; 0 if the second is not later; nothing if one cannot be read.
 /// Seconds do not count, and a day without a time of day ends with it. Read are
-///   2026-11-20 23:59            also with a T between, seconds, fractions, and Z, UTC, +01:00 or -0800
-///   behind 20.11.2026 23:59 Friday, 20 November 2026, 11:45 PM   as Moodle writes it in English, German,
-///   French, Spanish, Italian,
-///                                        Dutch and Portuguese, and November 20, 2026 as in the USA
+/// - "2026-11-20 23:59", also with a T between, seconds, fractions, and Z, UTC, +01:00 or -0800 after it;
+/// - "20.11.2026 23:59";
+/// - "Friday, 20 November 2026, 11:45 PM", as Moodle writes it in English, German, French, Spanish, Italian,
+///   Dutch and Portuguese, and "November 20, 2026", as in the USA.
 /// If only one of the two has a time zone, the other is a time of this machine's zone.
 std::optional<double> daysBetween(std::string_view due, std::string_view time);
 

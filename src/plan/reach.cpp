@@ -206,7 +206,7 @@ class ReachCheck {
 
 /// The number of a buffer that begins at this byte; nothing if none does.
 std::optional<MemoryNumber> numberAtByte(const BufferLayout& layout, std::uint64_t offset) {
-    // Numbers have at least four bytes, and those of later elements lie behind those of earlier ones.
+    // Numbers have at least four bytes, and those of later elements lie after those of earlier ones.
     std::uint64_t first = 0, last = std::min(offset / 4 + 1, layout.pattern.numbers(layout.elements));
     while (first < last) {
         const std::uint64_t middle = first + (last - first) / 2;

@@ -326,7 +326,7 @@ class Resolver {
         return true;
     }
 
-    /// The number of the function that a word names. Nothing with glib-E27 reported.
+    /// The number of the function that a word names. Nothing with glib-E16 or E27 reported.
     std::optional<double> numberOf(std::string_view word, const GivenValue& given, UniformIndex index) {
         const std::vector<std::string>* functions = functionsOf(interface_, uniform(index));
         if (functions == nullptr) {
@@ -335,7 +335,7 @@ class Resolver {
         }
         const auto found = std::ranges::find(*functions, word);
         if (found != functions->end()) return static_cast<double>(found - functions->begin());
-        warn("glib-E27",
+        warn("glib-E16",
              fmt::format("subroutine uniform '{}' has no function '{}'{}", given.tag, word,
                          suggestionFor(word, *functions)),
              given.valuePlace);

@@ -199,7 +199,8 @@ TEST(LanguageCommand, ExplainsEveryKindOfWord) {
              {"rgba16f", "texture format, 8 bytes per texel"},
              {"Reflect", "Camera "},
              {"history", "Texture2D "},
-             {"glib-E27", "error: A name is declared nowhere before this line.\n  for example: no group"},
+             {"glib-E27",
+              "error: Nothing of this kind and name is declared before this line.\n  for example: no group"},
              {"memory-W02", "warning: A number does not fit the integers of its buffer."}}) {
         const Finished finished = glibra(folder.path(), "language " + word);
         EXPECT_EQ(finished.status, 0) << word;

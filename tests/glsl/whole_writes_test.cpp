@@ -25,7 +25,7 @@ TEST(WholeWrites, ImagesThatEachInvocationStoresTo) {
         EXPECT_EQ(writesWhole(stageOf(each), "uOut"), each.isWhole) << each.before << "\n" << each.statements;
 }
 
-/// One statement more before or behind, which changes nothing, or makes the writes uncertain.
+/// One statement more before or after, which changes nothing, or makes the writes uncertain.
 TEST(WholeWrites, OneStatementMore) {
     struct More {
         const char* statement;

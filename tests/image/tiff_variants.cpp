@@ -123,7 +123,7 @@ struct Field {
     std::vector<std::uint32_t> values;
 };
 
-void putField(BitWriter& to, const Field& field, BitWriter& behind, std::uint32_t behindAt) {
+void putField(BitWriter& to, const Field& field, BitWriter& after, std::uint32_t afterAt) {
     const std::uint32_t bits = field.type == 3 ? 16 : 32;
     to.put(field.tag, 16);
     to.put(field.type, 16);
@@ -133,8 +133,8 @@ void putField(BitWriter& to, const Field& field, BitWriter& behind, std::uint32_
         for (std::size_t used = field.values.size() * bits; used < 32; used += 16) to.put(0, 16);
         return;
     }
-    to.put(behindAt + behind.bytes.size(), 32);
-    for (const std::uint32_t each : field.values) behind.put(each, bits);
+    to.put(afterAt + after.bytes.size(), 32);
+    for (const std::uint32_t each : field.values) after.put(each, bits);
 }
 
 /// The samples of a row as they are stored.
@@ -279,7 +279,7 @@ Variant tiffVariant(const TiffForm& form) {
         at += static_cast<std::uint32_t>(each.size() + each.size() % 2);
     }
 
-    BitWriter file(form.isBig), behind(form.isBig);
+    BitWriter file(form.isBig), after(form.isBig);
     for (int i = 0; i < 2; ++i) file.put(form.isBig ? 'M' : 'I', 8);
     file.put(42, 16);
     file.put(at, 32);
@@ -288,10 +288,10 @@ Variant tiffVariant(const TiffForm& form) {
         if (each.size() % 2 != 0) file.put(0, 8);
     }
     file.put(fields.size(), 16);
-    const auto behindAt = static_cast<std::uint32_t>(at + 2 + 12 * fields.size() + 4);
-    for (const Field& each : fields) putField(file, each, behind, behindAt);
+    const auto afterAt = static_cast<std::uint32_t>(at + 2 + 12 * fields.size() + 4);
+    for (const Field& each : fields) putField(file, each, after, afterAt);
     file.put(0, 32);
-    file.bytes.insert(file.bytes.end(), behind.bytes.begin(), behind.bytes.end());
+    file.bytes.insert(file.bytes.end(), after.bytes.begin(), after.bytes.end());
     variant.file = file.bytes;
     return variant;
 }

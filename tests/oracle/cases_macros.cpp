@@ -166,7 +166,7 @@ void main() {
 )glsl"}},
         {.name = "text_in_unusual_layout",
          .stages = {.vertex = "/* a comment before it */\n"
-                              "# version 110  // and one behind\r\n"
+                              "# version 110  // and one after it\r\n"
                               "varying\n    vec3 // of the vertex\r\n  vPoint ; "
                               "attribute /* a */ float /* b */ FaceIndex;\r\n"
                               "void main ( void )\r\n{\r\n  vPoint=gl_Vertex . xyz+FaceIndex ;\r\n"

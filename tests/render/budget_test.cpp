@@ -296,7 +296,7 @@ TEST(Budget, MeasuresLevelsHoweverTheyAreWritten) {
         {"constants", "", "", "gl_TessLevelOuter[0] = 1.; gl_TessLevelOuter[1] = 4.;\n"},
         {"a function", "", "", "set(uPieces);\n"},
         {"a loop", "", "", "for (int i = 0; i < 2; ++i) gl_TessLevelOuter[i] = i == 0 ? 1. : uPieces;\n"},
-        {"behind a barrier", "", "", "barrier();\n    if (gl_InvocationID == 0) set(4.);\n"},
+        {"after a barrier", "", "", "barrier();\n    if (gl_InvocationID == 0) set(4.);\n"},
         {"by a statement", "TessLevels 1 4 1 1 1 1\n", "", ""},
     };
     for (CurveForm form : forms) {

@@ -185,6 +185,8 @@ TEST(Mistakes, OfARepetitionAreReportedOnce) {
         "2:10 glib-E16 no material 'glod'; did you mean 'gold'?");
     EXPECT_EQ(errorsOf("Let a 1\nSet uMap nothing\nBox\nBox\nSphere\n"),
               "2:10 glib-E27 'nothing' is no variable, texture or buffer");
+    EXPECT_EQ(errorsOf("Group tree\nBox\nEndGroup\nSet uMap tree\nBox\n"),
+              "4:10 glib-E34 'tree' is no variable, texture or buffer");
 }
 
 TEST(Mistakes, OfADeclarationAreNotThoseOfItsUses) {

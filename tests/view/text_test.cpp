@@ -217,9 +217,9 @@ TEST(Excerpt, OfALongLineShowsTheCharacterOfItsColumn) {
     EXPECT_EQ(view::excerpt("0123456789abcdefghij", 3, 12).text, "012345678...");
     EXPECT_EQ(view::excerpt("0123456789abcdefghij", 10, 12).text, "...6789ab...");
     EXPECT_EQ(view::excerpt("0123456789abcdefghij", 20, 12).text, "...bcdefghij");
-    const view::Excerpt behind = view::excerpt("0123456789abcdefghij", 21, 12);
-    EXPECT_EQ(behind.text, "...cdefghij");
-    EXPECT_EQ(behind.caret, "           ^");
+    const view::Excerpt after = view::excerpt("0123456789abcdefghij", 21, 12);
+    EXPECT_EQ(after.text, "...cdefghij");
+    EXPECT_EQ(after.caret, "           ^");
 }
 
 }  // namespace

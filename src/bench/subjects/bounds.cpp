@@ -125,7 +125,7 @@ std::vector<Figure> measureBounds(Bench& bench) {
         }
     }
     if (count == 0)
-        throw Failed({diagnose("file-E01", "no scene of the library that has a Bound can be drawn")});
+        throw Failed({diagnose("bench-E05", "no scene of the library that has a Bound can be drawn")});
     std::vector<Figure> figures;
     for (MeasuredBound& each : bounds) {
         std::vector<std::string>& findings = each.figure.findings;

@@ -122,7 +122,7 @@ std::vector<Figure> measureBudget(Bench& bench) {
             failures.push_back(
                 fmt::format("{} cannot be drawn: {}", scenes[i].name, toString(failed.diagnostics.front())));
         }
-    if (rows.empty()) throw Failed({diagnose("file-E01", "none of the scenes of the library can be drawn")});
+    if (rows.empty()) throw Failed({diagnose("bench-E05", "none of the scenes of the library can be drawn")});
     std::ranges::stable_sort(rows, std::ranges::greater(),
                              [](const SceneRow& each) { return each.settings[0].off; });
     Figure figure{.name = "bound",

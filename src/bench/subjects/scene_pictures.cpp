@@ -147,7 +147,7 @@ std::vector<ShippedScene> shippedScenes() {
         }
     if (scenes.empty())
         throw Failed({diagnose(
-            "file-E01",
+            "bench-E05",
             "cannot find the scenes of the library: no folder with 'glib' and 'shaders' in GLIBRA_PATH, "
             "above the current folder or above the program")});
     std::ranges::sort(scenes, {}, &ShippedScene::name);

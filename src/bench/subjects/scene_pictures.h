@@ -21,7 +21,7 @@ struct ShippedScene {
 };
 
 /// Sorted by name. They are searched in the folders of GLIBRA_PATH, then in the nearest folder with `glib`
-/// and `shaders` above the current folder, then above the program. Throws Failed with file-E01 if there are
+/// and `shaders` above the current folder, then above the program. Throws Failed with bench-E05 if there are
 /// none.
 std::vector<ShippedScene> shippedScenes();
 

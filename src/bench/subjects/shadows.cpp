@@ -13,7 +13,7 @@ std::vector<Figure> measureShadows(Bench& bench) {
     (void)bench.context();
     const std::vector<ShippedScene> scenes = shippedScenes();
     const auto scene = std::ranges::find(scenes, "modern/shadow_map", &ShippedScene::name);
-    if (scene == scenes.end()) throw Failed({diagnose("file-E01", "the library has no modern/shadow_map")});
+    if (scene == scenes.end()) throw Failed({diagnose("bench-E05", "the library has no modern/shadow_map")});
     SceneSweep sweep;
     sweep.scene = scene->path;
     sweep.name = "resolution";

@@ -13,7 +13,7 @@ namespace {
 /// The text around an undeclared name. The name ends where its letters and digits end.
 struct NamePhrase {
     std::string_view before;  ///< up to the name
-    std::string_view after;   ///< right behind it
+    std::string_view after;   ///< right after it
 };
 constexpr std::array kUndeclaredPhrases = std::to_array<NamePhrase>({
     {"`", "' undeclared"},                         // Mesa

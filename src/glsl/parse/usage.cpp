@@ -161,17 +161,17 @@ int constantIndex(const Unit& unit, std::uint32_t openBracket) {
 
 bool isWrittenAt(const Unit& unit, std::uint32_t at) {
     std::uint32_t first = at;
-    std::uint32_t behind = afterSuffixes(unit, at);
+    std::uint32_t after = afterSuffixes(unit, at);
     while (true) {
         const std::string_view before = first > 0 ? unit.text(first - 1) : std::string_view{};
         if (isStep(before)) return true;
-        if (isAssignment(unit.text(behind)) || isStep(unit.text(behind))) return true;
+        if (isAssignment(unit.text(after)) || isStep(unit.text(after))) return true;
         // `(name).xy = ...` is a change; `if (name) ++other` is none.
-        const bool wrapped = before == "(" && unit.text(behind) == ")" && first > 1 &&
+        const bool wrapped = before == "(" && unit.text(after) == ")" && first > 1 &&
                              unit.view[first - 2].kind != TokenKind::word && unit.text(first - 2) != "]";
         if (!wrapped) return false;
         --first;
-        behind = afterSuffixes(unit, behind);
+        after = afterSuffixes(unit, after);
     }
 }
 

@@ -48,8 +48,8 @@ void find(Unit& unit, std::map<std::string, Misused>& found) {
             if (unit.text(use + 1) != "(" || argument >= unit.view.size() ||
                 unit.bodies.roles[argument] != WordRole::global)
                 continue;
-            const std::string_view behind = unit.text(argument + 1);
-            if (behind != "," && behind != ")" && behind != "[") continue;
+            const std::string_view after = unit.text(argument + 1);
+            if (after != "," && after != ")" && after != "[") continue;
             const Variable* variable = unit.variable(unit.text(argument));
             if (!variable || !isNumber(*variable)) continue;
             Misused& misused =

@@ -31,7 +31,7 @@ struct HdrHeader {
     std::size_t dataOffset;
 };
 
-/// The next line without its end, from `at`, which moves behind it; empty if the file has no further one.
+/// The next line without its end, from `at`, which moves after it; empty if the file has no further one.
 std::optional<std::string_view> lineAt(std::string_view file, std::size_t& at) {
     constexpr std::size_t kLongestLine = 4096;
     std::string_view line = file.substr(at, kLongestLine);

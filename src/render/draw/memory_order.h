@@ -23,7 +23,7 @@ NodeMemory memoryOf(const plan::FramePlan& plan, std::size_t node);
 inline constexpr GLbitfield kWaysOfCopies = GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
                                             GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
 
-/// Knows which uses of objects have no barrier behind them yet.
+/// Knows which uses of objects have no barrier after them yet.
 class MemoryOrder {
   public:
     /// Makes the barrier that a node needs, if it needs one.

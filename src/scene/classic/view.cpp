@@ -22,7 +22,7 @@ glm::dvec3 argumentVector(const Command& command, std::size_t first) {
     return {numberAt(command, first, 0), numberAt(command, first + 1, 0), numberAt(command, first + 2, 0)};
 }
 
-/// Sets M := M * T. Reports glib-E05 instead if 32-bit floats cannot hold the product.
+/// Sets M := M * T. Reports glib-E31 instead if 32-bit floats cannot hold the product.
 void multiply(Interpreter& in, const Command& command, const glm::dmat4& transform) {
     const glm::dmat4 product = in.state.modelView * transform;
     if (!isFinite(product)) {

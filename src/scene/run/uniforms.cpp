@@ -90,7 +90,9 @@ std::optional<glib::UniformSpec> specOf(Interpreter& in, const KeyedValues& tag,
             std::vector<std::string> names = in.names().known("");
             for (const auto& [each, declared] : in.modern.names) names.push_back(each);
             const std::vector<std::string_view> views(names.begin(), names.end());
-            return in.reportAt(first, "glib-E27",
+            const bool isOther = symbol != nullptr || declaredName(in, first.text) != nullptr ||
+                                 in.modern.groups.contains(first.text);
+            return in.reportAt(first, isOther ? "glib-E34" : "glib-E27",
                                fmt::format("'{}' is no variable, texture or buffer{}", first.text,
                                            base::suggestion(first.text, views)));
         }

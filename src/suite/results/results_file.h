@@ -24,7 +24,7 @@ inline constexpr std::uint64_t kLargestShownPicture = 256ULL << 20;
 
 /// Reads a file that a ShotResult names: a relative path in the results folder, and any path below `roots`,
 /// where relative ones start at the current folder. No link is followed. A results file may come from
-/// somebody else, so nothing that it names is read in any other way. Errors: file-E01 missing; file-E02
+/// somebody else, so nothing that it names is read in any other way. Errors: file-E01 missing; file-E14
 /// outside those folders, a link, a folder, a pipe, a device; file-E09 larger than `largest`.
 Result<std::vector<std::byte>> readNamed(const std::filesystem::path& path,
                                          const std::filesystem::path& resultsFolder, const base::Roots& roots,
@@ -39,7 +39,7 @@ Diagnostics writeResults(const RunResult& run, const std::filesystem::path& fold
 
 /// Reads what writeResults or ResultsWriter wrote. The run is complete if the file has its end line. A last
 /// line that was torn when its run was killed is left out, with the note result-N01. Of two lines for one
-/// shot the later counts, in the place of the earlier. Errors: file-E01, file-E02, file-E09 from
+/// shot the later counts, in the place of the earlier. Errors: file-E01, E02, E09, E14 from
 /// image::readFile; result-E01 for each broken line (the first 20), for an end line that counts other shots,
 /// and for lines after it.
 Result<RunResult> readResults(const std::filesystem::path& folder);

@@ -58,14 +58,12 @@ void TextHistory::record(std::string_view text) {
         return at < of.size() && isContinuation(of[at]);
     };
     while (same > 0 && (cuts(text, same) || cuts(present_, same))) --same;
-    std::size_t behind = 0;
-    while (behind < shorter - same &&
-           text[text.size() - 1 - behind] == present_[present_.size() - 1 - behind])
-        ++behind;
-    while (behind > 0 && (cuts(text, text.size() - behind) || cuts(present_, present_.size() - behind)))
-        --behind;
-    Step step{same, present_.substr(same, present_.size() - behind - same),
-              std::string(text.substr(same, text.size() - behind - same))};
+    std::size_t after = 0;
+    while (after < shorter - same && text[text.size() - 1 - after] == present_[present_.size() - 1 - after])
+        ++after;
+    while (after > 0 && (cuts(text, text.size() - after) || cuts(present_, present_.size() - after))) --after;
+    Step step{same, present_.substr(same, present_.size() - after - same),
+              std::string(text.substr(same, text.size() - after - same))};
     present_ = text;
     if (join(step)) return;
     steps_.resize(at_);

@@ -123,21 +123,21 @@ Excerpt excerpt(std::string_view line, int column, int most) {
     for (std::size_t i = 0; i < line.size(); ++i)
         if (i == 0 || (static_cast<unsigned char>(line[i]) & 0xC0U) != 0x80U) starts.push_back(i);
     const std::size_t count = starts.size();
-    const auto behind = std::upper_bound(starts.begin(), starts.end(), wanted) - starts.begin();
-    const std::size_t marked = wanted >= line.size() ? count : static_cast<std::size_t>(behind) - 1;
+    const auto after = std::upper_bound(starts.begin(), starts.end(), wanted) - starts.begin();
+    const std::size_t marked = wanted >= line.size() ? count : static_cast<std::size_t>(after) - 1;
     starts.push_back(line.size());
     const std::size_t all = std::max(count, marked + 1);  // the caret may be after the text
     const std::size_t first =
         all <= room ? 0 : std::min(marked > room / 2 ? marked - room / 2 : 0, all - room);
     const std::size_t end = std::min(count, first + room);
     // The column is in the middle, or nearer to an end of the line that is not cut.
-    const bool isCutBefore = first > 0, isCutBehind = end < count;
+    const bool isCutBefore = first > 0, isCutAfter = end < count;
     const std::size_t from = starts[first + (isCutBefore ? kLeftOut.size() : 0)];
-    const std::size_t to = starts[end - (isCutBehind ? kLeftOut.size() : 0)];
+    const std::size_t to = starts[end - (isCutAfter ? kLeftOut.size() : 0)];
     Excerpt shown;
     if (isCutBefore) shown.text = kLeftOut;
     shown.text += line.substr(from, to - from);
-    if (isCutBehind) shown.text += kLeftOut;
+    if (isCutAfter) shown.text += kLeftOut;
     shown.caret = std::string(marked - first, ' ') + '^';
     return shown;
 }

@@ -95,13 +95,13 @@ EditedRows::EditedRows(const WrappedText& before, std::string_view now, std::siz
                                       old.begin());
     std::size_t after = 0;
     while (after < common - begin_ && old[old.size() - 1 - after] == now[now.size() - 1 - after]) ++after;
-    const std::size_t behind = now.size() - std::min(cursorNow, now.size());
-    if (now != old && behind < after) {
-        const std::size_t end = old.size() - behind;
+    const std::size_t afterCursor = now.size() - std::min(cursorNow, now.size());
+    if (now != old && afterCursor < after) {
+        const std::size_t end = old.size() - afterCursor;
         const std::size_t taken = end - (old.size() - after);
         const bool isOneBreak =
             taken - (before.placeInText(end) - before.placeInText(old.size() - after)) == 1;
-        if (isOneBreak) after = behind;
+        if (isOneBreak) after = afterCursor;
     }
     end_ = old.size() - after;
     added_ = now.size() - after - begin_;

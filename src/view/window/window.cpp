@@ -144,7 +144,7 @@ void Window::restoreTabs() {
 }
 
 /// Writes the settings when other tabs are open, so that they come back even if the program is ended. Tabs of
-/// the last window that this one does not show stay behind its own.
+/// the last window that this one does not show stay right of its own.
 void Window::keepTabs() {
     if (!isStarted_) return;
     std::vector<std::string> files;
