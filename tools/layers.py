@@ -77,6 +77,7 @@ ORDER = {
         "draw": {"stats", "load"},
         "simulation": {"stats", "load", "draw"},
         "": {"stats", "load", "draw", "simulation"},  # Pipeline, and SceneState, which draws pictures
+        "live": {"stats", "load", "draw", "simulation", ""},
         "probe": {"stats", "load", "draw", "simulation", ""},
         "scene_renderer": {"stats", "load", "draw", "simulation", "", "probe"},
         "check": {"stats", "load", "draw", "simulation", "", "probe", "scene_renderer"},

@@ -47,8 +47,9 @@ std::string escapeXml(std::string_view text) {
 }
 
 std::string readableBytes(std::uint64_t bytes) {
-    constexpr std::array kUnits{"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
-    auto value = static_cast<double>(bytes);
+    constexpr std::array kUnits{"MiB", "GiB", "TiB", "PiB", "EiB"};
+    double value = static_cast<double>(bytes) / (1 << 20);
+    if (value < 1) return fmt::format("{} bytes", bytes);
     std::size_t unit = 0;
     for (; value >= 1024 && unit + 1 < kUnits.size(); ++unit) value /= 1024;
     return fmt::format("{} {}", std::ceil(value * 10) / 10, kUnits[unit]);

@@ -12,16 +12,58 @@
 #include "budget/budget.h"
 #include "budget/least_counts.h"
 #include "budget/pixel_scale.h"
-#include "budget/program_facts.h"
 #include "budget/sampling_model.h"
 #include "budget/vertex_values.h"
+#include "geometry/mesh.h"
+#include "glsl/types/builtins.h"
 #include "plan/accesses.h"
+#include "plan/program_variant.h"
 #include "scene/primitives.h"
 #include "scene/texture_parts.h"
 #include "scene/view.h"
 
 namespace glibra::budget {
 namespace {
+
+struct ProgramFacts {
+    bool isBuiltin = false;          ///< draws one colour: at the vertices it computes only their positions
+    bool placesByMatrix = false;     ///< provably places vertices by the model-view-projection alone
+    bool readsTexCoord = false;      ///< reads texture coordinates
+    bool worksOnPrimitives = false;  ///< has a tessellation or geometry stage
+    bool hasTessellation = false;
+    /// It reads normals or tangents, which between vertices differ from those of the surface, and its
+    /// fragment stage looks into a cube map along a reflection, or refracts.
+    bool magnifiesNormals = false;
+    /// Its vertex stage calls functions other than constructors and normalize(), so its results may not be
+    /// linear between the vertices.
+    bool computesAtVertices = false;
+    /// It shows the single triangles (glsl::StageFacts::showsPrimitives), so a mesh with other counts would
+    /// show something else.
+    bool showsPrimitives = false;
+};
+
+ProgramFacts programFacts(const plan::ProgramInterface& program) {
+    ProgramFacts facts;
+    facts.isBuiltin = program.isBuiltin;
+    facts.placesByMatrix = program.isBuiltin || program.facts.placement != glsl::Placement::unknown;
+    bool readsNormals = false;
+    for (const plan::ActiveInput& each : program.inputs)
+        if (const glsl::BuiltinInput* row = glsl::findBuiltinInput(each.name); row != nullptr) {
+            facts.readsTexCoord = facts.readsTexCoord || row->attribute == geometry::kTexCoord;
+            readsNormals =
+                readsNormals || row->attribute == geometry::kNormal || row->attribute == geometry::kTangent;
+        }
+    for (const glsl::TranslatedStage& each : program.facts.stages) {
+        const bool isVertex = each.stage == glsl::Stage::vertex;
+        const bool isFragment = each.stage == glsl::Stage::fragment;
+        facts.worksOnPrimitives = facts.worksOnPrimitives || !(isVertex || isFragment);
+        facts.hasTessellation = facts.hasTessellation || each.stage == glsl::Stage::tessEvaluation;
+        facts.computesAtVertices = facts.computesAtVertices || (isVertex && each.facts.callsFunctions);
+        facts.showsPrimitives = facts.showsPrimitives || each.facts.showsPrimitives;
+        if (isFragment) facts.magnifiesNormals = readsNormals && each.facts.magnifiesNormals;
+    }
+    return facts;
+}
 
 /// The factor by which counts must be larger than for smooth light: a reflected ray turns by twice the angle
 /// of its normal, and a refracted one turns even more at a flat angle.

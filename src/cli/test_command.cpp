@@ -5,17 +5,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "base/text.h"
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
-#include "cli/orphan_answer.h"
 #include "cli/picture_options.h"
 #include "cli/run_facts.h"
 #include "cli/suite_options.h"
@@ -27,15 +30,69 @@
 #include "render/file/job.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
+#include "suite/golden/orphans.h"
 #include "suite/options/option_words.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/merge.h"
+#include "suite/results/results.h"
 #include "suite/results/results_file.h"
 #include "suite/run/fingerprint.h"
 #include "suite/run/verdict.h"
+#include "suite/suite.h"
 
 namespace glibra::cli {
 namespace {
+
+/// The goldens that belong to no shot of the suites, for each suite. `goldens` replaces their own folders
+/// unless it is empty.
+std::vector<std::shared_ptr<const suite::Orphans>> orphansOf(const std::vector<suite::Suite>& suites,
+                                                             const fs::path& goldens) {
+    std::vector<std::shared_ptr<const suite::Orphans>> orphans;
+    for (const suite::Suite& each : suites)
+        orphans.push_back(
+            std::make_shared<const suite::Orphans>(suite::orphanGoldens(each, goldens, suites)));
+    return orphans;
+}
+
+/// Puts those that are still there into `run`, or removes them with `prune`. Returns the exit status.
+int settleOrphans(const std::vector<suite::Suite>& suites,
+                  const std::vector<std::shared_ptr<const suite::Orphans>>& orphans, bool prune,
+                  suite::RunResult& run) {
+    int status = kDone;
+    for (std::size_t i = 0; i < suites.size(); ++i) {
+        std::vector<fs::path> left = orphans[i]->files();
+        std::error_code ignored;
+        std::erase_if(left, [&](const fs::path& each) { return !fs::exists(each, ignored); });
+        if (left.empty()) continue;
+        const bool isRefused = std::ranges::any_of(run.shots, [&](const suite::ShotResult& each) {
+            return each.suite == suites[i].name && each.verdict == suite::Verdict::refused;
+        });
+        if (prune && isRefused)
+            print({withoutId(Severity::note,
+                             fmt::format("--prune removes nothing of '{}', because a picture of it was not "
+                                         "accepted",
+                                         suites[i].name))});
+        if (prune && !isRefused) {
+            if (printErrors(suite::removeOrphans(left))) status = kSceneIsWrong;
+            std::string text =
+                fmt::format("{} of no shot of '{}' {} removed:", base::counted(left.size(), "golden"),
+                            suites[i].name, left.size() == 1 ? "was" : "were");
+            for (const fs::path& each : left) text += " " + each.string();
+            print({withoutId(Severity::note, text)});
+            continue;
+        }
+        for (const fs::path& each : left) run.orphans.push_back({suites[i].name, each.string()});
+    }
+    std::ranges::sort(run.orphans);
+    return status;
+}
+
+/// Prints a note about those that the run has left.
+void noteOrphans(const suite::RunResult& run) {
+    constexpr std::size_t kMostNames = 10;
+    for (std::string& each : suite::orphanLines(run, kMostNames))
+        print({withoutId(Severity::note, std::move(each))});
+}
 
 namespace fs = std::filesystem;
 

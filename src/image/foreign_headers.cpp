@@ -253,9 +253,10 @@ constexpr std::array kComparedSamples{
     TiffSamples{rgb, floatingNumbers, 3, 4, {16, 32}},
 };
 
-constexpr std::uint64_t kDeflate = 8, kOldDeflate = 32946;
+constexpr std::uint64_t kJpeg = 7, kDeflate = 8, kOldDeflate = 32946;
 /// Of the samples: none, three kinds of fax, LZW, JPEG, Deflate and PackBits.
-constexpr std::array<std::uint64_t, 9> kComparedCompressions{1, 2, 3, 4, 5, 7, kDeflate, kOldDeflate, 32773};
+constexpr std::array<std::uint64_t, 9> kComparedCompressions{1,     2,        3,           4,    5,
+                                                             kJpeg, kDeflate, kOldDeflate, 32773};
 
 template <class Values>
 bool holds(const Values& values, std::uint64_t value) {
@@ -277,6 +278,9 @@ std::string notCompared(const TiffHeader& header) {
     // OpenImageIO unpacks Deflate by itself, and forgets the order of the bits.
     if (header.fillOrder != 1 && (header.compression == kDeflate || header.compression == kOldDeflate))
         return "its bits stand in reverse order, which cannot be read with Deflate; save it with LZW";
+    // OpenImageIO 2.5 multiplies these by alpha.
+    if (header.compression == kJpeg && (header.samples == 2 || header.samples == 4))
+        return "JPEG with alpha is not read; save it with LZW";
     const bool isFloating = header.sampleFormat == floatingNumbers;
     const bool isPredicted = header.predictor == 1 ||
                              (isFloating ? header.predictor == 3 : header.predictor == 2 && header.bits >= 8);

@@ -109,7 +109,8 @@ Result<Prepared> prepareDds(ByteSpan file, const FileLabel& label, const Limits&
 }
 
 /// OpenImageIO reserves memory for all channels of a Photoshop file before it reports a size, and knows
-/// neither palettes nor alpha.
+/// neither palettes nor alpha; version 2.5 writes beyond its memory with 16 bits, and gives other values with
+/// 16 and 32.
 Result<Prepared> preparePhotoshop(ByteSpan file, const FileLabel& label, const Limits& limits) {
     constexpr std::size_t kHeader = 26;
     if (file.size() < kHeader) return damaged(label, "the file ends within the Photoshop header");
@@ -118,16 +119,15 @@ Result<Prepared> preparePhotoshop(ByteSpan file, const FileLabel& label, const L
     if (auto refused = checkPacked(width, height, (channels * bits + 7) / 8, file.size(), limits, label))
         return *std::move(refused);
     enum : std::uint64_t { bitmap = 0, grey = 1, rgb = 3, inks = 4 };
-    const bool isWhole = bits == 8 || bits == 16;
-    const bool isCompared = (mode == bitmap && bits == 1 && channels == 1) ||
-                            (mode == grey && (isWhole || bits == 32) && channels == 1) ||
-                            (mode == rgb && (isWhole || bits == 32) && channels == 3) ||
-                            (mode == inks && isWhole && channels == 4);
+    const bool isCompared =
+        (mode == bitmap && bits == 1 && channels == 1) ||
+        (bits == 8 && ((mode == grey && channels == 1) || (mode == rgb && channels == 3) ||
+                       (mode == inks && channels == 4)));
     if (!isCompared)
         return damaged(
             label,
             fmt::format("Photoshop pictures of mode {} with {} channels of {} bits are not read; save it "
-                        "as RGB without alpha, or as PNG",
+                        "as RGB of 8 bits without alpha, or as PNG",
                         mode, channels, bits));
     return Prepared{};
 }

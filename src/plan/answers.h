@@ -50,7 +50,7 @@ struct PlanOptions {
     /// it has them.
     std::string lacksCompute{};
     bool cutsDispatches = false;  ///< compute programs can run in pieces, also without `tiles`
-    /// Objects of a modern scene whose content is wanted besides the window.
+    /// Objects whose content is wanted besides the window.
     std::vector<scene::ObjectView> roots{};
     bool everything = false;    ///< for `glibra check` and --no-skip: skips nothing
     bool idleNoise = true;      ///< with `everything`: also built-in noise that no sampler reads

@@ -212,7 +212,7 @@ class LayoutFinder {
         return pattern.isRuntimeSized() && pattern.head.empty() ? pattern.element.size() : 0;
     }
 
-    /// Reports glib-E05 for the first value that its float does not hold, and memory-W02 for the first that
+    /// Reports glib-E31 for the first value that its float does not hold, and memory-W02 for the first that
     /// is out of the range of its integer.
     void checkValues(const scene::Buffer& buffer, const MemoryPattern& pattern) {
         const std::vector<double>& values = buffer.values.numbers();

@@ -24,8 +24,8 @@ struct InputSource {
 
 /// The sources of all inputs of a program, in the order of ProgramInterface::inputs, for draws with one set
 /// of attributes. Inputs read, in this order: what the set gives them by name; what the runtime supplies
-/// (language, 6); in modern scenes what their name says in books (glsl::wellKnownAttribute); the attribute of
-/// a list that has the same name.
+/// (language, 6); where names are supplied what they say in books (glsl::wellKnownAttribute); the attribute
+/// of a list that has the same name.
 std::vector<InputSource> inputSources(const scene::Scene& scene, scene::AttributeSetIndex attributes,
                                       const ProgramInterface& interface);
 

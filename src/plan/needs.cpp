@@ -13,11 +13,6 @@
 #include "scene/texture_parts.h"
 
 namespace glibra::plan {
-namespace {
-
-using scene::StepIndex;
-
-}  // namespace
 
 bool usesStencil(const scene::Pass& pass) {
     return std::ranges::any_of(pass.steps, [](const auto& step) {

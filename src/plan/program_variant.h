@@ -43,8 +43,8 @@ struct ProgramVariant {
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);
 
 /// True if the program has a fragment stage and no other. It gets a vertex stage: one that covers the whole
-/// target where a modern scene draws vertices without data or `FullScreen`, otherwise that of the fixed
-/// pipeline.
+/// target where a draw covers it (scene::ClipSpace::hasStage) or has no vertex data, otherwise that of the
+/// fixed pipeline.
 bool isWithoutVertexStage(const scene::Program& program, bool isFill = false);
 
 /// True if the built-in program is used: the draw has no program, or the program has no vertex stage and

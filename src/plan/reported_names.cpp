@@ -101,7 +101,7 @@ struct ZeroReads {
     Place place;
 };
 
-/// draw-W11 for textures of a modern scene that the frame samples before a pass, dispatch or Clear of the
+/// draw-W11 for textures with a name that the frame samples before a pass, dispatch or Clear of the
 /// frame writes them, and for the previous copies of textures with history that only the frame writes: a
 /// frame begins with both as declared, which is zero. A statement that also runs after the write, as in a
 /// Repeat, is not reported, nor is one whose result the write needs. `lasting`: what Once and Step write.
@@ -317,7 +317,7 @@ std::set<scene::TextureIndex> writtenTextures(const scene::Scene& scene,
     return written;
 }
 
-/// draw-W11 for textures of modern scenes that shaders sample and nothing writes.
+/// draw-W11 for textures with a name that shaders sample and nothing writes.
 Diagnostics reportUnwritten(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
     Diagnostics diagnostics;
     std::set<scene::TextureIndex> written = writtenTextures(scene, plans);
@@ -352,7 +352,7 @@ void eraseLevelled(const scene::NodeList& nodes, std::set<scene::TextureIndex>& 
         if (const auto* texture = std::get_if<scene::TextureIndex>(&each.object)) flat.erase(*texture);
 }
 
-/// draw-W13 for textures of modern scenes that are read with mipmaps which nothing writes.
+/// draw-W13 for textures with a name that are read with mipmaps which nothing writes.
 Diagnostics reportEmptyLevels(const scene::Scene& scene, std::span<const FramePlan* const> plans) {
     std::set<scene::TextureIndex> flat;
     for (const scene::TextureIndex each : writtenTextures(scene, plans)) {

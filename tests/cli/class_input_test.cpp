@@ -405,7 +405,7 @@ TEST_F(ClassInput, APartOfThePictureOfTheSolutionIsNamed) {
     writeScene("all/ana/", kReference);
     ASSERT_EQ(run("").status, 0);
     const Finished cropped = glibra(
-        folder.path(), "render " GLIBRA_SOURCE_DIR "/glib/start/teapot.glib --size 48x40 -o other.png");
+        folder.path(), "render '" GLIBRA_SOURCE_DIR "/glib/start/teapot.glib' --size 48x40 -o other.png");
     ASSERT_EQ(cropped.status, 0) << cropped.err;
     const auto solution = image::readImage(folder / "site/pictures/0000-1.png");
     ASSERT_TRUE(solution) << solution.message();

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "base/sandbox.h"
@@ -77,6 +79,14 @@ TEST_F(Untrusted, DriversOverVulkanFindTheirFiles) {
         lavapipe.string() + " VK_DRIVER_FILES=" + lavapipe.string();
     if (run("render in/a.glib -o free.png --driver egl", zink).status != 0) GTEST_SKIP() << "needs zink";
     const Finished confined = run("render in/a.glib -o confined.png --driver egl --untrusted", zink);
+    // From Mesa 24.3 on, the one without a device keeps its memory in files without a name, which the sandbox
+    // refuses, because no limit of memory counts them.
+    const std::string driver = run("info --driver egl", zink).out;
+    const std::size_t mesa = driver.find("Mesa 2");
+    if (mesa != std::string::npos && std::atof(driver.c_str() + mesa + 5) > 24.2) {
+        EXPECT_TRUE(contains(confined.err, "draw-E06")) << confined.err;
+        return;
+    }
     EXPECT_EQ(confined.status, 0) << confined.err;
     expectSame("free.png", "confined.png");
 }
@@ -308,7 +318,7 @@ TEST_F(Untrusted, AScenesEndsAreReportedAsWithoutASandbox) {
         "0; i < 2000000000 && s >= 0.; i++) s += abs(sin(float(i + uMany))); f = vec4(s); }\n");
     folder.write("in/e.glib",
                  "WindowSize 300 300\nVertex a.vert\nFragment e.frag\nProgram P uMany 1\nQuadXY 0 2 2 2\n");
-    const Finished late = run("render in/a.glib in/e.glib --timeout 1 -o out --untrusted");
+    const Finished late = run("render in/a.glib in/e.glib --timeout 8 -o out --untrusted");
     EXPECT_EQ(late.status, 3);
     EXPECT_TRUE(contains(late.err, "draw-E07")) << late.err;
     EXPECT_TRUE(fs::exists(folder / "out/a.png"));

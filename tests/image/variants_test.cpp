@@ -162,8 +162,9 @@ TEST_F(SecondDecoder, SeesTheSamePixelsOrThereIsAMessage) {
         }
         const Comparison found = compare(withoutHidden(withType(*theirs, Component::u8)),
                                          withoutHidden(withType(*ours, Component::u8)));
-        // Some decoders cut where others round.
-        if (found.sameSize && found.largest * 255 <= 1.01)
+        // Some decoders cut where others round; YCbCr is rounded twice.
+        const bool isYcc = file.filename().string().find("ycc") != std::string::npos;
+        if (found.sameSize && found.largest * 255 <= (isYcc ? 2.01 : 1.01))
             ++each.equal;
         else
             each.last = decoder.string() + " differs by " + std::to_string(found.largest * 255) + " at " +

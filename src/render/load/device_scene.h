@@ -76,7 +76,7 @@ class DeviceScene {
     void takeOver(DeviceScene& previous, const plan::Object& object);
     /// Binds the texture and sampler, the image, or the buffer to the unit of the use.
     void bind(const plan::TextureUse& use, gpu::BindingTracker& bindings);
-    /// The render target of a pass into textures; cached. In modern scenes draw-E10 if a part does not
+    /// The render target of a pass into textures; cached. Error draw-E10 if a part does not
     /// exist.
     Result<const gpu::Target*> target(const scene::Pass& pass) { return targets_.of(pass); }
 

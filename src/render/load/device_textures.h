@@ -197,7 +197,7 @@ class DeviceTargets {
     DeviceTargets(const gpu::Context& context, const scene::Scene& scene, const DeviceTextures& textures)
         : context_(context), scene_(scene), textures_(textures) {}
 
-    /// The target of a pass into textures; cached. In modern scenes draw-E10 if a part does not exist.
+    /// The target of a pass into textures; cached. Error draw-E10 if a part does not exist.
     Result<const gpu::Target*> of(const scene::Pass& pass);
     /// Forgets the targets of textures that have been destroyed, with their depth buffers.
     void forget(const std::set<const gpu::Texture*>& gone);

@@ -1,25 +1,114 @@
 #include "view/window/window.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "base/device_lost.h"
+#include "glib/text.h"
 #include "gpu/context/context.h"
 #include "gpu/context/reset.h"
+#include "view/browse/file_use.h"
+#include "view/debug_view/texels.h"
+#include "view/edit/example_folders.h"
 #include "view/edit/recovery.h"
-#include "view/window/before_leaving.h"
-#include "view/window/dropped.h"
+#include "view/edit/save_values.h"
 #include "view/window/panels/layout.h"
 #include "view/window/platform/ending.h"
 #include "view/window/platform/theme.h"
+#include "view/window/tabs.h"
 #include "view/window/window_loop.h"
 
 namespace glibra::view {
+
+namespace {
+
+struct Dropped {
+    bool isScene = false;            ///< the caller opens it
+    std::optional<std::size_t> tab;  ///< the tab that shows the file now; the caller switches to it
+    std::string notice;              ///< a message for the status line; may be empty
+};
+
+namespace fs = std::filesystem;
+
+std::string showUse(Ui& ui, const FileUse& use, const std::string& name) {
+    if (use.kind == FileUse::Kind::texture) {
+        ui.wanted.inspected = textureKey(ui.session.live().scene(), use.texture);
+        return {};
+    }
+    showSource(ui, use.place);
+    if (use.kind == FileUse::Kind::text) return {};
+    return fmt::format("{} is used in line {} of this scene", name, use.place.line);
+}
+
+/// A scene is left to the caller to open. A shader or included file is shown as text in the tab whose scene
+/// uses it (the shown tab is tried first), a texture in the inspector, and a model at the line that names it.
+/// A folder opens the file dialog in that folder. Any other file only gives a message.
+Dropped takeDroppedFile(Tabs& tabs, const fs::path& file) {
+    const std::string name = file.filename().string();
+    std::error_code failure;
+    if (fs::is_directory(file, failure)) {
+        tabs.shown().ui.wanted.file = FileRequest{std::nullopt, true, file};
+        return {};
+    }
+    if (!fs::exists(file, failure)) return {false, {}, fmt::format("{}: no such file", file.string())};
+    if (!std::ifstream(file)) return {false, {}, fmt::format("{}: cannot read this file", file.string())};
+    if (glib::sameWord(file.extension().string(), ".glib")) {
+        if (tabs.find(file) == tabs.shownIndex()) return {false, {}, fmt::format("{} is already open", name)};
+        return {true, {}, {}};
+    }
+    for (std::size_t i = 0; i < tabs.count(); ++i) {
+        const std::size_t index = (tabs.shownIndex() + i) % tabs.count();
+        Tab& tab = tabs.at(index);
+        if (!tab.session.hasScene()) continue;
+        const FileUse use = useOf(tab.session.live(), file);
+        if (use.kind != FileUse::Kind::none) return {false, index, showUse(tab.ui, use, name)};
+    }
+    return {false, {}, fmt::format("{} is neither a scene (.glib) nor a file that an open scene uses", name)};
+}
+
+void addValues(std::vector<UnsavedValues>& values, const Session& session) {
+    if (session.hasScene() && hasChangedValues(session.knobs()))
+        values.push_back({session.path(), session.knobs(), session.chosenFiles()});
+}
+
+std::optional<Question> asked(Question question) {
+    if (question.files.empty() && question.values.empty()) return std::nullopt;
+    return question;
+}
+
+/// Before a scene is opened in the shown tab.
+std::optional<Question> beforeOpening(const Tabs& tabs, const std::filesystem::path& scene) {
+    Question question{Question::About::openScene, scene, 0, tabs.unsaved(tabs.shownIndex()), {}, {}};
+    addValues(question.values, tabs.shown().session);
+    return asked(std::move(question));
+}
+
+/// Before a tab is closed. The values of an example do not count, because they cannot be saved into it.
+std::optional<Question> beforeClosing(const Tabs& tabs, std::size_t tab) {
+    Question question{Question::About::closeTab, {}, tab, tabs.unsaved(tab), {}, {}};
+    if (tab < tabs.count() && !isExample(tabs.at(tab).session.path()))
+        addValues(question.values, tabs.at(tab).session);
+    return asked(std::move(question));
+}
+
+/// Before all are closed: only unsaved text counts, because the tabs come back with their values.
+std::optional<Question> beforeQuitting(const Tabs& tabs) {
+    return asked({Question::About::quit, {}, 0, tabs.unsaved(), {}, {}});
+}
+
+}  // namespace
 
 Window::Window(const WindowArguments& arguments, Display& display, gpu::Context& context)
     : arguments_(arguments),
