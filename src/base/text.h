@@ -119,8 +119,8 @@ inline std::string shellWord(std::string_view text, std::string_view plain = "_-
 /// becomes U+FFFD.
 std::string escapeXml(std::string_view text);
 
-/// "2.1 GiB", "300 MiB", "1.5 KiB", "17 bytes": rounded up to tenths, so that a size just above a limit is
-/// not displayed as the limit.
+/// "2.1 GiB", "300 MiB", "4096 bytes": rounded up to tenths from 1 MiB on, so that a size just above a limit
+/// is not displayed as the limit.
 std::string readableBytes(std::uint64_t bytes);
 
 }  // namespace glibra::base
