@@ -24,16 +24,18 @@ bool isShared(const FramePlan& plan, const Object& object) {
            });
 }
 
-bool isSameProgram(const PlannedProgram& a, const PlannedProgram& b) {
-    const auto isTimer = [](const UniformBinding& each) {
+bool followsTimer(const PlannedProgram& program) {
+    return std::ranges::any_of(program.values, [](const UniformBinding& each) {
         const auto* supplied = std::get_if<Supplied>(&each.value);
         return supplied != nullptr && supplied->value == glsl::Builtin::timer;
-    };
+    });
+}
+
+bool isSameProgram(const PlannedProgram& a, const PlannedProgram& b) {
     const auto haveOneBuffer = [](const BlockUse& one, const BlockUse& other) {
         return one.kind == other.kind && one.index == other.index && one.buffer == other.buffer;
     };
-    return a.variant == b.variant && a.interface == b.interface && a.values == b.values &&
-           std::ranges::none_of(a.values, isTimer) &&
+    return a.variant == b.variant && a.interface == b.interface && a.values == b.values && !followsTimer(a) &&
            std::equal(a.blocks.begin(), a.blocks.end(), b.blocks.begin(), b.blocks.end(), haveOneBuffer);
 }
 
@@ -109,6 +111,18 @@ bool hasOwnDepth(const FramePlan& plan, const scene::Pass& pass) {
 }
 
 }  // namespace
+
+bool mayStandStill(const FramePlan& plan) {
+    const auto isTimed = [&](const PlannedProgramIndex each) { return followsTimer(plan.programs[each]); };
+    return !plan.clears.empty() || std::ranges::any_of(plan.dispatches, [&](const PlannedDispatch& each) {
+        return !isTimed(each.program);
+    }) || std::ranges::any_of(plan.passes, [&](const PlannedPass& pass) {
+        return !plan.passOf(pass).isWindow && std::ranges::none_of(pass.steps, [&](const auto& step) {
+            const auto* draw = std::get_if<PlannedDraw>(&step);
+            return draw != nullptr && isTimed(draw->program);
+        });
+    });
+}
 
 StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
                       const std::function<bool(const Object&)>& changed) {

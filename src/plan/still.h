@@ -22,6 +22,10 @@ struct StillNodes {
     std::set<Object> contents;  ///< what they would write; it must keep its content
 };
 
+/// False if each node draws into the window or follows Timer, so that none can stand still. Allocates
+/// nothing.
+bool mayStandStill(const FramePlan& plan);
+
 /// The nodes of `now` that would write what their objects hold after `before`, of the same scene, was
 /// drawn completely and nothing else has written since. Such a node is equal in both plans and the only one
 /// of its frame that writes its objects, none of which has a history or shares memory. What it reads comes

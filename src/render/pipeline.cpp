@@ -204,7 +204,8 @@ plan::StillNodes Pipeline::stillNodes(int width, int height) const {
     const bool isComparable = options.skip && isDrawn_ && drawer->drawsPlainly() && width == drawnWidth_ &&
                               height == drawnHeight_ && now.projection == ProjectionMode::scene &&
                               drawnView_.projection == ProjectionMode::scene &&
-                              now.objects == drawnView_.objects && now.texture == drawnView_.texture;
+                              now.objects == drawnView_.objects && now.texture == drawnView_.texture &&
+                              plan::mayStandStill(plan);
     if (!isComparable) return {};
     std::set<plan::Object> moved;
     std::vector<bool> isMovedNode(plan.order.size());
