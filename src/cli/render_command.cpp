@@ -27,6 +27,8 @@
 #include "suite/run/fingerprint.h"
 
 namespace glibra::cli {
+
+namespace fs = std::filesystem;
 namespace {
 
 /// file-E13 for each picture that would replace a suite, a golden, or a file that a scene reads.
@@ -143,8 +145,6 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     }
     return failed.empty() ? kDone : kSceneIsWrong;
 }
-
-namespace fs = std::filesystem;
 
 /// Prints why an animation cannot go into the file that -o names. Returns the exit status; kDone if it can.
 int checkFilm(const RenderArguments& arguments) {

@@ -41,6 +41,8 @@
 #include "suite/suite.h"
 
 namespace glibra::cli {
+
+namespace fs = std::filesystem;
 namespace {
 
 /// The goldens that belong to no shot of the suites, for each suite. `goldens` replaces their own folders
@@ -93,8 +95,6 @@ void noteOrphans(const suite::RunResult& run) {
     for (std::string& each : suite::orphanLines(run, kMostNames))
         print({withoutId(Severity::note, std::move(each))});
 }
-
-namespace fs = std::filesystem;
 
 constexpr const char* kMissing = "missing";  ///< --update=missing
 
