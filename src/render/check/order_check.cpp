@@ -92,6 +92,12 @@ std::optional<Made> make(gpu::Context& context, const std::filesystem::path& pat
     auto state = SceneState::of(context, std::move(*interpreted), options, stats, nullptr);
     if (!state) return std::nullopt;
     SceneState& scene = **state;
+    if (!isReversed) {  // most scenes store nothing, and need not be compiled to know it
+        bool stores = false;
+        for (const scene::ProgramIndex each : scene.scene.programs.indices())
+            stores = stores || scene.programs.mayWriteImages(each);
+        if (!stores) return std::nullopt;
+    }
     if (isReversed) scene.programs.reverseOrder();
     Diagnostics diagnostics = scene.preparePlan(scene.planOptions(false), stats);
     if (hasError(diagnostics) || !mayDependOnOrder(scene) || !scene.makeReady(diagnostics, stats))
