@@ -455,7 +455,7 @@ Diagnostic unknownWord(const scene::Scene& scene, std::string_view word, const P
     for (const scene::Texture& each : scene.textures)
         if (!each.name.empty()) names.push_back(each.name);
     for (const scene::Buffer& each : scene.buffers) names.push_back(each.name);
-    return diagnose("glib-E27",
+    return diagnose(scene.otherNames.contains(word) ? "glib-E34" : "glib-E27",
                     fmt::format("'{}' is no variable, texture or buffer{}", word, suggestionFor(word, names)),
                     place);
 }

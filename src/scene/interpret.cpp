@@ -143,6 +143,15 @@ void noteNames(Scene& scene, const glib::Script& script) {
     }
 }
 
+/// Notes the names that no value of a uniform has.
+void noteOtherNames(Interpreter& in) {
+    using Kind = DeclaredName::Kind;
+    for (const auto& [name, declared] : in.modern.names)
+        if (declared.kind == Kind::camera || declared.kind == Kind::sampler || declared.kind == Kind::mesh)
+            in.scene.otherNames.insert(name);
+    for (const auto& [name, group] : in.modern.groups) in.scene.otherNames.insert(name);
+}
+
 /// The values of the names that every scene has.
 void setInputs(Interpreter& in) {
     Environment& names = in.names();
@@ -220,6 +229,7 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         if (const CameraName eye{"eye", 0}; findCamera(in, eye) == nullptr)
             shared.seen.cameras[eye] = valuesOf(classicCamera(in), windowAspect(in));
         in.scene.namedValues = namedValues(in);
+        noteOtherNames(in);
         if (in.isModern) in.scene.mayBeWritten = undecidedWrites(in);
         in.scene.idleChecks = idleChecks(in);
     } catch (const std::exception& problem) {

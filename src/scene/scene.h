@@ -91,6 +91,7 @@ struct Scene : Declarations {
     bool hasStages = false;   ///< a Vertex or Fragment statement has a shader
     bool setsLights = false;  ///< Light, Material, or Set of a name that begins with gl_
     std::set<std::string, std::less<>> localNames;  ///< the counters of Repeat and the parameters of groups
+    std::set<std::string, std::less<>> otherNames;  ///< of groups, cameras, samplers and meshes
     /// What statements that do not run in this frame write in others: other values of variables decide.
     std::set<TextureIndex> mayBeWritten;
     bool verbose = false;  ///< Verbose: the diagnostics contain a glib-N02 for each executed operation

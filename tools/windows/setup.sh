@@ -1,0 +1,68 @@
+# Sourced by tools/package-windows and tools/test-windows: installs the cross-compiler, and builds the libraries for Windows
+# from the sources of their Debian packages, into build/windows-libraries.
+# shellcheck shell=sh disable=SC2034
+
+windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev lld dpkg-dev"
+windows_test_packages="wine64 xvfb xauth"
+# Debian's sources of what is linked, and the packages that consist of headers.
+windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip"
+windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libcpp-httplib-dev"
+
+# fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes.
+fetch_sources() (
+    folder=$1
+    shift
+    mkdir -p "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial"
+    for each in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+        [ ! -f "$each" ] || sed -n 's/^deb /deb-src /p' "$each"
+    done >"$folder/apt/one.list"
+    for each in /etc/apt/sources.list.d/*.sources; do
+        [ ! -f "$each" ] || { sed 's/^Types:.*/Types: deb-src/' "$each"; echo; }
+    done >"$folder/apt/two.sources"
+    mkdir -p "$folder/apt/parts"
+    cp "$folder/apt/one.list" "$folder/apt/two.sources" "$folder/apt/parts"
+    export APT_CONFIG="$folder/apt/apt.conf"
+    cat >"$APT_CONFIG" <<END
+Dir::Etc::SourceList "/dev/null";
+Dir::Etc::SourceParts "$folder/apt/parts";
+Dir::State::Lists "$folder/apt/lists";
+Dir::Cache "$folder/apt/cache";
+APT::Sandbox::User "";
+END
+    log=$folder/apt/log
+    if ! { apt-get update && cd "$folder" && apt-get source --download-only "$@" &&
+           for each in *.dsc; do dpkg-source --no-check -x "$each"; done; } >"$log" 2>&1; then
+        cat "$log" >&2
+        say "cannot fetch the sources of the libraries (above: what apt-get printed)"
+        exit 4
+    fi
+)
+
+# windows_libraries: builds what build/windows-libraries lacks; made again when this file or the list of libraries changes.
+windows_libraries() (
+    folder=$root/build/windows-libraries
+    stamp=$(cat "$root/tools/windows/setup.sh" "$root/tools/windows/libraries/CMakeLists.txt" \
+                "$root/tools/cmake/windows.cmake" | sha256sum)
+    [ "$(cat "$folder/stamp" 2>/dev/null)" != "$stamp" ] || return 0
+    rm -rf "$folder"
+    mkdir -p "$folder/sources"
+    say "fetching the sources of the libraries for Windows"
+    # shellcheck disable=SC2086
+    fetch_sources "$folder/sources" $windows_sources
+    # Headers that are the same on all systems, without those of this one beside them.
+    # shellcheck disable=SC2086
+    dpkg -L $windows_headers | grep -E '^/usr/(include|share/cmake)/' | while IFS= read -r each; do
+        [ -d "$each" ] || install -D -m 644 "$each" "$folder/${each#/usr/}"
+    done
+    say "building the libraries for Windows"
+    log=$folder/log
+    if ! { cmake -S tools/windows/libraries -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+               -DCMAKE_TOOLCHAIN_FILE="$root/tools/cmake/windows.cmake" -DCMAKE_INSTALL_PREFIX="$folder" \
+               -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DSOURCES="$folder/sources" &&
+           ninja -C "$folder/build" install; } >"$log" 2>&1; then
+        tail -n 40 "$log" >&2
+        say "cannot build the libraries for Windows"
+        exit 4
+    fi
+    printf '%s\n' "$stamp" >"$folder/stamp"
+)
