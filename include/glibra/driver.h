@@ -9,14 +9,15 @@
 namespace glibra {
 
 /// Which GL the pictures are drawn with. `automatic` tries EGL without a surface, then an EGL device, then
-/// OSMesa.
-enum class Driver { automatic, egl, eglDevice, osmesa };
+/// OSMesa; on Windows WGL, then OSMesa.
+enum class Driver { automatic, egl, eglDevice, osmesa, wgl };
 
-inline constexpr std::array<std::pair<std::string_view, Driver>, 4> kDriverWords{{
+inline constexpr std::array<std::pair<std::string_view, Driver>, 5> kDriverWords{{
     {"auto", Driver::automatic},
     {"egl", Driver::egl},
     {"egl-device", Driver::eglDevice},
     {"osmesa", Driver::osmesa},
+    {"wgl", Driver::wgl},
 }};
 
 /// The driver's word: "egl-device".

@@ -83,14 +83,16 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_G
     set(GLIBRA_QUICK_OWNER glibra_glib)  # the first of these rooms
 endif()
 
-# glibra_room(NAME [QUICK_TO_COMPILE [OFTEN_RUN pattern...]] [ROOMS room...] [LINK library...])
+# glibra_room(NAME [QUICK_TO_COMPILE [OFTEN_RUN pattern...]] [ROOMS room...] [WITHOUT name...] [LINK library...])
 # ROOMS are the rooms whose headers this one may include; their own rooms come with them. OFTEN_RUN are the files of a room
-# that run for every pixel, vertex or draw all the same: the target glibra_NAME_often.
+# that run for every pixel, vertex or draw all the same: the target glibra_NAME_often. WITHOUT are files of other systems.
 function(glibra_room room)
-    cmake_parse_arguments(arg "QUICK_TO_COMPILE" "" "OFTEN_RUN;ROOMS;LINK" ${ARGN})
+    cmake_parse_arguments(arg "QUICK_TO_COMPILE" "" "OFTEN_RUN;ROOMS;WITHOUT;LINK" ${ARGN})
     # Without the sub-folders that are a module or a program of their own.
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program)/")
+    list(TRANSFORM arg_WITHOUT PREPEND ${PROJECT_SOURCE_DIR}/src/${room}/)
+    list(REMOVE_ITEM sources ${arg_WITHOUT})
     set(targets glibra_${room})
     if(arg_OFTEN_RUN)
         list(TRANSFORM arg_OFTEN_RUN PREPEND ${PROJECT_SOURCE_DIR}/src/${room}/)

@@ -54,22 +54,6 @@ class AdoptedBackend final : public Backend {
     std::optional<CurrentContext> adopted_ = currentContext();  ///< nothing: no library that is known has it
 };
 
-using Opener = Attempt (*)(const ContextOptions&);
-
-std::vector<Opener> openers(Driver driver) {
-    switch (driver) {
-        case Driver::egl:
-            return {openEglSurfaceless};
-        case Driver::eglDevice:
-            return {openEglDevice};
-        case Driver::osmesa:
-            return {openOsmesa};
-        case Driver::automatic:
-            break;
-    }
-    return {openEglSurfaceless, openEglDevice, openOsmesa};
-}
-
 /// The table of GL functions is one for the process. A second context of the same driver, on whatever thread,
 /// has the same functions, so that the table is not written while another thread draws.
 struct Table {
@@ -127,7 +111,7 @@ std::string loadFunctions(Backend& backend, DebugLog& log) {
 std::string adviceFor(Driver driver) {
     if (driver == Driver::osmesa)
         return ". Mesa has no OSMesa from version 25.1 on; --driver egl draws the same pictures";
-    return ". Mesa draws without a graphics card (on Debian and Ubuntu: libegl1 libgl1-mesa-dri)";
+    return fmt::format(". {}", adviceWithoutDriver());
 }
 
 }  // namespace
@@ -195,8 +179,9 @@ Diagnostics Context::adoptAgain(const std::function<void*(const char*)>& loader)
 Result<Context> openContext(const ContextOptions& options) {
     prepareEnvironment(options);
     std::vector<std::string> failures;
-    for (const Opener open : openers(options.driver)) {
-        Attempt attempt = open(options);
+    for (const ContextWay& way : contextWays()) {
+        if (options.driver != Driver::automatic && options.driver != way.driver) continue;
+        Attempt attempt = way.open(options);
         if (auto* phrases = std::get_if<std::vector<std::string>>(&attempt)) {
             failures.insert(failures.end(), phrases->begin(), phrases->end());
             continue;
@@ -215,6 +200,7 @@ Result<Context> openContext(const ContextOptions& options) {
         setInitialState();
         return Context(std::move(state));
     }
+    if (failures.empty()) failures.push_back(fmt::format("{}: not on this system", word(options.driver)));
     return diagnose("gpu-E01",
                     fmt::format("no usable OpenGL driver (4.1 core or later is needed); tried: {}{}",
                                 fmt::join(failures, "; "), adviceFor(options.driver)));

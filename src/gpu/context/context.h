@@ -1,6 +1,6 @@
 #pragma once
-// A GL context without a window: EGL without a surface, an EGL device (NVIDIA), OSMesa, or an adopted one
-// that another library made. EGL and OSMesa are opened at run time; the program links neither.
+// A GL context without a window: EGL without a surface, an EGL device (NVIDIA), OSMesa, WGL (Windows), or an
+// adopted one that another library made. All are opened at run time; the program links none.
 // A thread uses one context at a time. The process has one table of GL functions; therefore contexts that
 // exist on different threads are of one driver, and opening one of another driver there is an error.
 // A context belongs to the thread that opened it. Every GL object must be destroyed before
@@ -12,7 +12,9 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -56,9 +58,17 @@ class Backend {
 /// (...)".
 using Attempt = std::variant<std::unique_ptr<Backend>, std::vector<std::string>>;
 
-Attempt openEglSurfaceless(const ContextOptions& options);
-Attempt openEglDevice(const ContextOptions& options);
 Attempt openOsmesa(const ContextOptions& options);
+
+struct ContextWay {
+    Driver driver;
+    Attempt (*open)(const ContextOptions&);
+};
+/// Those of this system, best first. egl_context.cpp has them for all systems but Windows, wgl_context.cpp
+/// for that.
+std::span<const ContextWay> contextWays();
+/// What a user can do who has no driver, as a sentence without its full stop.
+std::string_view adviceWithoutDriver();
 
 /// The minor versions of GL 4 to request, best first.
 inline constexpr int kMinorVersions[] = {6, 5, 4, 3, 2, 1};

@@ -273,8 +273,6 @@ std::vector<Candidate> devices(const EglLibrary& egl) {
     return hardware;
 }
 
-}  // namespace
-
 Attempt openEglSurfaceless(const ContextOptions& options) {
     const auto opened = openEglLibrary(options.eglLibrary);
     if (const std::string* why = std::get_if<std::string>(&opened))
@@ -297,6 +295,19 @@ Attempt openEglDevice(const ContextOptions& options) {
     const std::vector<Candidate> candidates = devices(egl);
     if (candidates.empty()) return std::vector<std::string>{"EGL device: " + egl.name + " lists no device"};
     return tryAll(egl, candidates, options.debugContext);
+}
+
+constexpr ContextWay kWays[] = {
+    {Driver::egl, openEglSurfaceless}, {Driver::eglDevice, openEglDevice}, {Driver::osmesa, openOsmesa}};
+
+}  // namespace
+
+std::span<const ContextWay> contextWays() {
+    return kWays;
+}
+
+std::string_view adviceWithoutDriver() {
+    return "Mesa draws without a graphics card (on Debian and Ubuntu: libegl1 libgl1-mesa-dri)";
 }
 
 }  // namespace glibra::gpu
