@@ -2,11 +2,11 @@
 
 # The server module: HTTP, for pages that glibra serves on this machine. src/suite/serve loads it.
 if(GLIBRA_SERVER_MODULE)
-    pkg_check_modules(httplib IMPORTED_TARGET cpp-httplib)
-    if(httplib_FOUND)
-        set(http_library PkgConfig::httplib)
+    pkg_check_modules(cpp_httplib IMPORTED_TARGET cpp-httplib)
+    if(cpp_httplib_FOUND)
+        set(http_library PkgConfig::cpp_httplib)
     else()
-        find_package(httplib QUIET)
+        find_package(httplib CONFIG QUIET)
         glibra_refuse_without(GLIBRA_SERVER_MODULE cpp-httplib "${httplib_FOUND}")
         set(http_library httplib::httplib)
     endif()

@@ -6,7 +6,7 @@ windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev lld dpkg-dev"
 windows_test_packages="wine64 xvfb xauth"
 # Debian's sources of what is linked, and the packages that consist of headers.
 windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip"
-windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libcpp-httplib-dev"
+windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libcpp-httplib-dev libboost-dev"
 
 # fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes.
 fetch_sources() (
@@ -50,10 +50,9 @@ windows_libraries() (
     # shellcheck disable=SC2086
     fetch_sources "$folder/sources" $windows_sources
     # Headers that are the same on all systems, without those of this one beside them.
-    # shellcheck disable=SC2086
-    dpkg -L $windows_headers | grep -E '^/usr/(include|share/cmake)/' | while IFS= read -r each; do
-        [ -d "$each" ] || install -D -m 644 "$each" "$folder/${each#/usr/}"
-    done
+    mkdir -p "$folder/include" "$folder/share/cmake"
+    for each in glm CLI nlohmann toml++ stb boost httplib.h; do ln -s "/usr/include/$each" "$folder/include/$each"; done
+    for each in glm nlohmann_json CLI11; do cp -r "/usr/share/cmake/$each" "$folder/share/cmake"; done
     say "building the libraries for Windows"
     log=$folder/log
     if ! { cmake -S tools/windows/libraries -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
@@ -66,3 +65,5 @@ windows_libraries() (
     fi
     printf '%s\n' "$stamp" >"$folder/stamp"
 )
+
+windows_programs="glibra_program glibra_window glibra_bench_program glibra_server"
