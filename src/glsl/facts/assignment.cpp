@@ -9,151 +9,22 @@
 #include <unordered_map>
 #include <utility>
 
-#include "glsl/parse/types.h"
+#include "glsl/facts/assigned_parts.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/zero.h"
 
 namespace glibra::glsl {
 namespace {
 
-constexpr int kMostParts = 16;
 constexpr int kMostData = 8;
 constexpr int kDeepestWalk = 200;             // statements and brackets in each other
 constexpr std::size_t kMostVariables = 4096;  // of a function
-
-/// A variable that is followed. Its parts are the components of a vector, the columns of a matrix, the
-/// elements of an array, or the members of a structure; bit i stands for part i.
-struct AssignedVariable {
-    enum class Shape { whole, vector, indexed, structure };
-    Unassigned is;  ///< what is reported if it may lack its value
-    Shape shape = Shape::whole;
-    int count = 1;                          ///< parts
-    int elements = 0;                       ///< of an array of known size
-    std::vector<std::string_view> members;  ///< of a structure
-    bool lacks = false;                     ///< it may be read before it has a value
-    bool isReported = false;
-
-    [[nodiscard]] std::uint32_t all() const { return (1U << count) - 1U; }
-};
-
-/// What an expression names of a variable.
-struct AssignedPart {
-    std::uint32_t bits = 0;
-    bool isExact = false;  ///< an assignment to it gives all of these parts their values
-};
-
-/// What is assigned at a place of a function. Variables beyond the end are not.
-struct AssignedState {
-    std::vector<std::uint32_t> sure{};   ///< by variable: the parts that every path has assigned
-    std::vector<std::uint32_t> maybe{};  ///< that some path has assigned
-    bool isDead = false;                 ///< no path leads here
-
-    /// Joins another path to this place.
-    void join(const AssignedState& other) {
-        if (other.isDead) return;
-        if (isDead) {
-            *this = other;
-            return;
-        }
-        const std::size_t size = std::max(sure.size(), other.sure.size());
-        for (std::vector<std::uint32_t>* each : {&sure, &maybe}) each->resize(size);
-        for (std::size_t i = 0; i < size; ++i) {
-            const bool isKnown = i < other.sure.size();
-            sure[i] &= isKnown ? other.sure[i] : 0U;
-            maybe[i] |= isKnown ? other.maybe[i] : 0U;
-        }
-    }
-};
 
 /// What a call of a function does to the outputs of the stage.
 struct CallEffect {
     std::vector<std::uint32_t> assigns;  ///< by output
     std::set<std::size_t> reads;         ///< outputs that it reads, or lets leave the stage
 };
-
-/// The components that a swizzle names; 0 if it is none.
-std::uint32_t componentsOf(std::string_view swizzle) {
-    std::uint32_t bits = 0;
-    for (const char c : swizzle) {
-        std::size_t component = std::string_view::npos;
-        for (const std::string_view letters : {"xyzw", "rgba", "stpq"})
-            component = std::min(component, letters.find(c));
-        if (component == std::string_view::npos) return 0;
-        bits |= 1U << component;
-    }
-    return bits;
-}
-
-/// Gives the variable its shape. `members`: of a structure, otherwise empty.
-void shapeOf(AssignedVariable& variable, int arrayDepth, const std::vector<std::string_view>& members) {
-    using Shape = AssignedVariable::Shape;
-    const Type type = typeOfWord(variable.is.type);
-    if (arrayDepth > 0) {
-        long long size = 0;
-        const std::string& first = variable.is.sizes.front();
-        if (first.empty() || first.find_first_not_of("0123456789") != std::string::npos) return;
-        size = first.size() < 7 ? std::stoll(first) : 0;
-        variable.elements = arrayDepth == 1 ? static_cast<int>(size) : 0;
-        if (size < 1 || size > kMostParts) return;
-        variable.shape = Shape::indexed;
-        variable.count = static_cast<int>(size);
-    } else if (!members.empty() && members.size() <= static_cast<std::size_t>(kMostParts)) {
-        variable.shape = Shape::structure;
-        variable.members = members;
-        variable.count = static_cast<int>(members.size());
-    } else if (type.matrix()) {
-        variable.shape = Shape::indexed;
-        variable.count = type.columns;
-    } else if (type.vector()) {
-        variable.shape = Shape::vector;
-        variable.count = type.rows;
-    }
-}
-
-/// The part that the subscripts and members in `suffix`, after the name, select.
-AssignedPart partOf(const Unit& unit, const AssignedVariable& variable, Range suffix) {
-    using Shape = AssignedVariable::Shape;
-    const AssignedPart whole{variable.all(), suffix.empty()};
-    if (suffix.empty() || variable.shape == Shape::whole) return whole;
-    if (unit.text(suffix.first) == "[") {
-        const int index = constantIndex(unit, suffix.first);
-        if (variable.shape == Shape::structure || index < 0 || index >= variable.count) return whole;
-        return {1U << index, unit.bodies.matches[suffix.first] + 1 == suffix.end};
-    }
-    const std::string_view member = unit.text(suffix.first + 1);
-    const bool isAlone = suffix.end == suffix.first + 2;
-    if (variable.shape == Shape::structure) {
-        const auto found = std::ranges::find(variable.members, member);
-        if (found == variable.members.end()) return whole;
-        return {1U << (found - variable.members.begin()), isAlone};
-    }
-    const std::uint32_t bits = variable.shape == Shape::vector ? componentsOf(member) & variable.all() : 0U;
-    return bits == 0U ? whole : AssignedPart{bits, isAlone};
-}
-
-/// "color.w", if only that part of a vector or structure is meant; the name otherwise.
-std::string nameOfPart(const AssignedVariable& variable, std::uint32_t bits) {
-    using Shape = AssignedVariable::Shape;
-    if (bits == 0 || (bits & variable.all()) == variable.all()) return variable.is.name;
-    if (variable.shape == Shape::structure) {
-        std::size_t first = 0;
-        while ((bits >> first & 1U) == 0) ++first;
-        return variable.is.name + "." + std::string(variable.members[first]);
-    }
-    if (variable.shape != Shape::vector) return variable.is.name;
-    std::string name = variable.is.name + ".";
-    for (int i = 0; i < variable.count; ++i)
-        if ((bits >> i & 1U) != 0) name += "xyzw"[i];
-    return name;
-}
-
-/// The names of the members of a structure or block.
-std::vector<std::string_view> membersOf(const Unit& unit, const Declaration& declaration) {
-    std::vector<std::string_view> members;
-    for (const Declaration& member : declaration.members)
-        for (const Declarator& each : member.declarators) members.push_back(unit.text(each.name));
-    return members;
-}
 
 /// Walks through the functions of a stage in the order of the text.
 class AssignmentWalk {

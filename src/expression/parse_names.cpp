@@ -1,0 +1,327 @@
+// Names and function calls in an expression: variables, their fields, words of a choice, functions and the
+// constructors of vectors and matrices.
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/suggest.h"
+#include "expression/apply.h"
+#include "expression/functions.h"
+#include "expression/parser.h"
+
+namespace glibra::expression {
+
+bool Parser::settle(const Operand& operand) {
+    if (operand.unknownWord.empty()) return true;
+    const auto symbol = names_.find(operand.unknownWord);
+    if (symbol)
+        noValue(std::string(operand.unknownWord), *symbol, operand.range);
+    else if (!functionsNamed(operand.unknownWord).empty())
+        problem(operand.range, "expr-E01",
+                fmt::format("'{}' is a function; its arguments follow in parentheses", operand.unknownWord));
+    else
+        unknownName(operand.unknownWord, operand.range);
+    return false;
+}
+
+void Parser::unknownName(std::string_view name, Range range) {
+    std::vector<std::string> known = names_.known({});
+    std::vector<std::string_view> candidates(known.begin(), known.end());
+    candidates.insert(candidates.end(), wanted_.words.begin(), wanted_.words.end());
+    for (const std::string_view each : {"true", "false", "pi"}) candidates.push_back(each);
+    std::string hint = base::suggestion(name, candidates);
+    if (hint.empty() && !wanted_.words.empty())
+        hint = fmt::format(
+            "; the words here are {}",
+            joined(std::vector<std::string>(wanted_.words.begin(), wanted_.words.end()), " and "));
+    problem(range, "expr-E02", fmt::format("unknown name {}{}", quoted(code_.text, range), hint));
+}
+
+bool Parser::compareWithChoice(const Operand& choice, Operand& word) {
+    const std::vector<std::string>& words = code_.uses[*choice.choice].symbol.words;
+    const std::string_view text = textOf(word.range);
+    const auto found = std::ranges::find(words, text);
+    if (found == words.end()) {
+        problem(word.range, "expr-E02",
+                fmt::format("unknown word {}; {} is {}", quoted(code_.text, word.range),
+                            code_.uses[*choice.choice].path, joined(words, " or ")));
+        return false;
+    }
+    build_.setValue(word, static_cast<double>(found - words.begin()));
+    word.type = Type::number();
+    word.unknownWord = {};
+    return true;
+}
+
+Parser::Parsed Parser::named(const Token& first) {
+    if (first.text == "true" || first.text == "false")
+        return build_.pushed(first.text == "true" ? 1 : 0, Type::boolean(), first.range);
+    std::string path(first.text);
+    std::optional<Symbol> symbol = names_.find(path);
+    if (!symbol) return unnamed(first);
+    Parsed index;
+    while (true) {
+        if (token_.is("[") && symbol->count > 0 && !index) {
+            index = subscript(symbol->count);
+            if (!index) return std::nullopt;
+        } else if (token_.is(".")) {
+            const Lexer before = lexer_;
+            const Token dot = token_;
+            const std::uint32_t end = lastEnd_;
+            take();
+            if (token_.kind != TokenKind::name) return unexpected("the name of a field or component");
+            const Token field = token_;
+            auto inner = names_.find(path + "." + std::string(field.text));
+            if (inner) {
+                take();
+                path += "." + std::string(field.text);
+                symbol = std::move(inner);
+                continue;
+            }
+            if (symbol->type.kind == Kind::record && (symbol->count == 0 || index))
+                return noSuchField(path, *symbol, field);
+            if (symbol->count > 0 && !index) {
+                if (field.text != "count") return noSuchField(path, *symbol, field);
+                take();
+                return build_.pushed(static_cast<double>(symbol->count), Type::number(),
+                                     since(first.range.begin));
+            }
+            // A component: postfix() reads it again.
+            lexer_ = before;
+            token_ = dot;
+            lastEnd_ = end;
+            break;
+        } else {
+            break;
+        }
+    }
+    const bool isValue = symbol->type.kind != Kind::record && (symbol->count == 0 || index);
+    if (!isValue && path == first.text && !index) return unnamed(first);  // perhaps the word of a choice
+    return loaded(path, *symbol, index, since(first.range.begin));
+}
+
+std::nullopt_t Parser::noValue(const std::string& path, const Symbol& symbol, Range range) {
+    if (symbol.count > 0 && symbol.type.kind != Kind::record)
+        return problem(range, "expr-E08",
+                       fmt::format("'{}' is an array; use an element, {}[0] to {}[{}], or {}.count", path,
+                                   path, path, symbol.count - 1, path));
+    const std::vector<std::string> fields = names_.known(path);
+    return problem(range, "expr-E08",
+                   fmt::format("'{}' is {} {}, not a value{}{}", path, article(symbol.what), symbol.what,
+                               fields.empty() ? "" : "; use one of its fields ", joined(fields, " and ")));
+}
+
+std::nullopt_t Parser::noSuchField(const std::string& path, const Symbol& symbol, const Token& field) {
+    std::vector<std::string> known = names_.known(path);
+    if (symbol.count > 0 && symbol.type.kind != Kind::record) known.assign(1, "count");
+    const std::vector<std::string_view> candidates(known.begin(), known.end());
+    std::string help = base::suggestion(field.text, candidates);
+    if (help.empty() && !known.empty()) help = fmt::format("; it has {}", joined(known, " and "));
+    return problem(field.range, "expr-E02",
+                   fmt::format("'{}' has no field {}{}", path, quoted(code_.text, field.range), help));
+}
+
+Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Parsed& index, Range range) {
+    if ((symbol.count > 0 && !index) || symbol.type.kind == Kind::record) return noValue(path, symbol, range);
+    if (index && symbol.count == 0)
+        return problem(range, "expr-E08", fmt::format("'{}' is not an array", path));
+    const bool isChoice = !symbol.words.empty() && symbol.type.isNumber();
+    Operand result{.type = symbol.type, .range = range, .begin = index ? index->begin : build_.end()};
+    Instruction load;
+    load.op = index ? Op::loadAt : Op::load;
+    load.n = static_cast<std::uint8_t>(symbol.type.size());
+    const std::size_t place = build_.use(path, std::move(symbol));
+    load.target = static_cast<std::uint32_t>(place);
+    if (isChoice) result.choice = place;
+    build_.emit(load, range, index ? 1 : 0, load.n);
+    return result;
+}
+
+Parser::Parsed Parser::unnamed(const Token& first) {
+    if (first.text == "pi") return build_.pushed(std::numbers::pi, Type::number(), first.range);
+    const auto word = std::ranges::find(wanted_.words, first.text);
+    const bool isWanted = word != wanted_.words.end() && wants(Type::word());
+    Operand operand = build_.pushed(isWanted ? static_cast<double>(word - wanted_.words.begin()) : 0,
+                                    Type::word(), first.range);
+    if (!isWanted) operand.unknownWord = first.text;
+    return operand;
+}
+
+namespace {
+
+// vec3(...), mat4(...), float(...) and the other constructors.
+
+/// What to do with the arguments of a constructor, or why it does not take them. `id` is that of the problem.
+struct Construction {
+    Call call;
+    const char* id = nullptr;
+    std::string why;
+};
+
+const char* applyCut(double* stack, const Instruction& /*i*/) {
+    stack[0] = std::trunc(stack[0]);
+    return nullptr;
+}
+
+/// The type that a constructor makes.
+Type typeNamed(std::string_view name) {
+    if (name == "float" || name == "int") return Type::number();
+    if (name == "bool") return Type::boolean();
+    const auto size = static_cast<std::size_t>(name.back() - '0');
+    if (name.starts_with("mat")) return Type::matrix(size);
+    return Type::vector(size, name.starts_with("bvec") ? Kind::boolean : Kind::number);
+}
+
+Construction with(const Type& type, Apply apply, std::size_t components) {
+    Construction construction{{type, {}}, nullptr, {}};
+    construction.call.instruction.op = Op::call;
+    construction.call.instruction.apply = apply;
+    construction.call.instruction.a = static_cast<std::uint8_t>(components);
+    construction.call.instruction.n = static_cast<std::uint8_t>(type.size());
+    return construction;
+}
+
+/// `name` is that of a row without apply().
+Construction construct(std::string_view name, std::span<const Type> arguments) {
+    const Type type = typeNamed(name);
+    const auto fail = [](const char* id, std::string why) { return Construction{{}, id, std::move(why)}; };
+    std::size_t components = 0;
+    for (const Type& each : arguments) {
+        if (each.kind != Kind::number && each.kind != Kind::boolean)
+            return fail("expr-E03", fmt::format("{} is not made of a {}", name, expression::name(each)));
+        if (each.isMatrix() && (arguments.size() > 1 || type.isVector()))
+            return fail("expr-E03",
+                        fmt::format("{} is not made of a matrix; use its columns, such as m[0]", name));
+        components += each.size();
+    }
+    const std::size_t wanted = type.size();
+    const Type first = arguments.empty() ? Type{} : arguments.front();
+    if (wanted == 1) {
+        if (arguments.size() != 1)
+            return fail("expr-E04", fmt::format("{} takes 1 argument, found {}", name, arguments.size()));
+        return with(type, name == "int" ? applyCut : name == "bool" ? applyTruth : applyFirst, components);
+    }
+    if (arguments.size() == 1 && first.isMatrix()) return with(type, applyResize, components);
+    if (arguments.size() == 1 && first.size() == 1 && type.isMatrix())
+        return with(type, applyDiagonal, components);
+    const auto booleans = [&](Construction construction) {
+        if (type.kind != Kind::boolean) return construction;
+        construction.call.instruction.apply =
+            construction.call.instruction.apply == applySpread
+                ? +[](double* stack, const Instruction& i) {
+                      applySpread(stack, i);
+                      return applyTruth(stack, i);
+                  }
+                : applyTruth;
+        return construction;
+    };
+    if (arguments.size() == 1 && first.size() == 1) return booleans(with(type, applySpread, components));
+    // GLSL: the last argument may have more components than are needed, but not only such.
+    const bool hasUnused =
+        components > wanted && (type.isMatrix() || components - arguments.back().size() >= wanted);
+    if (components < wanted || hasUnused)
+        return fail("expr-E04", fmt::format("{} needs {} components, found {}", name, wanted, components));
+    return booleans(with(type, applyFirst, components));
+}
+
+constexpr std::size_t kMostArguments = 16;
+
+}  // namespace
+
+Parser::Parsed Parser::call(const Token& function) {
+    const std::span<const FunctionRow> forms = functionsNamed(function.text);
+    if (forms.empty()) return unknownFunction(function);
+    const bool takesAll = forms.front().takesAll;
+    build_.unchecked += takesAll ? 1 : 0;
+    const auto arguments = argumentList(function);
+    build_.unchecked -= takesAll ? 1 : 0;
+    if (!arguments) return std::nullopt;
+    const Range range = since(function.range.begin);
+    std::vector<Type> types;
+    for (const Operand& each : *arguments) types.push_back(each.type);
+    if (forms.front().apply == nullptr) {
+        Construction made = construct(function.text, types);
+        if (made.id != nullptr) return problem(range, made.id, std::move(made.why));
+        return build_.combined(*arguments, made.call.instruction, made.call.result, range);
+    }
+    for (const FunctionRow& form : forms) {
+        const auto found = callOf(form, types);
+        if (!found) continue;
+        if (!form.readsTime) return build_.combined(*arguments, found->instruction, found->result, range);
+        return moving(*arguments, *found, function, range);
+    }
+    return noSuchForm(forms, types, range);
+}
+
+Parser::Parsed Parser::moving(std::vector<Operand> arguments, const Call& call, const Token& function,
+                              Range range) {
+    const auto time = names_.find("time");
+    if (!time || !time->type.isNumber() || time->count > 0)
+        return problem(range, "expr-E07",
+                       fmt::format("{} needs 'time', which has no value here", function.text));
+    const Parsed now = loaded("time", *time, std::nullopt, range);
+    if (!now) return std::nullopt;
+    arguments.push_back(*now);
+    return build_.combined(arguments, call.instruction, call.result, range);
+}
+
+std::nullopt_t Parser::unknownFunction(const Token& function) {
+    if (names_.find(function.text))
+        return problem(function.range, "expr-E08",
+                       fmt::format("'{}' is a value, not a function; write '*' to multiply", function.text));
+    std::vector<std::string_view> candidates;
+    for (const FunctionRow& each : functionTable())
+        if (candidates.empty() || candidates.back() != each.name()) candidates.push_back(each.name());
+    return problem(function.range, "expr-E02",
+                   fmt::format("unknown function {}{}", quoted(code_.text, function.range),
+                               base::suggestion(function.text, candidates)));
+}
+
+std::nullopt_t Parser::noSuchForm(std::span<const FunctionRow> forms, std::span<const Type> types,
+                                  Range range) {
+    std::vector<std::string> prototypes, counts;
+    for (const FunctionRow& each : forms) {
+        const std::size_t count = parameterCount(each);
+        if (count == types.size()) prototypes.emplace_back(each.prototype);
+        const std::string number = std::to_string(count);
+        if (counts.empty() || counts.back() != number) counts.push_back(number);
+    }
+    if (prototypes.empty())
+        return problem(range, "expr-E04",
+                       fmt::format("{} takes {} argument{}, found {}", forms.front().name(),
+                                   joined(counts, " or "), counts.back() == "1" ? "" : "s", types.size()));
+    std::vector<std::string> names;
+    for (const Type& each : types) names.push_back(name(each));
+    return problem(range, "expr-E03",
+                   fmt::format("there is no {}({}), only {}", forms.front().name(), joined(names, ", "),
+                               joined(prototypes, " and ")));
+}
+
+std::optional<std::vector<Operand>> Parser::argumentList(const Token& function) {
+    const Level level(*this);
+    if (depth_ > limits_.depth) return tooDeep();
+    std::vector<Operand> arguments;
+    take();  // the parenthesis
+    if (takeIf(")"))
+        return problem(since(function.range.begin), "expr-E04",
+                       fmt::format("{} needs arguments, found none", function.text));
+    do {
+        const Parsed argument = expression();
+        if (!argument || !settle(*argument)) return std::nullopt;
+        arguments.push_back(*argument);
+        if (arguments.size() > kMostArguments)
+            return problem(since(function.range.begin), "expr-E04",
+                           fmt::format("{} has more than {} arguments", function.text, kMostArguments));
+    } while (takeIf(","));
+    if (!takeIf(")")) return unexpected("',' or ')'");
+    return arguments;
+}
+
+}  // namespace glibra::expression
