@@ -126,7 +126,8 @@ class Lock {
     int owner_ = 0;
     bool isTaken_ = false;
 };
-/// True if another process, or another Lock, has the lock on a file.
-bool isLocked(const std::filesystem::path& file);
+/// True if another Lock has the file, mostly that of another process. A file that nobody has locked is
+/// removed, before anybody can lock it.
+bool removeUnlessLocked(const std::filesystem::path& file);
 
 }  // namespace glibra::system

@@ -2,8 +2,8 @@
 // Requests to end the program: Ctrl+C in the terminal, logout, shutdown. Signals are the numbers of
 // <csignal>.
 
-#include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 
@@ -26,8 +26,8 @@ class Interruption {
     void obey() const;
 
   private:
-    static constexpr std::size_t kCount = 3;
-    std::array<void (*)(int), kCount> before_{};
+    struct State;
+    std::unique_ptr<State> before_;
 };
 
 /// While the object lives, the same signals do not end the program but are reported. The second one ends it,
@@ -42,9 +42,13 @@ class EndingSignals {
 
     /// The signal that has come; 0: none.
     [[nodiscard]] static int received();
+    /// After the object: as Interruption::obey().
+    static void obey();
 
   private:
+    struct State;
     std::function<void()> wake_;
+    std::unique_ptr<State> state_;
     std::thread thread_;
 };
 

@@ -38,6 +38,9 @@ std::string moduleName(std::string_view name);
 void* loadedFunction(const char* library, const char* name);
 /// True if a library is loaded whose path has one of these words.
 bool isLibraryLoaded(std::initializer_list<std::string_view> words);
+/// What a window needs of this system. `no_library`: `library` is its name.
+enum class Desktop { ready, no_display, no_library };
+Desktop desktop(std::string& library);
 /// The file of the program or library that this code is in; empty if the system does not tell.
 std::filesystem::path fileOfThisCode();
 

@@ -35,10 +35,6 @@ class MemoryFile {
     /// Where files in memory are refused, as to a confined process, it is one without a name on the disk of
     /// `near`, a path. Throws std::system_error if the system gives none.
     explicit MemoryFile(const std::filesystem::path& near);
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-    ~MemoryFile();
-
     [[nodiscard]] const std::string& path() const { return path_; }
     /// Throws std::system_error.
     void write(std::span<const std::byte> bytes) const;
@@ -50,7 +46,6 @@ class MemoryFile {
   private:
     File file_;
     std::string path_;
-    bool isNamed_ = false;  ///< and to be removed
 };
 
 /// Limits the private memory that this process can write to, not the addresses: a driver reserves many times

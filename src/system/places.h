@@ -15,6 +15,9 @@ namespace glibra::system {
 
 /// The file of the running program; empty if the system does not tell it.
 std::filesystem::path programFile();
+/// A path by which this process can read or start the program that it runs, even if the file was replaced
+/// meanwhile.
+std::string pathOfThisProgram();
 /// The words by which this program was started, the first one being its name; empty if the system does not
 /// tell.
 std::vector<std::string> ownWords();
@@ -27,9 +30,8 @@ std::filesystem::path userFolder(UserFolder which);
 std::filesystem::path homeFolder();
 /// The folders of an environment variable like PATH; without empty ones.
 std::vector<std::filesystem::path> foldersIn(const char* variable);
-/// True if this user may write to the file or folder (make files in it), or read and write it.
+/// True if this user may write to the file, or make files in the folder.
 bool mayWrite(const std::filesystem::path& path);
-bool mayReadAndWrite(const std::filesystem::path& path);
 
 enum class Replace { no, yes };
 /// Sets a variable for this process and those that it starts. No other thread may use the environment
@@ -46,8 +48,6 @@ struct LocalTime {
 std::optional<LocalTime> localTime(std::time_t seconds);
 /// Seconds of processor time that this process has used.
 double processorSeconds();
-/// Seconds of a clock that no one sets.
-double steadySeconds();
 
 /// Fills the bytes with random ones that nobody can foresee. False if the system has none.
 bool fillWithRandom(std::span<std::byte> bytes);
@@ -58,6 +58,18 @@ std::string systemName();
 /// Linux
 /// ("model name", "vendor_id", "flags"); other systems give what corresponds to them. Empty if there is none.
 std::string processorFact(std::span<const std::string_view> names);
+
+/// The model of the processor: "Intel(R) Xeon(R) CPU"; empty if the system does not tell.
+std::string processorModel();
+
+/// The graphics card that programs of this user can draw with, as far as device files show it.
+enum class GraphicsCard {
+    none,
+    mesa,  ///< one that Mesa drives, or the one of Windows as WSL shows it: Mesa may be told not to use it
+    own_driver  ///< one that draws whatever Mesa is told
+};
+/// `devices`: a folder in place of the system's own.
+GraphicsCard graphicsCard(const std::filesystem::path& devices = {});
 
 /// Bytes of memory of the machine.
 std::uint64_t machineMemory();

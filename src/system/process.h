@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -42,8 +43,7 @@ class Process {
 End waitFor(Process& process);
 /// The same within a time; 0: no limit. Nothing if it still runs.
 std::optional<End> waitFor(Process& process, double seconds);
-/// Ends it at once, with all that it has started and that did not leave its session on systems that know
-/// which.
+/// Ends it at once; on systems that know what it has started, that too.
 void kill(const Process& process);
 
 /// The number of this process.
@@ -79,6 +79,8 @@ Process startAgain(const std::vector<std::string>& words, const Streams& streams
 /// program's terminal, and nobody waits for it. The first word is searched in PATH. Returns the reason if it
 /// cannot be started, such as "No such file or directory"; empty on success.
 std::string startDetached(const std::vector<std::string>& words);
+/// Opens a file with the program that the user has for its kind. Returns as startDetached().
+std::string openForUser(const std::filesystem::path& file);
 /// Replaces this program by another one, which gets its streams and whose exit status is this one's. Returns
 /// only if it cannot be started, with the error number.
 int becomeProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);
@@ -96,10 +98,12 @@ int sendAll(const File& writing, std::span<const std::byte> bytes);
 
 /// Calls `work` in a copy of this process, which ends with it, and ends with status 1 after an exception. An
 /// empty value: the system has no copies of processes, or cannot make one now (errno); then the work is to be
-/// done otherwise. The copy dies with this process where the system can arrange that.
+/// done otherwise.
 Process runInCopy(const std::function<void()>& work);
-/// In a copy: Ctrl+C and the like end it, and no file of its memory is left when it crashes.
+/// In a copy: Ctrl+C and the like end it, whatever this program does about them.
 void endBySignals();
+/// This process ends with its parent, where the system can arrange that.
+void endWithParent();
 
 /// Calls `note` in every copy of this process that is made from now on, by whatever code. Nothing where the
 /// system has no copies. `note` may do what a handler of signals may.

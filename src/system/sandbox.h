@@ -58,6 +58,9 @@ std::string missingForSandbox();
 /// Returns an empty text, or what failed; then the process must not go on.
 std::string enterSandbox(const Sandbox& sandbox, std::span<const File* const> kept);
 
+/// Adds what drivers of graphics cards open.
+void addGraphicsDevices(Sandbox& sandbox);
+
 /// What a confined process has done, so that its parent can end it: bytes that it has written, by calls or
 /// through mapped files, and the time that the system has worked for it, as for each file that it makes, in
 /// any unit. 0 if the system does not tell.

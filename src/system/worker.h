@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,12 +17,12 @@ namespace glibra::system {
 
 /// What a worker serves.
 struct WorkerEnds {
-    File requests;             ///< it reads
-    File answers;              ///< it writes
+    File requests{};           ///< it reads
+    File answers{};            ///< it writes
     std::uint64_t memory = 0;  ///< bytes that it may take for good, as it was started
 };
 /// Does not return.
-using Serve = std::function<void(WorkerEnds& ends)>;
+using Serve = std::function<void(const WorkerEnds& ends)>;
 
 /// A running worker, as its parent sees it. An object without a process is empty.
 struct Worker {
@@ -64,7 +65,8 @@ class BrokenPipesAreErrors {
     ~BrokenPipesAreErrors();
 
   private:
-    void (*before_)(int) = nullptr;
+    struct State;
+    std::unique_ptr<State> before_;
 };
 
 }  // namespace glibra::system
