@@ -26,6 +26,11 @@ SOURCE = ROOT / "src"
 # What the sub-folders of a folder may include of each other. A name that is no folder is a file of the folder itself
 # (with its .cpp), and "" stands for all its other files. Each names only what stands above it in this list.
 ORDER = {
+    "system": {
+        "": set(),  # the headers, which know no system
+        "posix": {""},
+        "linux": {"", "posix"},
+    },
     "geometry": {
         "": set(),
         "shapes": {""},

@@ -9,34 +9,21 @@
 #include <span>
 #include <vector>
 
-#include "base/descriptor.h"
+#include "system/file.h"
 
 namespace glibra::base {
 
 /// Opens an ordinary file below `root` for reading. `path` is relative to `root` and leads downwards: it has
 /// no "..". None of its parts may be a link; `root` itself may be one. Without a value errno says why: EINVAL
 /// for a path that does not lead downwards, ELOOP for a link, ENOTSUP for a folder, a pipe or a device.
-Descriptor openBeneath(const std::filesystem::path& root, const std::filesystem::path& path);
+system::File openBeneath(const std::filesystem::path& root, const std::filesystem::path& path);
 
 /// Reads an open file from its beginning. EFBIG: it is longer than `largest` bytes.
-int readAll(const Descriptor& file, std::uint64_t largest, std::vector<std::byte>& bytes);
-
-/// True if an open file has an access list (ACL): its mode does not say who may read it.
-bool hasAccessList(int file);
-
-/// Gives a new file the group and the permissions of the file that it will replace in a folder, if there is
-/// one of the same owner and without an access list. What the system does not permit is left out, never so
-/// that others get more access than before.
-void keepAccess(int folder, const std::filesystem::path& name, int file);
-
-/// Puts a file that was written without a name (O_TMPFILE) in the place of `name` in a folder, so that a
-/// process that is killed leaves nothing behind. It keeps the access of the old file (keepAccess). ENOTSUP:
-/// the system or a sandbox does not allow that.
-int nameFile(int folder, int file, const std::filesystem::path& name);
+int readAll(const system::File& file, std::uint64_t largest, std::vector<std::byte>& bytes);
 
 /// Writes a file below `root` and makes its folders, also `root`. The file appears under its name when it is
 /// whole and on the disk, so that a loss of power leaves the old file or the new one, and keeps the access of
-/// the old one (keepAccess). A link of that name is replaced, and its target stays as it is.
+/// the old one (system::keepAccess). A link of that name is replaced, and its target stays as it is.
 int writeBeneath(const std::filesystem::path& root, const std::filesystem::path& path,
                  std::span<const std::byte> bytes);
 
@@ -50,10 +37,6 @@ int makeFoldersBeneath(const std::filesystem::path& root, const std::filesystem:
 
 /// Removes a file below `root`; a link is removed, not its target.
 int removeBeneath(const std::filesystem::path& root, const std::filesystem::path& path);
-
-/// Renames a file within its folder, after its content is on the disk; then the folder is written to the
-/// disk.
-int renameDurably(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// The folders whose files may be shown: to a reader of a report, of a message, of a translated shader.
 class Roots {
@@ -70,7 +53,7 @@ class Roots {
     [[nodiscard]] bool contains(const std::filesystem::path& file) const;
     /// Opens a file that lies below a root without following any link (openBeneath). EACCES: it is not
     /// below any root, or it is hidden.
-    [[nodiscard]] Descriptor open(const std::filesystem::path& file) const;
+    [[nodiscard]] system::File open(const std::filesystem::path& file) const;
 
   private:
     std::vector<std::filesystem::path> folders_;  ///< as they were named, absolute, and with links resolved

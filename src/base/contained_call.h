@@ -2,10 +2,8 @@
 // Runs one function in a process of its own, so that a function of foreign code that hangs, crashes or takes
 // all memory affects nothing else.
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 
 #include "base/memory_limit.h"
 
@@ -23,29 +21,14 @@ struct CallEnd {
     int signal = 0;  ///< that ended the process, if it died; 0: it exited
 };
 
-/// Calls `work` in a forked process and waits for its end. Results come back through SharedMemory; nothing
-/// else that `work` changes is seen by the caller. `work` must not throw. May be called from any thread.
+/// Calls `work` in a copy of this process and waits for its end. Results come back through
+/// system::SharedMemory; nothing else that `work` changes is seen by the caller. `work` must not throw. May
+/// be called from any thread.
 CallEnd runContained(const CallLimits& limits, const std::function<void()>& work);
 
 /// Calls `work` in a thread of this process, for one that may not fork (a sandbox), and waits for its end.
 /// Only the limit of time holds. False if the time is over: then `work` goes on until this process ends, so
 /// it must own all that it uses.
 bool runInThread(const CallLimits& limits, std::function<void()> work);
-
-/// Memory that a process shares with those that it forks. It is zero at first, and takes up space only where
-/// it is written.
-class SharedMemory {
-  public:
-    explicit SharedMemory(std::size_t size);
-    SharedMemory(const SharedMemory&) = delete;
-    SharedMemory& operator=(const SharedMemory&) = delete;
-    ~SharedMemory();
-
-    /// Empty if the system has not given it.
-    [[nodiscard]] std::span<std::byte> bytes() const { return bytes_; }
-
-  private:
-    std::span<std::byte> bytes_;
-};
 
 }  // namespace glibra::base

@@ -1,7 +1,5 @@
 #include "base/files.h"
 
-#include <fcntl.h>
-#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -143,16 +141,6 @@ bool isNoText(std::string_view content) {
     return !foreignEncoding(content).empty() || content.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-bool openStandardFiles() noexcept {
-    for (int number = 0; number <= 2; ++number) {
-        if (::fcntl(number, F_GETFD) >= 0) continue;
-        // The lowest free number is this one, since those below are open. The mode is the wrong one for the
-        // stream on purpose: a picture for a closed standard output must be an error and not vanish.
-        if (::open("/dev/null", number == 0 ? O_WRONLY : O_RDONLY) != number) return false;
-    }
-    return true;
-}
-
 std::string endStandardOutput() {
     errno = 0;
     if (std::fflush(stdout) != 0)
@@ -174,13 +162,13 @@ std::vector<fs::directory_entry> entriesOf(const fs::path& folder) {
     return entriesOf(folder, ignored);
 }
 
-std::optional<std::vector<std::byte>> bytesIn(const Descriptor& file, std::uint64_t largest) {
+std::optional<std::vector<std::byte>> bytesIn(const system::File& file, std::uint64_t largest) {
     std::vector<std::byte> bytes;
     if (!file || readAll(file, largest, bytes) != 0) return std::nullopt;
     return bytes;
 }
 
-std::optional<std::string> textIn(const Descriptor& file, std::uint64_t largest) {
+std::optional<std::string> textIn(const system::File& file, std::uint64_t largest) {
     const auto bytes = bytesIn(file, largest);
     return bytes ? std::optional<std::string>(asText(*bytes)) : std::nullopt;
 }

@@ -46,13 +46,6 @@ struct FileSource {
         : path(std::move(name)), content(std::move(bytes)) {}
 };
 
-// The descriptors 0, 1 and 2.
-
-/// Opens /dev/null on those of the descriptors 0, 1 and 2 that are closed, so that no file or pipe of the
-/// program gets one of these numbers and is taken for standard output. Reading and writing still fail, as on
-/// a closed descriptor. Call it first in main. Returns false if a descriptor stays closed.
-bool openStandardFiles() noexcept;
-
 /// Writes out what standard output still buffers. Returns why not all that was ever written to it has arrived
 /// (a full disk, a closed descriptor), or an empty text. Call it last in main: only then is it known whether
 /// the output is whole.
@@ -70,9 +63,9 @@ std::vector<std::filesystem::directory_entry> entriesOf(const std::filesystem::p
 // The whole content of files that were opened by the functions of contained.h.
 
 /// The content of an open file of at most `largest` bytes. Nothing if it is not open or cannot be read.
-std::optional<std::vector<std::byte>> bytesIn(const Descriptor& file, std::uint64_t largest);
+std::optional<std::vector<std::byte>> bytesIn(const system::File& file, std::uint64_t largest);
 /// The same as text, which may have any bytes.
-std::optional<std::string> textIn(const Descriptor& file, std::uint64_t largest);
+std::optional<std::string> textIn(const system::File& file, std::uint64_t largest);
 
 /// The bytes as text.
 inline std::string_view asText(std::span<const std::byte> bytes) {

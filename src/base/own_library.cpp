@@ -2,14 +2,11 @@
 
 #include <system_error>
 
+#include "system/places.h"
+
 namespace glibra::base {
 
 namespace fs = std::filesystem;
-
-fs::path programFile() {
-    std::error_code failure;
-    return fs::read_symlink("/proc/self/exe", failure);
-}
 
 bool isLibrary(const fs::path& folder) {
     std::error_code failure;
@@ -27,7 +24,7 @@ fs::path libraryAbove(fs::path folder) {
 }
 
 fs::path ownLibrary() {
-    const fs::path program = programFile();
+    const fs::path program = system::programFile();
     return program.empty() ? fs::path() : libraryAbove(program.parent_path());
 }
 

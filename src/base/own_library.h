@@ -5,9 +5,6 @@
 
 namespace glibra::base {
 
-/// The file of the running program; empty if the system does not tell it.
-std::filesystem::path programFile();
-
 /// True if the folder has `glib` and `shaders`, as the library that ships with glibra has.
 bool isLibrary(const std::filesystem::path& folder);
 

@@ -1,27 +1,16 @@
 #include "base/workers.h"
 
-#include <poll.h>
-#include <signal.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
-
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/descriptor.h"
-#include "base/memory_limit.h"
+#include "system/memory.h"
+#include "system/worker.h"
 
 namespace glibra::base {
 namespace {
@@ -64,69 +53,41 @@ std::uint64_t memoryOf(const WorkerOptions& options, std::size_t piece) {
     return options.memoryOf ? options.memoryOf(piece) : options.memory;
 }
 
-void send(int file, MessageKind kind, const std::string& text) {
+void send(const system::File& file, MessageKind kind, const std::string& text) {
     const Header header{kind, static_cast<std::uint32_t>(text.size())};
-    if (writeAll(file, std::as_bytes(std::span(&header, 1))) != 0 || writeAll(file, text) != 0) ::_exit(1);
+    if (writeAll(file, std::as_bytes(std::span(&header, 1))) != 0 || writeAll(file, text) != 0)
+        system::endWorker(1);
 }
 
 /// The worker's main loop: reads pieces and writes answers until the parent closes the pipe.
-/// In a sandbox, `memory` is a limit that nothing in the worker can raise.
-[[noreturn]] void servePieces(int requests, int answers, std::size_t count, const WorkerOptions& options,
-                              const Work& work, std::uint64_t memory) {
-#ifdef __linux__
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // When memory runs out, the kernel should end a worker, not the parent that holds all results.
-    if (std::FILE* score = std::fopen("/proc/self/oom_score_adj", "w")) {
-        std::fputs("1000", score);
-        std::fclose(score);
-    }
-#endif
-    for (const int each : {SIGINT, SIGHUP, SIGQUIT}) ::signal(each, SIG_IGN);
-    ::signal(SIGTERM, SIG_DFL);
+/// In a sandbox, its limit of memory is one that nothing in the worker can raise.
+[[noreturn]] void servePieces(const system::WorkerEnds& ends, std::size_t count, const WorkerOptions& options,
+                              const Work& work) {
+    system::becomeWorker();
     thisProcessIsWorker = true;
-    const MemoryLimit limit;
-    if (options.sandbox) limit.setForever(memory);
-    if (options.sandbox && !enterSandbox(*options.sandbox, std::array{requests, answers}).empty()) ::_exit(1);
+    const system::MemoryLimit limit;
+    if (options.sandbox) limit.setForever(ends.memory);
+    if (options.sandbox &&
+        !system::enterSandbox(*options.sandbox, std::array{&ends.requests, &ends.answers}).empty())
+        system::endWorker(1);
     std::uint64_t index = 0;
-    while (receiveAll(requests, std::as_writable_bytes(std::span(&index, 1)))) {
-        if (index >= count) ::_exit(1);  // something else has written into the pipe
+    while (receiveAll(ends.requests, std::as_writable_bytes(std::span(&index, 1)))) {
+        if (index >= count) system::endWorker(1);  // something else has written into the pipe
         limit.set(memoryOf(options, index));
         thisStep.seconds = secondsOf(options, index);
         thisStep.start = Clock::now();
         try {
-            const std::string answer = work(index, [answers](const std::string& text) {
-                send(answers, MessageKind::step, text);
+            const std::string answer = work(index, [&ends](const std::string& text) {
+                send(ends.answers, MessageKind::step, text);
                 thisStep.start = Clock::now();
             });
-            send(answers, MessageKind::answer, answer);
+            send(ends.answers, MessageKind::answer, answer);
         } catch (const DeviceLost& lost) {
-            send(answers, MessageKind::deviceLost, toText(lost));
+            send(ends.answers, MessageKind::deviceLost, toText(lost));
             break;
         }
     }
-    std::fflush(nullptr);
-    ::_exit(0);
-}
-
-/// Bytes that a process has written, by calls or through mapped files; 0 if the system does not tell.
-std::uint64_t writtenBy(pid_t process) {
-    std::ifstream file("/proc/" + std::to_string(process) + "/io");
-    std::uint64_t written = 0, value = 0;
-    for (std::string key; file >> key >> value;)
-        if (key == "wchar:" || key == "write_bytes:") written = std::max(written, value);
-    return written;
-}
-
-/// Ticks that the system has worked for a process, as for each file that it makes; 0 if it does not tell.
-std::uint64_t systemTimeOf(pid_t process) {
-    constexpr int kBefore = 12;  // fields between the name and this one (proc(5))
-    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-    std::string field;
-    std::getline(file, field, ')');
-    for (int i = 0; i < kBefore; ++i) file >> field;
-    std::uint64_t ticks = 0;
-    file >> ticks;
-    return ticks;
+    system::endWorker(0);
 }
 
 /// Files and folders that confined processes may make in all, for each piece, and more after one was ended
@@ -135,11 +96,11 @@ constexpr std::uint64_t kMostMade = 250'000, kMostMadeForPiece = 256, kMostMadeA
 
 /// The number of files and folders below those that confined processes may write to, as far as `most`. A
 /// folder that cannot be listed may hold any number.
-std::uint64_t filesBelow(const Sandbox& sandbox, std::uint64_t most) {
+std::uint64_t filesBelow(const system::Sandbox& sandbox, std::uint64_t most) {
     namespace fs = std::filesystem;
     std::uint64_t count = 0;
     std::vector<fs::path> open;
-    for (const Reach& each : sandbox.writable) open.push_back(each.whole());
+    for (const system::Reach& each : sandbox.writable) open.push_back(each.whole());
     while (!open.empty() && count <= most) {
         std::error_code failure;
         fs::directory_iterator each(open.back(), failure);
@@ -155,72 +116,23 @@ std::uint64_t filesBelow(const Sandbox& sandbox, std::uint64_t most) {
 }
 
 struct Worker {
-    pid_t process = -1;
-    int requests = -1;          ///< we write
-    int answers = -1;           ///< we read
+    system::Worker process{};   ///< empty: none
     std::uint64_t memory = 0;   ///< that it may take
     std::uint64_t written = 0;  ///< bytes, before its piece; of a confined one
-    std::uint64_t worked = 0;   ///< systemTimeOf() before its piece; likewise
-    std::string received;       ///< of its answers, not yet a whole message
-    std::optional<std::size_t> piece;
+    std::uint64_t worked = 0;   ///< system::systemWorkFor() before its piece; likewise
+    std::string received{};     ///< of its answers, not yet a whole message
+    std::optional<std::size_t> piece{};
     bool isAlone = false;  ///< no other worker has had a piece since this one began its own
     Clock::time_point deadline = Clock::time_point::max();
+
+    [[nodiscard]] bool isRunning() const { return static_cast<bool>(process.process); }
 };
 
-std::optional<Worker> start(std::size_t count, const WorkerOptions& options, const Work& work,
-                            const std::vector<Worker>& others, std::uint64_t memory) {
-    std::array<int, 2> requests{};
-    std::array<int, 2> answers{};
-    if (::pipe(requests.data()) != 0) return std::nullopt;
-    if (::pipe(answers.data()) != 0) {
-        ::close(requests[0]);
-        ::close(requests[1]);
-        return std::nullopt;
-    }
-    std::fflush(nullptr);
-    const pid_t process = ::fork();
-    if (process == 0) {
-        // Close the other workers' pipes: open ends here would hide from the parent that a worker died.
-        for (const Worker& other : others) {
-            if (other.requests >= 0) ::close(other.requests);
-            if (other.answers >= 0) ::close(other.answers);
-        }
-        ::close(requests[1]);
-        ::close(answers[0]);
-        servePieces(requests[0], answers[1], count, options, work, memory);
-    }
-    ::close(requests[0]);
-    ::close(answers[1]);
-    if (process < 0) {
-        ::close(requests[1]);
-        ::close(answers[0]);
-        return std::nullopt;
-    }
-    Worker worker;
-    worker.process = process;
-    worker.requests = requests[1];
-    worker.answers = answers[0];
-    worker.memory = memory;
-    return worker;
-}
-
-struct Ended {
-    int signal = 0;  ///< that ended the worker, or 0
-    std::uint64_t peakMemory = 0;
-};
-
-/// Closes the pipes and waits.
-Ended finish(Worker& worker) {
-    if (worker.requests >= 0) ::close(worker.requests);
-    if (worker.answers >= 0) ::close(worker.answers);
-    int status = 0;
-    rusage usage{};
-    if (worker.process > 0)
-        while (::wait4(worker.process, &status, 0, &usage) < 0 && errno == EINTR) {
-        }
+/// Waits for its end, after which the worker is as new.
+system::End finish(Worker& worker) {
+    const system::End end = system::end(worker.process);
     worker = Worker{};
-    constexpr std::uint64_t kUnit = 1024;  // of ru_maxrss
-    return {WIFSIGNALED(status) ? WTERMSIG(status) : 0, static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit};
+    return end;
 }
 
 class Pool {
@@ -236,11 +148,8 @@ class Pool {
     void run() {
         const auto wanted = static_cast<std::size_t>(std::max(1, options_.workers));
         workers_.resize(std::min(wanted, count_));
-        // A worker that dies during this write is detected when its pipe is read.
-        struct sigaction ignore{};
-        struct sigaction before{};
-        ignore.sa_handler = SIG_IGN;
-        ::sigaction(SIGPIPE, &ignore, &before);
+        // A worker that dies during a write is detected when its pipe is read.
+        const system::BrokenPipesAreErrors errors;
         while (next_ < count_ || !again_.empty() || busy() > 0) {
             if (options_.stop && options_.stop()) {
                 for (Worker& worker : workers_)
@@ -257,7 +166,6 @@ class Pool {
             if (busy() > 0) waitForNews();
         }
         for (Worker& worker : workers_) dismiss(worker);
-        ::sigaction(SIGPIPE, &before, nullptr);
     }
 
   private:
@@ -266,10 +174,16 @@ class Pool {
             workers_.begin(), workers_.end(), [](const Worker& each) { return each.piece.has_value(); }));
     }
 
+    [[nodiscard]] std::vector<system::Worker*> all() {
+        std::vector<system::Worker*> processes;
+        for (Worker& each : workers_) processes.push_back(&each.process);
+        return processes;
+    }
+
     /// Ends a worker that has no piece.
     void dismiss(Worker& worker) const {
         // One that has been taken over may not end by itself.
-        if (options_.sandbox && worker.process > 0) ::kill(worker.process, SIGKILL);
+        if (options_.sandbox) kill(worker.process.process);
         finish(worker);
     }
 
@@ -287,38 +201,40 @@ class Pool {
         const std::uint64_t memory = memoryOf(options_, piece);
         // What a worker has opened on the device may be lost like that of the one before. The limit of memory
         // of a confined worker cannot be raised.
-        if (isRepeated || (options_.sandbox && worker.process >= 0 && worker.memory != memory))
+        if (isRepeated || (options_.sandbox && worker.isRunning() && worker.memory != memory))
             dismiss(worker);
-        if (worker.process < 0) {
-            std::optional<Worker> started = start(count_, options_, work_, workers_, memory);
+        if (!worker.isRunning()) {
+            std::optional<system::Worker> started = system::startWorker(
+                all(), memory,
+                [&](const system::WorkerEnds& ends) { servePieces(ends, count_, options_, work_); });
             if (!started && busy() > 0) return;  // try again when another worker is done
-            if (started) worker = *started;
+            if (started) worker = {.process = std::move(*started), .memory = memory};
         }
         if (isRepeated)
             again_.pop_front();
         else
             ++next_;
-        if (worker.process < 0) return done_(piece, {.end = Outcome::End::crashed});
+        if (!worker.isRunning()) return done_(piece, {.end = Outcome::End::crashed});
         worker.received.clear();
         worker.isAlone = busy() == 0;
         for (Worker& other : workers_)
             if (other.piece) other.isAlone = false;
         worker.piece = piece;
         if (options_.sandbox) {
-            worker.written = writtenBy(worker.process);
-            worker.worked = systemTimeOf(worker.process);
+            worker.written = bytesWrittenBy(worker.process.process);
+            worker.worked = systemWorkFor(worker.process.process);
         }
         const std::uint64_t index = piece;
-        writeAll(worker.requests, std::as_bytes(std::span(&index, 1)));
+        send(worker.process, std::as_bytes(std::span(&index, 1)));
         beginStep(worker);
     }
 
     void end(Worker& worker, Outcome outcome) {
         const std::size_t piece = *worker.piece;
-        outcome.process = worker.process;
+        outcome.process = worker.process.process.number();
         outcome.wasAlone = worker.isAlone;
-        if (outcome.end != Outcome::End::crashed) ::kill(worker.process, SIGKILL);
-        const Ended ended = finish(worker);
+        if (outcome.end != Outcome::End::crashed) kill(worker.process.process);
+        const system::End ended = finish(worker);
         if (outcome.end == Outcome::End::crashed) {
             outcome.signal = ended.signal;
             const std::uint64_t memory = memoryOf(options_, piece);
@@ -338,20 +254,16 @@ class Pool {
 
     /// Reads what there is. It never waits for the rest of a message, since a worker may stop in its middle.
     void receive(Worker& worker) {
-        constexpr std::size_t kPortion = 1U << 16U;
-        const std::size_t had = worker.received.size();
-        worker.received.resize(had + kPortion);
-        const ssize_t got = ::read(worker.answers, worker.received.data() + had, kPortion);
-        worker.received.resize(had + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-        if (got < 0 && errno == EINTR) return;
-        if (got <= 0) return end(worker, {.end = Outcome::End::crashed});
+        const system::Received received = system::receive(worker.process, worker.received);
+        if (received == system::Received::interrupted) return;
+        if (received == system::Received::ended) return end(worker, {.end = Outcome::End::crashed});
         while (worker.piece && takeMessage(worker)) {
         }
     }
 
     /// For a worker that has been taken over by what it reads.
     void endAsCrashed(Worker& worker) {
-        ::kill(worker.process, SIGKILL);
+        kill(worker.process.process);
         end(worker, {.end = Outcome::End::crashed});
     }
 
@@ -388,12 +300,12 @@ class Pool {
     }
 
     void waitForNews() {
-        std::vector<pollfd> files;
+        std::vector<system::Worker*> waiting;
         std::vector<std::size_t> owners;
         Clock::time_point first = Clock::time_point::max();
         for (std::size_t i = 0; i < workers_.size(); ++i) {
             if (!workers_[i].piece) continue;
-            files.push_back({workers_[i].answers, POLLIN, 0});
+            waiting.push_back(&workers_[i].process);
             owners.push_back(i);
             first = std::min(first, workers_[i].deadline);
         }
@@ -406,14 +318,17 @@ class Pool {
         constexpr int kBetweenQuestions = 200;
         if ((options_.stop || options_.sandbox) && (milliseconds < 0 || milliseconds > kBetweenQuestions))
             milliseconds = kBetweenQuestions;
-        if (::poll(files.data(), files.size(), milliseconds) < 0) return;
-        for (std::size_t i = 0; i < files.size(); ++i) {
+        const auto ready = std::make_unique<bool[]>(waiting.size());
+        const std::span<bool> isReady(ready.get(), waiting.size());
+        if (!waitForAny(waiting, milliseconds, isReady)) return;
+        for (std::size_t i = 0; i < waiting.size(); ++i) {
             Worker& worker = workers_[owners[i]];
-            if (files[i].revents != 0)
+            if (isReady[i])
                 receive(worker);
             else if (Clock::now() >= worker.deadline)
                 end(worker, {.end = Outcome::End::timedOut});
-            else if (options_.sandbox && writtenBy(worker.process) > worker.written + kMostWritten)
+            else if (options_.sandbox &&
+                     bytesWrittenBy(worker.process.process) > worker.written + system::kMostWritten)
                 endAsCrashed(worker);
         }
         if (options_.sandbox && Clock::now() >= nextCount_) endMaker();
@@ -431,7 +346,7 @@ class Pool {
         std::uint64_t ticks = 0;
         for (Worker& each : workers_) {
             if (!each.piece) continue;
-            const std::uint64_t own = systemTimeOf(each.process) - each.worked;
+            const std::uint64_t own = systemWorkFor(each.process.process) - each.worked;
             if (most != nullptr && own <= ticks) continue;
             most = &each;
             ticks = own;
@@ -479,6 +394,8 @@ std::optional<StepTime> stepTime() {
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
                   const std::function<void(std::size_t, const Outcome&)>& done,
                   const std::function<void(std::size_t, const std::string&)>& progress) {
+    if (const std::optional<system::WorkerEnds> ends = system::endsOfThisWorker())
+        servePieces(*ends, count, options, work);
     Pool(count, options, work, done, progress).run();
 }
 

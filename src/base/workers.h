@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/device_lost.h"
-#include "base/sandbox.h"
+#include "system/sandbox.h"
 
 namespace glibra::base {
 
@@ -35,7 +35,7 @@ bool mayBeInnocent(const Outcome& outcome, bool sharesDevice, int times);
 struct WorkerOptions {
     int workers = 1;           ///< number of processes, at least 1
     double timeout = 0;        ///< seconds that one step of a piece may take; 0: no limit
-    std::uint64_t memory = 0;  ///< bytes that a worker may take (memory_limit.h); 0: no limit
+    std::uint64_t memory = 0;  ///< bytes that a worker may take (system/memory.h); 0: no limit
     /// The time limit and the memory of one piece, if the pieces have different limits.
     std::function<double(std::size_t index)> timeoutOf{};
     std::function<std::uint64_t(std::size_t index)> memoryOf{};
@@ -54,9 +54,9 @@ struct WorkerOptions {
     /// Called before a piece is done again, with the outcome that does not count.
     std::function<void(std::size_t index, const Outcome&)> repeated{};
     /// If given, every worker enters this sandbox before its first piece; one that cannot ends by itself. One
-    /// that writes more than kMostWritten for a piece is ended. So is, when there are 250,000 more files than
-    /// before (and 256 for each piece), the one that has most likely made them.
-    const Sandbox* sandbox = nullptr;
+    /// that writes more than system::kMostWritten for a piece is ended. So is, when there are 250,000 more
+    /// files than before (and 256 for each piece), the one that has most likely made them.
+    const system::Sandbox* sandbox = nullptr;
 };
 
 /// Reports to the parent that a step is done, such as a frame; the time limit starts again. The text is
@@ -77,10 +77,10 @@ struct StepTime {
 /// Nothing if this is no worker, or if the step has no limit.
 std::optional<StepTime> stepTime();
 
-/// Does pieces 0 to count - 1, each once (but see `repeats`), in forked workers; a worker that ends is
-/// replaced. `done` and `progress` run in the calling process, in the order of events. Call it before any
-/// thread or GL context exists. Workers ignore the signals that a terminal sends to the whole group (Ctrl-C);
-/// the caller ends them by `stop`. After a stop `done` is called for the running pieces only.
+/// Does pieces 0 to count - 1, each once (but see `repeats`), in workers (system/worker.h); a worker that
+/// ends is replaced. `done` and `progress` run in the calling process, in the order of events. Call it before
+/// any thread or GL context exists. Workers ignore the signals that a terminal sends to the whole group
+/// (Ctrl-C); the caller ends them by `stop`. After a stop `done` is called for the running pieces only.
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
                   const std::function<void(std::size_t index, const Outcome&)>& done,
                   const std::function<void(std::size_t index, const std::string& text)>& progress);

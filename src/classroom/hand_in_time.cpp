@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "system/places.h"
 
 namespace glibra::classroom {
 namespace {
@@ -192,9 +193,8 @@ std::optional<ReadTime> readTime(std::string_view text) {
 std::int64_t onTheWall(const ReadTime& time) {
     if (!time.isUtc) return time.minutes;
     const std::time_t seconds = static_cast<std::time_t>(time.minutes) * 60;
-    std::tm local{};
-    if (::localtime_r(&seconds, &local) == nullptr) return time.minutes;
-    return time.minutes + local.tm_gmtoff / 60;
+    const std::optional<system::LocalTime> local = system::localTime(seconds);
+    return time.minutes + (local ? local->minutesAhead : 0);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 30;
 constexpr std::size_t kMostReadPictures = 50;  // of a submission
 constexpr std::uint64_t kLargestReadPicture = std::uint64_t{32} << 20U;
 
-std::optional<std::string> textOf(const base::Descriptor& file) {
+std::optional<std::string> textOf(const system::File& file) {
     std::optional<std::string> text = base::textIn(file, kLargestSource);
     if (text && text->find('\0') != std::string::npos) text.reset();
     return text;
@@ -106,7 +106,7 @@ class Sources {
     }
 
   private:
-    [[nodiscard]] base::Descriptor opened(const fs::path& path) const {
+    [[nodiscard]] system::File opened(const fs::path& path) const {
         // What the reference reads was chosen by the teacher.
         if (options_.within.empty() && !readable_.contains(path))
             return base::openBeneath(path.parent_path().empty() ? fs::path(".") : path.parent_path(),

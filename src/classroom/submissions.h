@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "classroom/names.h"
+#include "system/sandbox.h"
 
 namespace glibra::classroom {
 
@@ -86,7 +86,7 @@ struct UnpackOptions {
     std::filesystem::path site;  ///< SITE/unpacked/NAME is the folder of a submission
     int jobs = 0;
     double timeout = 0;  ///< seconds for each submission; 0: no limit
-    const base::Sandbox* sandbox = nullptr;
+    const system::Sandbox* sandbox = nullptr;
     std::function<bool()> stop{};
 };
 

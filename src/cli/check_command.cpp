@@ -1,4 +1,3 @@
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +15,6 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/info_output.h"
-#include "cli/interruption.h"
 #include "cli/picture_options.h"
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
@@ -32,6 +30,7 @@
 #include "suite/report/verdict_commands.h"
 #include "suite/run/exercise_check.h"
 #include "suite/run/run_options.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 namespace {
@@ -135,7 +134,7 @@ class SceneChecker {
 
     const CheckArguments& arguments_;
     int jobs_;
-    bool quotesLines_ = ::isatty(STDERR_FILENO) == 1;  // a confined worker has no terminal
+    bool quotesLines_ = system::isTerminal(system::Standard::error);  // a confined worker has no terminal
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context, because it must be destroyed first
 };
@@ -197,7 +196,7 @@ int runCheckCommand(CheckArguments& arguments) {
     std::vector<std::filesystem::path>& roots = arguments.picture.options.libraryRoots;
     for (std::filesystem::path& each : libraryRoots()) roots.push_back(std::move(each));
     const int jobs = suite::drawingJobs(arguments.jobs, arguments.driver, arguments.scenes.size());
-    std::optional<base::Sandbox> sandbox;
+    std::optional<system::Sandbox> sandbox;
     if (arguments.untrusted) {
         if (!prepareUntrusted()) return kNoDriver;
         sandbox = sandboxOf(arguments.scenes, arguments.picture.options, arguments.driver);
@@ -205,7 +204,7 @@ int runCheckCommand(CheckArguments& arguments) {
     const std::uint64_t memory =
         arguments.picture.memory.value_or(base::memoryShare(jobs, arguments.scenes.size()));
     SceneChecker checker(arguments, jobs);
-    const Interruption interruption;
+    const system::Interruption interruption;
     ReadFiles read;
     if (std::error_code failure; std::filesystem::is_directory(arguments.translated, failure))
         read = filesReadBy(arguments.scenes, arguments.standardInput, arguments.picture.options,

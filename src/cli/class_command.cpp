@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -21,7 +20,6 @@
 #include "cli/class_input.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
 #include "cli/library_hint.h"
 #include "cli/picture_options.h"
 #include "cli/run_facts.h"
@@ -30,6 +28,7 @@
 #include "suite/golden/hash_list.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 namespace {
@@ -38,12 +37,12 @@ namespace fs = std::filesystem;
 
 /// What confines the workers. Every submission's folder can be read by all workers, but a scene reads only
 /// its own, because the file look-up refuses the others.
-base::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
+system::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
     std::vector<std::string> scenes;
     if (!plan.reference.empty()) scenes.push_back(plan.reference.string());
     for (const classroom::Submission& each : plan.submissions.all)
         if (!each.scene.empty()) scenes.push_back(each.scene.string());
-    base::Sandbox sandbox = sandboxOf(scenes, plan.moments.front().shot.options, driver);
+    system::Sandbox sandbox = sandboxOf(scenes, plan.moments.front().shot.options, driver);
     sandbox.readable.push_back(plan.folder);
     sandbox.readable.emplace_back(plan.site, fs::path(classroom::kUnpacked));
     sandbox.readable.insert(sandbox.readable.end(), plan.given.begin(), plan.given.end());
@@ -198,7 +197,7 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     if (arguments.made.untrusted && !prepareUntrusted()) return kNoDriver;
     ClassInput input;
     if (const int status = readInput(arguments, input); status != kDone) return status;
-    const Interruption interruption;
+    const system::Interruption interruption;
     if (const int status = unpack(arguments, input, interruption); status != kDone) return status;
     const classroom::ClassPlan& plan = input.plan;
     Confinement confined;
@@ -206,7 +205,7 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
         confined = confinement(drawingSandbox(plan, arguments.made.driver), plan.site);
 
     const auto start = std::chrono::steady_clock::now();
-    SuiteProgress progress(classroom::pictureCount(plan), ::isatty(STDERR_FILENO) == 1);
+    SuiteProgress progress(classroom::pictureCount(plan), system::isTerminal(system::Standard::error));
     classroom::ClassEvents events;
     events.begins = [&](const std::string& submission) { progress.begins(submission); };
     events.done = [&](bool failed) { progress.add(failed); };

@@ -105,10 +105,10 @@ int readChecks(const ClassArguments& arguments, ClassInput& input) {
 }
 
 /// What confines the processes that unpack into a folder of the site; nothing without --untrusted.
-std::optional<base::Sandbox> unpackingSandbox(const ClassArguments& arguments,
-                                              const classroom::ClassPlan& plan, std::string_view into) {
+std::optional<system::Sandbox> unpackingSandbox(const ClassArguments& arguments,
+                                                const classroom::ClassPlan& plan, std::string_view into) {
     if (!arguments.made.untrusted) return std::nullopt;
-    base::Sandbox sandbox;
+    system::Sandbox sandbox;
     sandbox.readable.push_back(plan.folder);
     sandbox.writable.emplace_back(plan.site, fs::path(into));
     return sandbox;
@@ -209,7 +209,7 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
     return findAll(arguments, input);
 }
 
-int unpack(const ClassArguments& arguments, ClassInput& input, const Interruption& interruption) {
+int unpack(const ClassArguments& arguments, ClassInput& input, const system::Interruption& interruption) {
     const auto sandbox = unpackingSandbox(arguments, input.plan, classroom::kUnpacked);
     if (printErrors(classroom::unpackSubmissions(input.plan.submissions, input.find,
                                                  {.site = input.plan.site,
@@ -254,7 +254,7 @@ Shown shownBy(const ClassService& service) {
 }
 
 WebReply pictureReply(const fs::path& site, const std::string& file) {
-    const base::Descriptor opened = base::openBeneath(site, file);
+    const system::File opened = base::openBeneath(site, file);
     std::vector<std::byte> bytes;
     if (!opened || base::readAll(opened, kLargestPicture, bytes) != 0)
         return {404, "text/plain", "no picture"};

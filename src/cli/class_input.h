@@ -14,8 +14,8 @@
 #include "classroom/rubric.h"
 #include "classroom/submissions.h"
 #include "classroom/teacher_marks.h"
-#include "cli/interruption.h"
 #include "cli/picture_options.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 
@@ -46,7 +46,7 @@ struct ClassInput {
 /// Finds out what is to be drawn. The exit status; kDone if all is well.
 int readInput(const ClassArguments& arguments, ClassInput& input);
 /// Unpacks zip files and gives the students the names of the roster. The exit status; kDone if all is well.
-int unpack(const ClassArguments& arguments, ClassInput& input, const Interruption& interruption);
+int unpack(const ClassArguments& arguments, ClassInput& input, const system::Interruption& interruption);
 
 // `glibra class --serve`: the page of a class on the loopback address, where a teacher types points and
 // comments.

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "system/terminal.h"
+
 namespace glibra::cli {
 
 class CommandLine;
@@ -48,7 +50,7 @@ void addManual(CommandLine& line, const Program& whole, int& status);
 
 /// True if text for the descriptor is to have colours: it is a terminal, unless NO_COLOR, CLICOLOR=0 or
 /// CLICOLOR_FORCE say otherwise.
-bool hasColor(int descriptor);
+bool hasColor(system::Standard stream);
 
 /// Lines of source files by file and number, for diagnostics to quote.
 using SourceLines = std::map<std::pair<std::string, int>, std::string>;
@@ -77,8 +79,6 @@ int endProgram(int status);
 /// it may be the reason. Returns kSceneIsWrong.
 int failProgram(std::string_view why);
 
-/// The folders of an environment variable, which are separated by colons.
-std::vector<std::filesystem::path> foldersIn(const char* name);
 /// The folders of the environment variable GLIBRA_PATH.
 std::vector<std::filesystem::path> libraryRoots();
 

@@ -25,6 +25,7 @@
 #include "image/png/png_reader.h"
 #include "image/read.h"
 #include "image/write.h"
+#include "system/memory.h"
 
 namespace glibra::cli {
 namespace {
@@ -266,7 +267,7 @@ int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
 
 int runCompareCommand(CompareArguments& arguments) {
     // Limits this process, which decodes PNG and BMP itself.
-    base::MemoryLimit().set(arguments.limits.memory.value_or(base::memoryShare(1, 1)));
+    system::MemoryLimit().set(arguments.limits.memory.value_or(base::memoryShare(1, 1)));
     if (arguments.exact) arguments.tolerance = image::exactTolerance();
     std::error_code failure;
     Comparer comparer(arguments);

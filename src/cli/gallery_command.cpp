@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,13 +12,13 @@
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
 #include "cli/library_hint.h"
 #include "cli/picture_options.h"
 #include "cli/scene_arguments.h"
 #include "cli/suite_progress.h"
 #include "cli/untrusted.h"
 #include "gallery/gallery_run.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 namespace {
@@ -107,15 +106,17 @@ int runGalleryCommand(const GalleryArguments& arguments) {
         for (const fs::path& each : plan.scenes) scenes.push_back(each.string());
         RenderOptions options;
         options.libraryRoots = plan.libraryRoots;
-        base::Sandbox drawing = sandboxOf(scenes, options, arguments.made.driver);
+        system::Sandbox drawing = sandboxOf(scenes, options, arguments.made.driver);
         drawing.readable.emplace_back(plan.folder);
         confined = confinement(std::move(drawing), plan.site);
     }
 
-    const Interruption interruption;
+    const system::Interruption interruption;
     std::optional<SuiteProgress> progress;
     gallery::GalleryEvents events;
-    events.starts = [&](std::size_t pictures) { progress.emplace(pictures, ::isatty(STDERR_FILENO) == 1); };
+    events.starts = [&](std::size_t pictures) {
+        progress.emplace(pictures, system::isTerminal(system::Standard::error));
+    };
     events.begins = [&](const std::string& scene) {
         if (progress) progress->begins(scene);
     };

@@ -1,22 +1,18 @@
 // `glibra language-server`: the language server between standard input and standard output.
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <signal.h>
-#include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
-#include "base/descriptor.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "editor/language_server.h"
 #include "editor/message_reader.h"
+#include "system/process.h"
+#include "system/terminal.h"
 
 namespace glibra::cli {
 namespace {
@@ -25,26 +21,17 @@ constexpr int kPause = 150;  // milliseconds without a key before scenes are che
 
 /// Takes what has arrived within the time; -1 waits for ever. False at the end of the input.
 bool takeInput(editor::MessageReader& reader, int milliseconds) {
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    const int ready = ::poll(&input, 1, milliseconds);
-    if (ready == 0 || (ready < 0 && errno == EINTR)) return true;
+    if (!system::isInputReady(milliseconds).value_or(false)) return true;
     std::array<char, 65536> block;
-    const ssize_t count = ::read(STDIN_FILENO, block.data(), block.size());
-    if (count < 0) return errno == EINTR;
-    reader.add({block.data(), static_cast<std::size_t>(count)});
+    std::size_t count = 0;
+    if (system::readInput(block, count) != 0) return false;
+    reader.add({block.data(), count});
     return count > 0;
-}
-
-/// True if there is a process of that number. One that belongs to somebody else counts.
-bool isRunning(long long process) {
-    return process > 0 && std::in_range<pid_t>(process) &&
-           (::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH);
 }
 
 /// True if more input is there, or comes within the time.
 bool isTyping(int milliseconds) {
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    return ::poll(&input, 1, milliseconds) > 0;
+    return system::isInputReady(milliseconds).value_or(false);
 }
 
 int serve() {
@@ -57,17 +44,17 @@ int serve() {
     const auto deliver = [&] {
         std::string bytes;
         for (const std::string& each : server.takeOutput()) bytes += editor::framed(each);
-        return base::writeAll(STDOUT_FILENO, bytes) == 0;
+        return system::writeOutput(bytes) == 0;
     };
     std::optional<long long> client;  // a number of another machine or container names nobody here
     for (bool isOpen = true; isOpen && !server.exitStatus();) {
         constexpr int kLook = 2000;  // milliseconds after which the client is looked for
         isOpen = takeInput(reader, client ? kLook : -1);
-        if (client && !isRunning(*client)) return kDiffers;
+        if (client && !system::isRunning(*client)) return kDiffers;
         while (const std::optional<std::string> message = reader.next())
             if (!server.receive(*message)) reader.refuse(*message);
         server.answer();
-        if (!client && server.clientProcess() && isRunning(*server.clientProcess()))
+        if (!client && server.clientProcess() && system::isRunning(*server.clientProcess()))
             client = server.clientProcess();
         if (!deliver()) return kDiffers;
         if (reader.isLost()) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -13,6 +12,8 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/open_window.h"
+#include "system/memory.h"
+#include "system/terminal.h"
 
 namespace glibra::cli {
 namespace {
@@ -81,9 +82,9 @@ int run(int argc, char** argv) {
 }  // namespace glibra::cli
 
 int main(int argc, char** argv) {
-    if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
+    if (!glibra::system::openStandardFiles()) return glibra::cli::kNoDriver;
     // A write beyond the limit of the shell (ulimit -f) fails with a message instead.
-    std::signal(SIGXFSZ, SIG_IGN);
+    glibra::system::failBeyondLargestFile();
     try {
         return glibra::cli::endProgram(glibra::cli::run(argc, argv));
     } catch (const std::exception& failure) {

@@ -120,7 +120,7 @@ bool mayWriteSite(const SiteOptions& options) {
     return false;
 }
 
-Confinement confinement(base::Sandbox drawing, const fs::path& site) {
+Confinement confinement(system::Sandbox drawing, const fs::path& site) {
     Confinement made;
     made.reading = drawing;
     made.reading->readable.emplace_back(site, fs::path("pictures"));

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "cli/command_line.h"
 #include "suite/run/run_options.h"
 #include "suite/suite.h"
+#include "system/sandbox.h"
 
 namespace glibra::cli {
 
@@ -54,10 +54,10 @@ bool mayWriteSite(const SiteOptions& options);
 
 /// What confines the workers: those that draw, and those that only read. Nothing without --untrusted.
 struct Confinement {
-    std::optional<base::Sandbox> drawing, reading;
+    std::optional<system::Sandbox> drawing, reading;
 };
 /// `drawing` has everything but SITE/pictures, which it may write and the others may read.
-Confinement confinement(base::Sandbox drawing, const std::filesystem::path& site);
+Confinement confinement(system::Sandbox drawing, const std::filesystem::path& site);
 
 /// The workers that the options ask for. `confined` must outlive them.
 suite::SiteWorkers siteWorkers(const SiteOptions& options, const Confinement& confined);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -15,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/scene_arguments.h"
 #include "render/load/hidden_text.h"
+#include "system/places.h"
 
 namespace glibra::cli {
 
@@ -46,11 +46,11 @@ std::string excerpt(int number, std::string_view line, int column) {
 
 }  // namespace
 
-bool hasColor(int descriptor) {
+bool hasColor(system::Standard stream) {
     if (!variable("NO_COLOR").empty()) return false;  // https://no-color.org
     if (const std::string_view forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0")
         return true;
-    return variable("CLICOLOR") != "0" && variable("TERM") != "dumb" && ::isatty(descriptor) == 1;
+    return variable("CLICOLOR") != "0" && variable("TERM") != "dumb" && isTerminal(stream);
 }
 
 SourceLines linesOf(const Diagnostics& diagnostics, const std::optional<std::string>& standardInput) {
@@ -108,7 +108,7 @@ std::string printable(const Diagnostics& diagnostics, bool color, const SourceLi
 }
 
 void print(const Diagnostics& diagnostics, const SourceLines& lines) {
-    const std::string text = printable(diagnostics, hasColor(STDERR_FILENO), lines);
+    const std::string text = printable(diagnostics, hasColor(system::Standard::error), lines);
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
@@ -144,21 +144,8 @@ int failProgram(std::string_view why) {
     return kSceneIsWrong;
 }
 
-std::vector<std::filesystem::path> foldersIn(const char* name) {
-    std::vector<std::filesystem::path> folders;
-    std::string_view rest = variable(name);
-    while (!rest.empty()) {
-        const std::size_t colon = rest.find(':');
-        if (const std::string_view folder = rest.substr(0, colon); !folder.empty())
-            folders.emplace_back(folder);
-        if (colon == std::string_view::npos) break;
-        rest.remove_prefix(colon + 1);
-    }
-    return folders;
-}
-
 std::vector<std::filesystem::path> libraryRoots() {
-    return foldersIn("GLIBRA_PATH");
+    return system::foldersIn("GLIBRA_PATH");
 }
 
 }  // namespace glibra::cli

@@ -1,7 +1,6 @@
 #include "cli/render_arguments.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -19,7 +18,6 @@
 #include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
@@ -32,6 +30,7 @@
 #include "render/file/animation.h"
 #include "render/file/job.h"
 #include "suite/run/run_options.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 
@@ -162,7 +161,7 @@ int countIn(const std::string& text, int most) {
 /// process.
 /// The frames that differ are counted in a worker, since that reads the scene and its shaders. Without a
 /// value the worker did not answer in time, and the error is in `late`.
-std::optional<int> partsOf(const RenderArguments& arguments, const base::Sandbox* sandbox,
+std::optional<int> partsOf(const RenderArguments& arguments, const system::Sandbox* sandbox,
                            const std::function<bool()>& stop, Diagnostics& late) {
     constexpr int kLeastFrames = 8;  // what the start of a process costs
     constexpr int kMostParts = 8;    // each holds everything that the scene reads
@@ -256,7 +255,7 @@ class JobRunner {
     std::size_t parts_;
     const StagingFolder* staging_;
     const std::vector<int>& written_;
-    bool quotesLines_ = ::isatty(STDERR_FILENO) == 1;  // a confined worker has no terminal
+    bool quotesLines_ = system::isTerminal(system::Standard::error);  // a confined worker has no terminal
     std::optional<gpu::Context> context_;
     render::SharedParts shared_;  // after the context, because it must be destroyed first
 };
@@ -283,14 +282,14 @@ class ProgressLine {
 class SceneBatch {
   public:
     /// Each scene is drawn in `parts` pieces, in the sandbox if there is one.
-    SceneBatch(const RenderArguments& arguments, std::size_t parts, std::optional<base::Sandbox> sandbox,
-               const Interruption& interruption)
+    SceneBatch(const RenderArguments& arguments, std::size_t parts, std::optional<system::Sandbox> sandbox,
+               const system::Interruption& interruption)
         : arguments_(arguments),
           interruption_(interruption),
           outputs_(outputFiles(arguments)),
           parts_(parts),
           sandbox_(std::move(sandbox)),
-          progress_(::isatty(STDERR_FILENO) == 1, arguments.scenes.size(), arguments.frames),
+          progress_(system::isTerminal(system::Standard::error), arguments.scenes.size(), arguments.frames),
           stats_(arguments.scenes.size()),
           framesWritten_(arguments.scenes.size() * parts_) {}
 
@@ -505,10 +504,10 @@ class SceneBatch {
     }
 
     const RenderArguments& arguments_;
-    const Interruption& interruption_;
+    const system::Interruption& interruption_;
     std::vector<fs::path> outputs_;
     std::size_t parts_;
-    std::optional<base::Sandbox> sandbox_;
+    std::optional<system::Sandbox> sandbox_;
     std::optional<StagingFolder> staging_;
     ProgressLine progress_;
     int status_ = kDone;
@@ -530,8 +529,8 @@ std::optional<render::Job::Save> readSave(const std::string& text) {
 }
 
 int renderScenes(const RenderArguments& arguments) {
-    const Interruption interruption;
-    std::optional<base::Sandbox> sandbox;
+    const system::Interruption interruption;
+    std::optional<system::Sandbox> sandbox;
     if (arguments.untrusted)
         sandbox = sandboxOf(arguments.scenes, arguments.picture.options, arguments.driver);
     Diagnostics late;

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -14,7 +13,6 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
 #include "cli/picture_options.h"
 #include "cli/render_arguments.h"
 #include "cli/scene_arguments.h"
@@ -25,6 +23,7 @@
 #include "image/video/video_file.h"
 #include "suite/golden/golden_store.h"
 #include "suite/run/fingerprint.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 
@@ -81,12 +80,12 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
             return kSceneIsWrong;
         }
     }
-    std::optional<base::Sandbox> sandbox;
+    std::optional<system::Sandbox> sandbox;
     if (arguments.untrusted) {
-        std::vector<base::Reach> folders;
+        std::vector<system::Reach> folders;
         for (const suite::Suite& each : selection->suites)
-            folders.push_back(several ? base::Reach(options.onlyRender, each.name)
-                                      : base::Reach(options.onlyRender));
+            folders.push_back(several ? system::Reach(options.onlyRender, each.name)
+                                      : system::Reach(options.onlyRender));
         sandbox = sandboxOf(*selection, arguments.driver, {}, folders);
         if (!sandbox) return kSceneIsWrong;
         options.sandbox = &*sandbox;
@@ -103,11 +102,11 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
             open.push_back(each);
     }
 
-    const Interruption interruption;
+    const system::Interruption interruption;
     const auto isStopped = [&] { return interruption.signal() != 0; };
     if (printErrors(overwrittenByPictures(*selection, open, options, arguments, isStopped)))
         return kSceneIsWrong;
-    const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    const bool terminal = system::isTerminal(system::Standard::error);
     SuiteProgress progress(open.size(), terminal);
     std::size_t drawn = 0;
     std::vector<std::string> failed;
@@ -116,7 +115,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
         progress.begins(selection->suites[each.suite].shots[each.shot].name);
     };
     events.done = [&](const suite::ShotResult& shot) {
-        std::string lines = printable(shot.diagnostics, hasColor(STDERR_FILENO));
+        std::string lines = printable(shot.diagnostics, hasColor(system::Standard::error));
         if (!lines.empty()) {
             lines.pop_back();
             progress.print(lines);
@@ -170,7 +169,7 @@ int runRenderCommand(RenderArguments& arguments) {
     const bool isMany = arguments.outputIsFolder || !arguments.suite.suites.empty();
     if (arguments.output == "-" && isMany)
         return refuse("-o - writes the pictures of one scene, not of several; name a folder");
-    if (arguments.output == "-" && ::isatty(STDOUT_FILENO) == 1)
+    if (arguments.output == "-" && system::isTerminal(system::Standard::output))
         return refuse("a picture cannot be shown on a terminal; name a file with -o, or add > FILE");
     if (arguments.statsFile == "-" && (arguments.output == "-" || arguments.explain || arguments.trace))
         return refuse(std::string("--stats - writes to standard output, and so does ") +

@@ -10,11 +10,11 @@
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
 #include "suite/file/suite_file.h"
 #include "suite/results/figures.h"
 #include "suite/results/results_file.h"
 #include "suite/serve/review.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 namespace {
@@ -89,7 +89,7 @@ int review(const ReviewArguments& arguments) {
         printLine(
             "glibra: note: nothing can be accepted, because the suites are not below the current folder; "
             "name them");
-    const Interruption interruption;
+    const system::Interruption interruption;
     auto server = suite::LoopbackServer::open();
     print(server.diagnostics);
     if (!server) return kSceneIsWrong;

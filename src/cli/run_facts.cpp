@@ -5,16 +5,15 @@
 
 #include <chrono>
 #include <ctime>
-#include <fstream>
 
 #include "suite/options/option_words.h"
+#include "system/places.h"
 
 namespace glibra::cli {
 
 std::string commandLine() {
-    std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::string line;
-    for (std::string word; std::getline(file, word, '\0');)
+    for (const std::string& word : system::ownWords())
         line += (line.empty() ? "" : " ") + suite::shellWord(word);
     return line;
 }

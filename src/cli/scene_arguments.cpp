@@ -1,10 +1,8 @@
 #include "cli/scene_arguments.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -14,6 +12,7 @@
 #include "glib/limits.h"
 #include "glib/text.h"
 #include "suite/file/glob.h"
+#include "system/terminal.h"
 
 namespace glibra::cli {
 namespace {
@@ -22,13 +21,12 @@ Diagnostics readStandardInput(std::string& to) {
     const Place place{kStandardInput, 1, 1};
     std::array<char, 65536> block;
     for (;;) {
-        const ssize_t count = ::read(STDIN_FILENO, block.data(), block.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0)
-            return {
-                diagnose("glib-E14", fmt::format("cannot read the scene: {}", std::strerror(errno)), place)};
+        std::size_t count = 0;
+        if (const int problem = system::readInput(block, count); problem != 0)
+            return {diagnose("glib-E14", fmt::format("cannot read the scene: {}", std::strerror(problem)),
+                             place)};
         if (count == 0) return {};
-        to.append(block.data(), static_cast<std::size_t>(count));
+        to.append(block.data(), count);
         if (to.size() > glib::kLargestFile)
             return {diagnose("glib-E15",
                              fmt::format("the scene has more than {} bytes",

@@ -1,14 +1,13 @@
 #include "cli/sister_program.h"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
 #include "cli/commands.h"
+#include "system/places.h"
+#include "system/process.h"
 
 namespace glibra::cli {
 namespace {
@@ -19,10 +18,10 @@ namespace fs = std::filesystem;
 /// lib/x86_64-linux-gnu.
 fs::path find(const char* name) {
     std::error_code failure;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", failure).parent_path();
+    const fs::path folder = system::programFile().parent_path();
     for (const fs::path& each :
          {folder / name, folder / "../lib/glibra" / name, folder / ".." / GLIBRA_PROGRAMS_DIR / name})
-        if (fs::is_regular_file(each, failure) && ::access(each.c_str(), X_OK) == 0) return each;
+        if (fs::is_regular_file(each, failure) && system::isProgram(each)) return each;
     return {};
 }
 
@@ -34,14 +33,8 @@ int becomeProgram(const SisterProgram& program, const std::vector<std::string>& 
         std::fprintf(stderr, "glibra: error: the program %s is missing; %s\n", program.name, program.missing);
         return kNoDriver;
     }
-    std::vector<std::string> words{file.string()};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& each : words) pointers.push_back(each.data());
-    pointers.push_back(nullptr);
-    ::execv(file.c_str(), pointers.data());
-    std::fprintf(stderr, "glibra: error: cannot start %s: %s\n", file.c_str(), std::strerror(errno));
+    const int problem = system::becomeProgram(file, arguments);
+    std::fprintf(stderr, "glibra: error: cannot start %s: %s\n", file.c_str(), std::strerror(problem));
     return kNoDriver;
 }
 

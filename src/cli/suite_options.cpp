@@ -26,7 +26,7 @@ void addSelectionOptions(CommandLine& command, SuiteArguments& to) {
 }
 
 base::WorkerOptions inputWorkers(const SuiteArguments& arguments, std::size_t shots,
-                                 const base::Sandbox* sandbox, std::function<bool()> stop) {
+                                 const system::Sandbox* sandbox, std::function<bool()> stop) {
     const int jobs = suite::readingJobs(arguments.jobs);
     return {.workers = jobs,
             .timeout = arguments.timeout.value_or(suite::Shot().timeout),

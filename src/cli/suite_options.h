@@ -46,7 +46,7 @@ struct Selection {
 
 /// How to find out what the scenes of so many shots read (suite/run/fingerprint.h).
 base::WorkerOptions inputWorkers(const SuiteArguments& arguments, std::size_t shots,
-                                 const base::Sandbox* sandbox, std::function<bool()> stop);
+                                 const system::Sandbox* sandbox, std::function<bool()> stop);
 
 /// Reads the suites and selects the shots. Without a value, the reason has been printed and `status` is the
 /// exit status.

@@ -1,14 +1,13 @@
 #include "cli/suite_progress.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "base/utf8.h"
+#include "system/terminal.h"
 
 namespace glibra::cli {
 namespace {
@@ -16,12 +15,6 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenFrames{100};
 constexpr std::chrono::seconds kBetweenLines{10};
 constexpr std::size_t kBarWidth = 24;
-
-std::size_t terminalWidth() {
-    winsize size{};
-    const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return known ? size.ws_col : 80;
-}
 
 }  // namespace
 
@@ -60,7 +53,7 @@ void SuiteProgress::show(bool now) {
     const std::size_t full = total_ > 0 ? kBarWidth * done_ / total_ : kBarWidth;
     std::string line =
         fmt::format("[{:=<{}}{: <{}}] {}  {}", "", full, "", kBarWidth - full, figures(time), current_);
-    std::size_t end = std::min(line.size(), terminalWidth() - 1);
+    std::size_t end = std::min(line.size(), system::terminalColumns() - 1);
     while (end > 0 && end < line.size() && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
     line.resize(end);
     std::fprintf(stderr, "\r\033[K%s", line.c_str());

@@ -1,6 +1,4 @@
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +16,6 @@
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/interruption.h"
 #include "cli/picture_options.h"
 #include "cli/run_facts.h"
 #include "cli/suite_options.h"
@@ -39,6 +36,7 @@
 #include "suite/run/fingerprint.h"
 #include "suite/run/verdict.h"
 #include "suite/suite.h"
+#include "system/interruption.h"
 
 namespace glibra::cli {
 
@@ -130,7 +128,7 @@ struct TestArguments {
 int report(suite::RunResult& run, const TestArguments& arguments, const suite::ReportRoots& roots) {
     run.orphansFail = arguments.strictOrphans;
     const std::string text =
-        suite::toText(run, {.color = hasColor(STDOUT_FILENO), .resultsFolder = arguments.results});
+        suite::toText(run, {.color = hasColor(system::Standard::output), .resultsFolder = arguments.results});
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     noteOrphans(run);
@@ -225,14 +223,6 @@ std::string lineOf(const suite::ShotResult& shot) {
                                            shot.shot, shot.reason.empty() ? "" : ": ", shot.reason));
 }
 
-/// True if two descriptors lead to the same terminal or file.
-bool isSameFile(int first, int second) {
-    struct stat a{};
-    struct stat b{};
-    return ::fstat(first, &a) == 0 && ::fstat(second, &b) == 0 && a.st_dev == b.st_dev &&
-           a.st_ino == b.st_ino;
-}
-
 /// The names of all shots to judge.
 std::vector<suite::PlannedShots> planOf(const Selection& selection) {
     std::vector<suite::PlannedShots> plan;
@@ -255,7 +245,7 @@ suite::RunResult beginningOf(const TestArguments& arguments, const Selection& se
     return run;
 }
 
-suite::RunOptions runOptions(const TestArguments& arguments, const std::optional<base::Sandbox>& sandbox) {
+suite::RunOptions runOptions(const TestArguments& arguments, const std::optional<system::Sandbox>& sandbox) {
     suite::RunOptions options;
     options.driver = arguments.suites.driver;
     options.jobs = arguments.suites.jobs;
@@ -312,9 +302,9 @@ int test(const TestArguments& arguments) {
         if (printErrors(problems)) return kWrongUsage;
     }
 
-    std::optional<base::Sandbox> sandbox;
+    std::optional<system::Sandbox> sandbox;
     if (arguments.suites.untrusted) {
-        std::vector<base::Reach> folders;
+        std::vector<system::Reach> folders;
         for (const suite::Suite& each : selection->suites)
             folders.emplace_back(fs::path(arguments.results), fs::path(each.name));
         sandbox = sandboxOf(*selection, arguments.suites.driver, arguments.goldens, folders);
@@ -324,7 +314,7 @@ int test(const TestArguments& arguments) {
     }
 
     const auto start = std::chrono::steady_clock::now();
-    const Interruption interruption;
+    const system::Interruption interruption;
     const auto isStopped = [&] { return interruption.signal() != 0; };
     suite::RunOptions options = runOptions(arguments, sandbox);
     options.orphans = orphansOf(selection->suites, arguments.goldens);
@@ -371,10 +361,10 @@ int test(const TestArguments& arguments) {
         printLine(fmt::format("{} of the earlier run {} drawn again: what the picture depends on has changed",
                               base::counted(count, "shot"), count == 1 ? "is" : "are"));
 
-    const bool terminal = ::isatty(STDERR_FILENO) == 1;
+    const bool terminal = system::isTerminal(system::Standard::error);
     SuiteProgress progress(open.size(), terminal);
     // The report names each failure. Where both go to one place, it would stand there twice.
-    const bool printsLines = !isSameFile(STDERR_FILENO, STDOUT_FILENO);
+    const bool printsLines = !isSameFile(system::Standard::error, system::Standard::output);
     suite::RunEvents events;
     events.begins = [&](const suite::ShotReference& each) {
         const suite::Suite& suite = selection->suites[each.suite];
@@ -407,7 +397,7 @@ int test(const TestArguments& arguments) {
     }
     progress.clear();
     if (sandbox)
-        for (const base::Reach& each : sandbox->writable) {
+        for (const system::Reach& each : sandbox->writable) {
             std::error_code notEmpty;
             fs::remove(each.whole(), notEmpty);
         }

@@ -1,9 +1,6 @@
 #include "cli/untrusted.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,11 +12,16 @@
 #include "gpu/context/hardware.h"
 #include "image/module_loader.h"
 #include "scene/file_lookup.h"
+#include "system/library.h"
+#include "system/places.h"
+#include "system/process.h"
 
 namespace glibra::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using system::FileKind;
+using system::Links;
 
 fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -42,7 +44,7 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
 
 /// The way from a folder that the user named down to a path, as it is written. Nothing if the path does not
 /// lead down from there.
-std::optional<base::Reach> reachBelow(const fs::path& folder, const fs::path& path) {
+std::optional<system::Reach> reachBelow(const fs::path& folder, const fs::path& path) {
     std::error_code failure;
     const auto plain = [&](const fs::path& each) {
         const fs::path whole = fs::absolute(each.empty() ? "." : each, failure).lexically_normal();
@@ -51,13 +53,13 @@ std::optional<base::Reach> reachBelow(const fs::path& folder, const fs::path& pa
     const fs::path inside = plain(path);
     for (const fs::path& root : {plain(folder), real(folder)}) {
         const fs::path below = inside.lexically_relative(root);
-        if (!failure && !below.empty() && *below.begin() != "..") return base::Reach(root, below);
+        if (!failure && !below.empty() && *below.begin() != "..") return system::Reach(root, below);
     }
     return std::nullopt;
 }
 
 /// The first link on the way down from the root.
-std::optional<fs::path> linkOn(const base::Reach& reach) {
+std::optional<fs::path> linkOn(const system::Reach& reach) {
     if (reach.root.empty()) return std::nullopt;
     fs::path way = reach.root;
     for (const fs::path& part : reach.path) {
@@ -71,7 +73,7 @@ std::optional<fs::path> linkOn(const base::Reach& reach) {
 /// What the workers may read. Links are named once.
 class Readable {
   public:
-    void add(base::Reach reach) {
+    void add(system::Reach reach) {
         const std::optional<fs::path> link = linkOn(reach);
         if (!link) {
             found_.insert(std::move(reach));
@@ -88,35 +90,29 @@ class Readable {
         const scene::SearchFolders folders =
             scene::searchFolders(scene, {.libraryRoots = options.libraryRoots});
         for (std::size_t i = 0; i < folders.library.size(); ++i)
-            if (std::optional<base::Reach> reach = reachBelow(folders.roots[i], folders.library[i]))
+            if (std::optional<system::Reach> reach = reachBelow(folders.roots[i], folders.library[i]))
                 add(std::move(*reach));
     }
 
-    [[nodiscard]] const std::set<base::Reach>& all() const { return found_; }
+    [[nodiscard]] const std::set<system::Reach>& all() const { return found_; }
     [[nodiscard]] const Diagnostics& problems() const { return problems_; }
 
   private:
-    std::set<base::Reach> found_;
+    std::set<system::Reach> found_;
     std::set<fs::path> linked_;
     Diagnostics problems_;
 };
 
-base::Sandbox sandboxWith(const Readable& readable, Driver driver) {
+system::Sandbox sandboxWith(const Readable& readable, Driver driver) {
     print(readable.problems());
-    base::Sandbox sandbox;
+    system::Sandbox sandbox;
     sandbox.readable.assign(readable.all().begin(), readable.all().end());
     for (const fs::path& each : image::defaultModuleFolders())
-        sandbox.readable.emplace_back(each / "glibra_openimageio.so");
+        sandbox.readable.emplace_back(each / system::moduleName("glibra_openimageio"));
     // Where users keep drivers of their own.
     for (const char* name : {"LD_LIBRARY_PATH", "LIBGL_DRIVERS_PATH", "__EGL_VENDOR_LIBRARY_DIRS"})
-        for (fs::path& each : foldersIn(name)) sandbox.readable.emplace_back(std::move(each));
-    if (!gpu::mayUseHardware(driver)) return sandbox;
-    for (const char* each :
-         {"/dev/dri", "/dev/nvidiactl", "/dev/nvidia-modeset", "/dev/nvidia-uvm", "/dev/dxg"})
-        sandbox.devices.emplace_back(each);
-    constexpr int kMostDevices = 16;
-    for (int i = 0; i < kMostDevices; ++i)
-        sandbox.devices.emplace_back(fs::path(fmt::format("/dev/nvidia{}", i)));
+        for (fs::path& each : system::foldersIn(name)) sandbox.readable.emplace_back(std::move(each));
+    if (gpu::mayUseHardware(driver)) addGraphicsDevices(sandbox);
     return sandbox;
 }
 
@@ -129,18 +125,19 @@ void addUntrustedOption(CommandLine& command, bool& to) {
 }
 
 bool prepareUntrusted() {
-    if (const std::string missing = base::missingForSandbox(); !missing.empty()) {
+    if (const std::string missing = system::missingForSandbox(); !missing.empty()) {
         printError("--untrusted cannot be kept on this system: " + missing);
         return false;
     }
     // A cache that a scene could write to would carry its shaders into later runs.
     for (const char* each : {"MESA_SHADER_CACHE_DISABLE", "MESA_GLSL_CACHE_DISABLE"})
-        ::setenv(each, "true", 1);
-    ::setenv("__GL_SHADER_DISK_CACHE", "0", 1);
+        system::setVariable(each, "true", system::Replace::yes);
+    system::setVariable("__GL_SHADER_DISK_CACHE", "0", system::Replace::yes);
     return true;
 }
 
-base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver) {
+system::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options,
+                          Driver driver) {
     Readable readable;
     for (const std::string& each : scenes) {
         readable.add(folderOf(each));
@@ -149,8 +146,8 @@ base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOpti
     return sandboxWith(readable, driver);
 }
 
-std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver, const fs::path& goldens,
-                                       const std::vector<base::Reach>& folders) {
+std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driver, const fs::path& goldens,
+                                         const std::vector<system::Reach>& folders) {
     Diagnostics problems;
     Readable readable;
     std::set<fs::path> known;
@@ -160,7 +157,7 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
                            const Place& place) {
         std::error_code failure;
         const fs::path own = fs::is_directory(suite.file, failure) ? suite.file : folderOf(suite.file);
-        std::optional<base::Reach> way = reachBelow(own, path);
+        std::optional<system::Reach> way = reachBelow(own, path);
         if (!way) way = reachBelow(".", path);
         const std::optional<fs::path> link = way ? linkOn(*way) : std::nullopt;
         if (way && !link) return way;
@@ -174,7 +171,7 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
                                              "the current one",
                                              what, path.string()),
                           place));
-        return std::optional<base::Reach>();
+        return std::optional<system::Reach>();
     };
     std::set<fs::path> scenes;
     for (const suite::ShotReference& each : selection.shots) {
@@ -186,23 +183,23 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
         // Shots of one folder have the same neighbours, but a library of their own perhaps.
         const bool isNew = scenes.insert(folderOf(shot.script)).second;
         if (!isNew && shot.options.libraryRoots.empty()) continue;
-        if (std::optional<base::Reach> way = wayTo(suite, "scene", folderOf(shot.script), shot.place))
+        if (std::optional<system::Reach> way = wayTo(suite, "scene", folderOf(shot.script), shot.place))
             readable.add(std::move(*way));
         readable.addLibrary(shot.script, shot.options);
     }
     for (const suite::Suite& each : selection.suites) {
         if (!goldens.empty())
             readable.add({goldens, each.name});
-        else if (std::optional<base::Reach> way =
+        else if (std::optional<system::Reach> way =
                      wayTo(each, "folder of goldens", each.goldens, {each.file.string(), 1, 1}))
             readable.add(std::move(*way));
     }
-    for (const base::Reach& folder : folders) {
+    for (const system::Reach& folder : folders) {
         if (const std::optional<fs::path> link = linkOn(folder))
             problems.push_back(withoutId(
                 Severity::error,
                 fmt::format("--untrusted: '{}' on the way to what is written is a link", link->string())));
-        for (const base::Reach& each : readable.all())
+        for (const system::Reach& each : readable.all())
             if (isBelow(each.whole(), folder.whole()))
                 problems.push_back(withoutId(
                     Severity::error,
@@ -211,13 +208,13 @@ std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver
     }
     print(problems);
     if (!problems.empty()) return std::nullopt;
-    base::Sandbox sandbox = sandboxWith(readable, driver);
+    system::Sandbox sandbox = sandboxWith(readable, driver);
     sandbox.writable = folders;
     return sandbox;
 }
 
-void makeWritableFolders(const base::Sandbox& sandbox) {
-    for (const base::Reach& each : sandbox.writable)  // a failure is reported with what cannot be written
+void makeWritableFolders(const system::Sandbox& sandbox) {
+    for (const system::Reach& each : sandbox.writable)  // a failure is reported with what cannot be written
         base::makeFoldersBeneath(each.root.empty() ? each.path : each.root,
                                  each.root.empty() ? fs::path(".") : each.path);
 }
@@ -227,11 +224,12 @@ StagingFolder::StagingFolder(const fs::path& parent) {
     constexpr int kAttempts = 1000;
     for (int attempt = 0; attempt < kAttempts && path_.empty(); ++attempt) {
         fs::path name = (parent.empty() ? fs::path(".") : parent) /
-                        fmt::format(".glibra-{}-untrusted{}", ::getpid(),
+                        fmt::format(".glibra-{}-untrusted{}", system::ownNumber(),
                                     attempt == 0 ? "" : fmt::format("-{}", attempt));
-        if (::mkdir(name.c_str(), 0700) == 0)
+        const int problem = system::makePrivateFolder(name);
+        if (problem == 0)
             path_ = std::move(name);
-        else if (errno != EEXIST)
+        else if (problem != EEXIST)
             return;
     }
 }
@@ -250,8 +248,7 @@ fs::path StagingFolder::fileOf(std::size_t piece, const fs::path& target) const 
 
 std::optional<fs::path> StagingFolder::find(std::size_t piece, const fs::path& target) const {
     fs::path file = path_ / std::to_string(piece) / target.filename();
-    struct stat status{};
-    if (::lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    if (system::kindOf(file, Links::not_followed) != FileKind::regular) return std::nullopt;
     return file;
 }
 
@@ -260,14 +257,14 @@ Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target, im
     const auto refuse = [&](const std::string& why) {
         return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", target.string(), why))};
     };
-    struct stat status{};
-    if (::lstat(file.c_str(), &status) != 0) return {};
-    if (!S_ISREG(status.st_mode)) return refuse("the process that drew it made something else of it");
+    const FileKind made = system::kindOf(file, Links::not_followed);
+    if (made == FileKind::missing) return {};
+    if (made != FileKind::regular) return refuse("the process that drew it made something else of it");
     // A link that the user named keeps its target, as with files that are written directly.
     const bool isNamed = named == image::NamedBy::user;
     const fs::path place = isNamed ? real(target) : target;
-    const bool exists = ::lstat(place.c_str(), &status) == 0;
-    if (exists && !S_ISREG(status.st_mode) && (isNamed || !S_ISLNK(status.st_mode)))
+    const FileKind there = system::kindOf(place, Links::not_followed);
+    if (there != FileKind::missing && there != FileKind::regular && (isNamed || there != FileKind::link))
         return refuse("with --untrusted only ordinary files are written");
     return image::moveIntoPlace(file, place, named);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// --untrusted: the processes that read scenes of strangers are confined to what they need (base/sandbox.h).
+// --untrusted: the processes that read scenes of strangers are confined to what they need (system/sandbox.h).
 
 #include <glibra/diagnostic.h>
 #include <glibra/driver.h>
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "cli/command_line.h"
 #include "cli/suite_options.h"
 #include "image/file.h"
+#include "system/sandbox.h"
 
 namespace glibra::cli {
 
@@ -27,19 +27,20 @@ bool prepareUntrusted();
 /// What workers need that draw these scenes: the scenes' folders, the library folders that the file look-up
 /// searches, the image module, and the graphics devices unless the driver draws by software. A folder of the
 /// library that is reached through a link, below a root, is left out, and file-W18 is printed.
-base::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options, Driver driver);
+system::Sandbox sandboxOf(const std::vector<std::string>& scenes, const RenderOptions& options,
+                          Driver driver);
 
 /// The same for suites; their workers write only into `folders`. A suite may have been written by a stranger
 /// too, so its scenes, goldens and libraries must lie, without links, below its own folder or the current
 /// one; `goldens` is a folder that the command line names. Without a value, the reason has been printed, and
 /// the exit status is kSceneIsWrong.
-std::optional<base::Sandbox> sandboxOf(const Selection& selection, Driver driver,
-                                       const std::filesystem::path& goldens,
-                                       const std::vector<base::Reach>& folders);
+std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driver,
+                                         const std::filesystem::path& goldens,
+                                         const std::vector<system::Reach>& folders);
 
 /// Makes the folders that workers write to, because a sandbox leaves out what does not exist when the workers
 /// start.
-void makeWritableFolders(const base::Sandbox& sandbox);
+void makeWritableFolders(const system::Sandbox& sandbox);
 
 /// A new hidden folder, the only one that confined workers of `glibra render` write to. Their files are moved
 /// out of it when they are complete. The frames of a film are there, too. It is removed with the object.

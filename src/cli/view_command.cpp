@@ -1,8 +1,6 @@
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -13,6 +11,7 @@
 #include "cli/sister_program.h"
 #include "glib/text.h"
 #include "scene/folder_listings.h"
+#include "system/library.h"
 
 namespace glibra::cli {
 namespace {
@@ -21,11 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr SisterProgram kWindow{"glibra-view", "`glibra render SCENE` makes a picture without it"};
 constexpr std::size_t kMostTabs = 64;
-
-bool isSet(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value && *value;
-}
 
 bool isNamedAsScene(const std::string& word) {
     return glib::sameWord(fs::path(word).extension().string(), ".glib");
@@ -60,17 +54,17 @@ int openWindow(const std::vector<std::string>& arguments) {
     const bool asksForHelp = std::any_of(arguments.begin(), arguments.end(), [](const std::string& each) {
         return each == "-h" || each == "--help" || each == "--help-all";
     });
-    if (!asksForHelp && !isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY")) {
+    std::string library;
+    const system::Desktop desktop = asksForHelp ? system::Desktop::ready : system::desktop(library);
+    if (desktop == system::Desktop::no_display) {
         printError(fmt::format(
             "there is no display to open a window on; `glibra render {}` draws a picture without one",
             firstScene.empty() ? "SCENE" : firstScene));
         return kNoDriver;
     }
-    // GLFW needs it, in some builds before the window can say a word of its own.
-    if (!asksForHelp && !isSet("WAYLAND_DISPLAY") && !::dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL)) {
-        printError(
-            fmt::format("the window needs the library libX11.so.6, which this system does not have; {}",
-                        kWindow.missing));
+    if (desktop == system::Desktop::no_library) {
+        printError(fmt::format("the window needs the library {}, which this system does not have; {}",
+                               library, kWindow.missing));
         return kNoDriver;
     }
     return becomeProgram(kWindow, words);

@@ -33,6 +33,7 @@
 #include "render/load/program_sources.h"
 #include "render/scene_renderer.h"
 #include "scene/interpret.h"
+#include "system/memory.h"
 
 namespace glibra::editor {
 namespace {
@@ -390,7 +391,7 @@ SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& op
 }
 
 ContainedCheck checkContained(const std::filesystem::path& file, const RenderOptions& options) {
-    const base::SharedMemory memory(kLargestAnswer);
+    const system::SharedMemory memory(kLargestAnswer);
     const std::span<std::byte> bytes = memory.bytes();
     ContainedCheck result;
     if (bytes.empty()) {

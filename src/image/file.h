@@ -13,6 +13,7 @@
 
 #include "base/files.h"
 #include "image/limits.h"
+#include "system/file.h"
 
 namespace glibra::image {
 
@@ -63,19 +64,17 @@ class TemporaryFile {
     /// Keeps the suffix of the target. The file exists and is empty; if it could not be created, the path is
     /// empty.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// A descriptor open for writing, or -1.
-    [[nodiscard]] int descriptor() const { return descriptor_; }
+    /// Open for writing; empty if it could not be created.
+    [[nodiscard]] const system::File& file() const { return file_; }
     /// Moves the file into place. Empty on success, otherwise one file-E10.
     Diagnostics commit();
     /// The file-E10 for the last step that failed.
     [[nodiscard]] Diagnostic failure() const;
 
   private:
-    void closeDescriptor();
-
     std::filesystem::path target_, path_;
     NamedBy named_;
-    int descriptor_ = -1;
+    system::File file_;
     int lastError_ = 0;
 };
 

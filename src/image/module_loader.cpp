@@ -1,6 +1,5 @@
 #include "image/module_loader.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +13,9 @@
 #include "base/workers.h"
 #include "image/convert.h"
 #include "image/module/abi.h"
+#include "system/library.h"
+#include "system/memory.h"
+#include "system/places.h"
 
 namespace glibra::image {
 namespace {
@@ -25,11 +27,6 @@ struct Module {
     GlibraWritePicture write = nullptr;
 };
 
-template <class Function>
-Function functionOf(void* library, const char* name) {
-    return reinterpret_cast<Function>(::dlsym(library, name));
-}
-
 /// Loading a library that is already loaded takes microseconds, so nothing is cached here. The library is
 /// never unloaded: OpenImageIO does not survive that. A text says why there is no module: "is not installed",
 /// or what keeps the first one that is there from being loaded, such as a library of the system that it
@@ -37,18 +34,18 @@ Function functionOf(void* library, const char* name) {
 std::variant<Module, std::string> loadModule(std::span<const fs::path> folders) {
     std::string why;
     for (const fs::path& folder : folders) {
-        const fs::path file = folder / "glibra_openimageio.so";
+        const fs::path file = folder / system::moduleName("glibra_openimageio");
         std::error_code failed;
         if (!fs::exists(file, failed)) continue;
-        void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-        if (library == nullptr) {
-            const char* problem = ::dlerror();
-            if (why.empty() && problem != nullptr) why = fmt::format("cannot be loaded: {}", problem);
+        std::string problem;
+        const auto library = system::Library::open(file.string(), system::Library::When::all_now, problem);
+        if (!library) {
+            if (why.empty()) why = fmt::format("cannot be loaded: {}", problem);
             continue;
         }
-        const auto version = functionOf<GlibraModuleVersion>(library, "glibraModuleVersion");
-        const Module module{functionOf<GlibraReadPicture>(library, "glibraReadPicture"),
-                            functionOf<GlibraWritePicture>(library, "glibraWritePicture")};
+        const auto version = library.find<GlibraModuleVersion>("glibraModuleVersion");
+        const Module module{library.find<GlibraReadPicture>("glibraReadPicture"),
+                            library.find<GlibraWritePicture>("glibraWritePicture")};
         if (version != nullptr && version() == kGlibraModuleVersion && module.read != nullptr &&
             module.write != nullptr)
             return module;
@@ -198,7 +195,7 @@ Result<Image> readInThread(const ReadingJob& job, const DecoderTime& time) {
 Result<Image> readContained(const ReadingJob& job, const DecoderTime& time) {
     constexpr std::size_t kPixelsAt = 4096;
     static_assert(sizeof(Reading) <= kPixelsAt);
-    const base::SharedMemory shared(kPixelsAt + static_cast<std::size_t>(job.limits.texelBytes));
+    const system::SharedMemory shared(kPixelsAt + static_cast<std::size_t>(job.limits.texelBytes));
     if (shared.bytes().empty()) return damaged(job.label, "there is not enough memory to read it");
     auto& reading = *new (shared.bytes().data()) Reading;
     const std::span<std::byte> place = shared.bytes().subspan(kPixelsAt);
@@ -246,7 +243,7 @@ Writing writePixels(GlibraWritePicture write, GlibraWriteRequest request) {
         writing.result = write(&request);
     };
     Writing here;
-    const base::SharedMemory shared(sizeof(Writing));
+    const system::SharedMemory shared(sizeof(Writing));
     if (shared.bytes().empty()) return here;
     auto& there = *new (shared.bytes().data()) Writing;
     const base::CallEnd end = base::runContained({.seconds = 0, .memory = 0}, [&] { call(there); });
@@ -305,15 +302,8 @@ std::vector<fs::path> moduleFoldersOf(const fs::path& program, const fs::path& l
 }
 
 std::vector<fs::path> defaultModuleFolders() {
-    std::error_code failed;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failed);
     // A program of somebody else uses the library, or Python the package; either may have moved.
-    Dl_info self{};
-    fs::path library;
-    if (::dladdr(reinterpret_cast<const void*>(&defaultModuleFolders), &self) != 0 &&
-        self.dli_fname != nullptr)
-        library = self.dli_fname;
-    return moduleFoldersOf(program, library);
+    return moduleFoldersOf(system::programFile(), system::fileOfThisCode());
 }
 
 Result<Image> readByModule(Format format, std::span<const std::byte> file, const fs::path& path,

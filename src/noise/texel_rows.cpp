@@ -3,14 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-// The compiler builds the loops below for several kinds of processors, and the loader selects the best one.
-// All give the same bits: the operations and their order are the same, and no operations are fused.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define GLIBRA_FOR_EACH_PROCESSOR [[gnu::target_clones("default", "avx2", "avx512f")]]
-#else
-#define GLIBRA_FOR_EACH_PROCESSOR
-#endif
+#include "system/processors.h"
 
 namespace glibra::noise {
 namespace {
@@ -29,7 +22,7 @@ inline std::uint32_t distance(std::uint32_t units) {
 
 }  // namespace
 
-GLIBRA_FOR_EACH_PROCESSOR
+GLIBRA_FOR_EACH_PROCESSOR("default", "avx2", "avx512f")
 bool combineOctaves(const std::array<OctaveRow, 4>& octaves, std::size_t begin, std::size_t count,
                     TexelBlock& block) {
     const auto unitsAt = [begin](const OctaveRow& row, const RowWeights& w, std::size_t i) {
@@ -54,7 +47,7 @@ bool combineOctaves(const std::array<OctaveRow, 4>& octaves, std::size_t begin, 
     return least == 0;
 }
 
-GLIBRA_FOR_EACH_PROCESSOR
+GLIBRA_FOR_EACH_PROCESSOR("default", "avx2", "avx512f")
 void mergeRows(const OctaveRow& row, std::size_t count, float* sum) {
     const auto [n0, n1, g0, g1] = row.weights;
     const float *near = row.levels[0], *far = row.levels[1], *nearSlope = row.slopes[0],
@@ -63,7 +56,7 @@ void mergeRows(const OctaveRow& row, std::size_t count, float* sum) {
         sum[i] = (near[i] * n0 + far[i] * n1) + (nearSlope[i] * g0 + farSlope[i] * g1);
 }
 
-GLIBRA_FOR_EACH_PROCESSOR
+GLIBRA_FOR_EACH_PROCESSOR("default", "avx2", "avx512f")
 void mergeLevels(const OctaveRow& row, std::size_t count, float* sum) {
     const float n0 = row.weights.n0, n1 = row.weights.n1;
     const float *near = row.levels[0], *far = row.levels[1];

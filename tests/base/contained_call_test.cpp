@@ -10,13 +10,15 @@
 #include <memory>
 #include <vector>
 
+#include "system/memory.h"
+
 namespace glibra::base {
 namespace {
 
 using Kind = CallEnd::Kind;
 
 TEST(ContainedCall, ReturnsItsResultInSharedMemoryAndNothingElse) {
-    const SharedMemory shared(16);
+    const system::SharedMemory shared(16);
     ASSERT_EQ(shared.bytes().size(), 16U);
     int own = 1;
     const CallEnd end = runContained({}, [&] {
@@ -54,7 +56,7 @@ TEST(ContainedCall, ReportsHowTheProcessDied) {
 
 TEST(ContainedCall, HasALimitOfMemory) {
     constexpr std::size_t kMuch = std::size_t{1} << 30;
-    const SharedMemory shared(2);
+    const system::SharedMemory shared(2);
     const auto allocates = [&](std::uint64_t limit) {
         shared.bytes()[0] = std::byte{0};
         const CallEnd end = runContained({.memory = limit}, [&] {

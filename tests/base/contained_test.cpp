@@ -34,7 +34,7 @@ class Contained : public testing::Test {
         return text.str();
     }
     int whyNot(const fs::path& path) const {
-        const Descriptor file = openBeneath(root, path);
+        const system::File file = openBeneath(root, path);
         return file ? 0 : errno;
     }
     int put(const fs::path& path, const std::string& text) const {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "system/places.h"
+
 namespace glibra::base {
 namespace {
 
@@ -55,8 +57,8 @@ TEST_F(OwnLibrary, OfAnInstallationIsBesideItsPrograms) {
 }
 
 TEST(ProgramFile, IsTheFileThatRuns) {
-    EXPECT_EQ(programFile().filename(), "glibra_base_tests");
-    EXPECT_TRUE(fs::is_regular_file(programFile()));
+    EXPECT_EQ(system::programFile().filename(), "glibra_base_tests");
+    EXPECT_TRUE(fs::is_regular_file(system::programFile()));
 }
 
 }  // namespace

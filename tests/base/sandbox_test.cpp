@@ -1,7 +1,7 @@
 // Tries to escape. Each attempt runs in a process of its own, once free and once confined: it must succeed
 // free, so that the test shows that the sandbox is what stops it.
 
-#include "base/sandbox.h"
+#include "system/sandbox.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -31,16 +31,19 @@
 
 #include "base/memory_limit.h"
 #include "base/workers.h"
+#include "system/memory.h"
 
 namespace glibra::base {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace system;
 
 constexpr int kConfinementFailed = 99;
 
 /// Runs `attempt` in a child process and returns its exit status: 0 if it returned true, otherwise 1.
-int inChild(const std::function<bool()>& attempt, const Sandbox* sandbox, std::span<const int> kept = {}) {
+int inChild(const std::function<bool()>& attempt, const Sandbox* sandbox,
+            std::span<const File* const> kept = {}) {
     const pid_t child = ::fork();
     if (child == 0) {
         if (sandbox && !enterSandbox(*sandbox, kept).empty()) ::_exit(kConfinementFailed);
@@ -250,7 +253,8 @@ TEST_F(Confined, HasNoDescriptorsButThoseThatItIsGiven) {
     const int high = ::fcntl(secret, F_DUPFD, 500);
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
-    const std::array<int, 1> kept{ends[1]};
+    const File writing(ends[1]);
+    const std::array kept{&writing};
     EXPECT_EQ(inChild([&] { return ::write(ends[1], "k", 1) == 1; }, &sandbox, kept), 0);
     for (const int each : {secret, high, ends[0]}) {
         EXPECT_EQ(inChild([&] { return ::fcntl(each, F_GETFD) >= 0; }, &sandbox, kept), 1) << each;

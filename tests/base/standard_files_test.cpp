@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <string>
 
+#include "system/terminal.h"
+
 namespace glibra::base {
 namespace {
 
@@ -17,7 +19,7 @@ TEST(StandardFiles, ClosedOnesAreTakenSoThatNothingElseGetsTheirNumbers) {
         if (child == 0) {
             for (int each = 0; each <= 2; ++each)
                 if ((closed >> static_cast<unsigned>(each) & 1U) != 0) ::close(each);
-            bool good = openStandardFiles();
+            bool good = system::openStandardFiles();
             for (int each = 0; each <= 2; ++each) {
                 good = good && ::fcntl(each, F_GETFD) == 0;
                 const bool wasClosed = (closed >> static_cast<unsigned>(each) & 1U) != 0;

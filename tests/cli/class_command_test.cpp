@@ -12,8 +12,8 @@
 #include <sstream>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "program.h"
+#include "system/sandbox.h"
 
 namespace glibra::test {
 namespace {
@@ -393,7 +393,7 @@ TEST_F(ClassCommand, PicturesOfAnEarlierRunDoNotStay) {
 }
 
 TEST_F(ClassCommand, ConfinedWorkersGiveTheSamePage) {
-    if (const std::string missing = base::missingForSandbox(); !missing.empty()) GTEST_SKIP() << missing;
+    if (const std::string missing = system::missingForSandbox(); !missing.empty()) GTEST_SKIP() << missing;
     hand("ana", fragment("uTone"));
     hand("bob", fragment(".2"));
     hand("cem", "#version 330 core\n#include \"../../secret.glsl\"\nvoid main() {}\n");

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "image/convert.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "program.h"
+#include "system/sandbox.h"
 
 namespace glibra::test {
 namespace {
@@ -243,7 +243,7 @@ TEST_F(ClassInput, ZipFilesAndFlatFilesAreDrawnInASandboxToo) {
               0);
     ASSERT_EQ(shell(folder / "flat", "python3 -m zipfile -c ../all/cem.zip a.glib a.frag a.vert").status, 0);
     std::vector<std::string> ways{""};
-    if (base::missingForSandbox().empty()) ways.emplace_back("--untrusted ");
+    if (system::missingForSandbox().empty()) ways.emplace_back("--untrusted ");
     for (const std::string& each : ways) {
         const Finished done = run(each + "--names canvas --assignment 'P2 (7)'");
         ASSERT_EQ(done.status, 0) << done.err;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "image/read.h"
 #include "program.h"
+#include "system/sandbox.h"
 
 namespace glibra::test {
 namespace {
@@ -168,7 +168,7 @@ TEST_F(GalleryCommand, ASceneThatNeverEndsCostsItsOwnPicture) {
 }
 
 TEST_F(GalleryCommand, IsTheSameInASandbox) {
-    if (!base::missingForSandbox().empty()) GTEST_SKIP() << base::missingForSandbox();
+    if (!system::missingForSandbox().empty()) GTEST_SKIP() << system::missingForSandbox();
     const Finished run = gallery("-o site --untrusted");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(site(), kWholeSite);

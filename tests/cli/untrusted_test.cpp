@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "program.h"
+#include "system/sandbox.h"
 
 namespace glibra::test {
 namespace {
@@ -22,7 +22,8 @@ constexpr const char* kTimerFragment =
 class Untrusted : public testing::Test {
   protected:
     void SetUp() override {
-        if (const std::string missing = base::missingForSandbox(); !missing.empty()) GTEST_SKIP() << missing;
+        if (const std::string missing = system::missingForSandbox(); !missing.empty())
+            GTEST_SKIP() << missing;
         folder.write("in/a.vert", kVertexShader);
         folder.write("in/a.frag", kTimerFragment);
         folder.write("in/a.glib", "WindowSize 60 40\nVertex a.vert\nFragment a.frag\nProgram P\nTeapot\n");

@@ -142,7 +142,7 @@ TEST_F(WholeFile, KeepsAllItsNamesIfTheUserNamedIt) {
     EXPECT_TRUE(writeFileAtomically(file, testing::bytesOf({4, 5})).empty());
     EXPECT_EQ(*readFile(folder / "b", kFileLabel), testing::bytesOf({4, 5}));
     TemporaryFile temporary(file);
-    ASSERT_EQ(::write(temporary.descriptor(), "long", 4), 4);
+    ASSERT_EQ(writeAll(temporary.file(), std::string_view("long")), 0);
     EXPECT_TRUE(temporary.commit().empty());
     EXPECT_EQ(*readFile(folder / "b", kFileLabel), testing::bytesOf({'l', 'o', 'n', 'g'}));
     EXPECT_EQ(fileCount(), 2U);

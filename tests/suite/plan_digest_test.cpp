@@ -37,7 +37,7 @@ class PlanDigest : public testing::Test {
 TEST_F(PlanDigest, EveryShotAndEverySettingCounts) {
     const std::string before = digest();
     EXPECT_EQ(digest(), before);
-    const base::Sandbox sandbox;
+    const system::Sandbox sandbox;
     const std::map<std::string, std::function<void(Suite&, RunOptions&)>> changes{
         {"another shot", [](Suite& suite, RunOptions&) { suite.shots.push_back(suite.shots.front()); }},
         {"a shot less", [](Suite& suite, RunOptions&) { suite.shots.pop_back(); }},

@@ -1,4 +1,4 @@
-#include "view/edit/external_editor.h"
+#include "system/process.h"
 
 #include <sys/wait.h>
 
@@ -24,7 +24,7 @@ TEST(DetachedProcess, RunsAndLeavesNoChild) {
     const std::string file = (folder / "out").string();
     const std::string command =
         "printf '%s %s' \"$0\" \"$1\" >" + file + ".part && mv " + file + ".part " + file;
-    EXPECT_EQ(view::startDetached({"sh", "-c", command, "a b", "c"}), "");
+    EXPECT_EQ(system::startDetached({"sh", "-c", command, "a b", "c"}), "");
     errno = 0;
     EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
     EXPECT_EQ(errno, ECHILD) << "this program has no child process, running or ended";
@@ -32,8 +32,8 @@ TEST(DetachedProcess, RunsAndLeavesNoChild) {
 }
 
 TEST(DetachedProcess, ReportsWhyAProgramCannotBeStarted) {
-    EXPECT_EQ(view::startDetached({"glibra-no-such-program"}), "No such file or directory");
-    EXPECT_EQ(view::startDetached({"/"}), "Permission denied");
+    EXPECT_EQ(system::startDetached({"glibra-no-such-program"}), "No such file or directory");
+    EXPECT_EQ(system::startDetached({"/"}), "Permission denied");
     errno = 0;
     EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
     EXPECT_EQ(errno, ECHILD);

@@ -39,5 +39,5 @@ file(GLOB module_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/image/modul
 add_library(glibra_openimageio MODULE ${module_sources})
 glibra_compile_options(glibra_openimageio)
 target_include_directories(glibra_openimageio PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-target_link_libraries(glibra_openimageio PRIVATE PkgConfig::openimageio PkgConfig::openexr PkgConfig::webp)
+target_link_libraries(glibra_openimageio PRIVATE glibra_system PkgConfig::openimageio PkgConfig::openexr PkgConfig::webp)
 set_target_properties(glibra_openimageio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -78,19 +78,41 @@ endfunction()
 
 # The owner for what glibra_quick_to_compile() compiles at -Og. From version 13 on, GCC takes no headers that were precompiled
 # at another level.
-set(GLIBRA_QUICK_OWNER glibra_base)
+set(GLIBRA_QUICK_OWNER glibra_system)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
     set(GLIBRA_QUICK_OWNER glibra_glib)  # the first of these rooms
 endif()
 
-# glibra_room(NAME [QUICK_TO_COMPILE [OFTEN_RUN pattern...]] [ROOMS room...] [WITHOUT name...] [LINK library...])
+# The files of the room system: one folder per implementation, and linux replaces files of posix that have the same names.
+function(glibra_files_of_system result system)
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/system/${system}/*.cpp)
+    if(NOT sources)
+        message(FATAL_ERROR "GLIBRA_SYSTEM is '${system}': there is no src/system/${system}.")
+    endif()
+    if(system STREQUAL "linux")
+        file(GLOB plain CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/system/posix/*.cpp)
+        foreach(file ${plain})
+            get_filename_component(name ${file} NAME)
+            if(NOT ${PROJECT_SOURCE_DIR}/src/system/linux/${name} IN_LIST sources)
+                list(APPEND sources ${file})
+            endif()
+        endforeach()
+    endif()
+    set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+
+# glibra_room(NAME [SYSTEM system] [QUICK_TO_COMPILE [OFTEN_RUN pattern...]] [ROOMS room...] [WITHOUT name...]
+#             [LINK library...])
 # ROOMS are the rooms whose headers this one may include; their own rooms come with them. OFTEN_RUN are the files of a room
 # that run for every pixel, vertex or draw all the same: the target glibra_NAME_often. WITHOUT are files of other systems.
 function(glibra_room room)
-    cmake_parse_arguments(arg "QUICK_TO_COMPILE" "" "OFTEN_RUN;ROOMS;WITHOUT;LINK" ${ARGN})
+    cmake_parse_arguments(arg "QUICK_TO_COMPILE" "SYSTEM" "OFTEN_RUN;ROOMS;WITHOUT;LINK" ${ARGN})
     # Without the sub-folders that are a module or a program of their own.
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program)/")
+    if(arg_SYSTEM)
+        glibra_files_of_system(sources ${arg_SYSTEM})
+    endif()
     list(TRANSFORM arg_WITHOUT PREPEND ${PROJECT_SOURCE_DIR}/src/${room}/)
     list(REMOVE_ITEM sources ${arg_WITHOUT})
     set(targets glibra_${room})
@@ -114,7 +136,7 @@ function(glibra_room room)
             glibra_quick_to_compile(${target} -Og)
             glibra_precompile(${target} ${GLIBRA_QUICK_OWNER})
         else()
-            glibra_precompile(${target} glibra_base)
+            glibra_precompile(${target} glibra_system)
         endif()
     endforeach()
 endfunction()

@@ -1,25 +1,20 @@
 #include "bench/core/bench.h"
 
 #include <fmt/format.h>
-#include <link.h>
-#include <sys/wait.h>
-#include <time.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <iterator>
 #include <span>
 #include <system_error>
 
-#include "base/descriptor.h"
+#include "system/interruption.h"
+#include "system/library.h"
+#include "system/places.h"
+#include "system/worker.h"
 
 namespace glibra::bench {
 namespace {
@@ -31,64 +26,38 @@ struct Head {
     std::size_t size = 0;
 };
 
-bool send(int file, Head head, const std::string& text) {
+bool send(const system::File& file, Head head, const std::string& text) {
     head.size = text.size();
-    return base::writeAll(file, std::as_bytes(std::span(&head, 1))) == 0 && base::writeAll(file, text) == 0;
+    return writeAll(file, std::as_bytes(std::span(&head, 1))) == 0 && writeAll(file, text) == 0;
 }
 
-bool receive(int file, Head& head, std::string& text) {
-    if (!base::receiveAll(file, std::as_writable_bytes(std::span(&head, 1)))) return false;
+bool receive(const system::File& file, Head& head, std::string& text) {
+    if (!receiveAll(file, std::as_writable_bytes(std::span(&head, 1)))) return false;
     text.resize(head.size);
-    return base::receiveAll(file, std::as_writable_bytes(std::span(text)));
+    return receiveAll(file, std::as_writable_bytes(std::span(text)));
 }
 
 /// Runs one piece of work in a new process, so that the next one finds no driver loaded.
-void answerOnce(int answers, const Head& request, const std::string& text) {
-    const pid_t child = fork();
-    if (child == 0) {
-        try {
-            send(answers, {.isAnswered = true}, request.work(text));
-        } catch (const std::exception&) {
-            _exit(1);
-        }
-        _exit(0);
-    }
-    int status = 0;
-    if (child < 0) {
+void answerOnce(const system::File& answers, const Head& request, const std::string& text) {
+    system::Process copy =
+        system::runInCopy([&] { send(answers, {.isAnswered = true}, request.work(text)); });
+    if (!copy) {
         send(answers, {}, std::string("cannot be started: ") + std::strerror(errno));
         return;
     }
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (WIFSIGNALED(status))
-        send(answers, {},
-             fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
-    else if (WEXITSTATUS(status) != 0)
-        send(answers, {}, fmt::format("ended with status {}", WEXITSTATUS(status)));
+    const system::End end = waitFor(copy);
+    if (end.signal != 0)
+        send(answers, {}, fmt::format("ended by signal {} ({})", end.signal, system::signalText(end.signal)));
+    else if (end.status != 0)
+        send(answers, {}, fmt::format("ended with status {}", end.status));
 }
 
-bool isDriverLoaded() {
-    const auto isDriver = [](dl_phdr_info* library, std::size_t, void*) {
-        const std::string_view path = library->dlpi_name;
-        return path.find("libEGL") != path.npos || path.find("OSMesa") != path.npos ? 1 : 0;
-    };
-    return dl_iterate_phdr(isDriver, nullptr) != 0;
-}
-
-/// Returns false also if the threads cannot be counted.
-bool isSingleThreaded() {
-    std::error_code problem;
-    const std::filesystem::directory_iterator threads("/proc/self/task", problem);
-    return !problem && std::distance(begin(threads), end(threads)) == 1;
-}
-
-[[noreturn]] void serve(int requests, int answers) {
+void serve(const system::File& requests, const system::File& answers) {
     // If the parent ends, the closed pipes end this loop.
-    (void)std::signal(SIGPIPE, SIG_IGN);
+    const system::BrokenPipesAreErrors errors;
     Head request;
     std::string text;
     while (receive(requests, request, text) && request.work) answerOnce(answers, request, text);
-    _exit(0);
 }
 
 using Clock = std::chrono::steady_clock;
@@ -110,9 +79,8 @@ constexpr double kShortestRun = 10e-3;  ///< seconds; shorter work is repeated i
 constexpr int kMostInner = 10'000;
 
 double now(bool byProcessor) {
-    timespec time{};
-    ::clock_gettime(byProcessor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    if (byProcessor) return system::processorSeconds();
+    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
 double secondsEach(const std::function<void()>& work, int inner, bool byProcessor) {
@@ -132,43 +100,27 @@ int innerOf(const std::function<void()>& work, bool byProcessor) {
 }  // namespace
 
 Apart::Apart() {
-    if (!isSingleThreaded() || isDriverLoaded()) return;
-    std::array<int, 2> requests{}, answers{};
-    if (pipe(requests.data()) != 0) return;
-    if (pipe(answers.data()) != 0) {
-        close(requests[0]);
-        close(requests[1]);
-        return;
-    }
-    process_ = fork();
-    if (process_ == 0) {
-        close(requests[1]);
-        close(answers[0]);
-        serve(requests[0], answers[1]);
-    }
-    close(requests[0]);
-    close(answers[1]);
-    if (process_ < 0) {
-        close(requests[1]);
-        close(answers[0]);
-        return;
-    }
-    requests_ = requests[1];
-    answers_ = answers[0];
+    if (!system::hasOneThread() || system::isLibraryLoaded({"libEGL", "OSMesa"})) return;
+    system::File requests, answers;
+    if (makePipe(requests, requests_) != 0 || makePipe(answers_, answers) != 0) return;
+    process_ = system::runInCopy([&] {
+        requests_.close();
+        answers_.close();
+        serve(requests, answers);
+    });
 }
 
 Apart::~Apart() {
-    if (process_ <= 0) return;
+    if (!process_) return;
     // Closing the pipe is not enough: processes forked since then hold it open too.
     send(requests_, {}, {});
-    close(requests_);
-    close(answers_);
-    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    requests_.close();
+    answers_.close();
+    waitFor(process_);
 }
 
 std::optional<std::string> Apart::run(Work work, const std::string& request) {
-    if (process_ <= 0) return std::nullopt;
+    if (!process_) return std::nullopt;
     Head answer;
     std::string text;
     if (!send(requests_, {.work = work}, request) || !receive(answers_, answer, text)) {
@@ -255,7 +207,7 @@ const BenchOptions& Bench::options() const {
 gpu::Context& Bench::context() {
     if (!state_->context) {
         const BenchOptions& options = state_->options;
-        if (options.filtersInBytes) unsetenv("GALLIVM_PERF");
+        if (options.filtersInBytes) system::removeVariable("GALLIVM_PERF");
         state_->context.emplace(
             need(gpu::openContext({.driver = options.driver, .floatFiltering = !options.filtersInBytes})));
     }

@@ -14,6 +14,7 @@
 
 #include "bench/core/figure.h"
 #include "gpu/context/context.h"
+#include "system/process.h"
 
 namespace glibra::bench {
 
@@ -43,8 +44,8 @@ inline void check(Diagnostics problems) {
 class Apart {
   public:
     /// Forks a process that waits for requests. If this process has more than one thread or has already
-    /// loaded a driver, nothing is forked and run() never gives an answer: in the fork, a driver's locks
-    /// would stay locked forever.
+    /// loaded a driver, or the system has no copies of processes, nothing is forked and run() never gives an
+    /// answer: in the fork, a driver's locks would stay locked forever.
     Apart();
     Apart(const Apart&) = delete;
     Apart& operator=(const Apart&) = delete;
@@ -58,11 +59,11 @@ class Apart {
     /// empty if it gave one or if there is no process.
     [[nodiscard]] const std::string& failure() const { return failure_; }
     /// False if run() never gives an answer.
-    [[nodiscard]] bool isThere() const { return process_ > 0; }
+    [[nodiscard]] bool isThere() const { return static_cast<bool>(process_); }
 
   private:
-    int requests_ = -1, answers_ = -1;  ///< ends of two pipes; -1: there is no process
-    int process_ = -1;
+    system::File requests_, answers_;  ///< ends of two pipes
+    system::Process process_;
     std::string failure_;
 };
 

@@ -1,8 +1,6 @@
 #include "bench/core/run.h"
 
 #include <fmt/chrono.h>
-#include <sys/utsname.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,28 +8,16 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <type_traits>
 
 #include "base/device_lost.h"
+#include "system/places.h"
 
 namespace glibra::bench {
 namespace {
-
-/// The value of the first line of /proc/cpuinfo that starts with one of the names under which kernels list
-/// the processor's model.
-std::string processorModel() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        for (const std::string_view name : {"model name", "Model", "CPU implementer"}) {
-            const std::size_t colon = line.find(": ");
-            if (line.starts_with(name) && colon != std::string::npos) return line.substr(colon + 2);
-        }
-    return {};
-}
 
 std::string compilerVersion() {
 #if defined(__clang__)
@@ -46,13 +32,10 @@ std::string compilerVersion() {
 /// Processor, memory, operating system and compiler. The driver's members stay empty.
 Machine describeMachine() {
     Machine machine;
-    machine.processor = processorModel();
+    machine.processor = system::processorModel();
     machine.cores = static_cast<int>(std::thread::hardware_concurrency());
-    machine.memory =
-        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-    utsname system{};
-    if (::uname(&system) == 0)
-        machine.system = fmt::format("{} {} {}", system.sysname, system.release, system.machine);
+    machine.memory = static_cast<double>(system::machineMemory());
+    machine.system = system::systemName();
     machine.compiler = compilerVersion();
     return machine;
 }

@@ -1,7 +1,6 @@
 // glibra-bench: started by `glibra bench` and `glibra info --precision`.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +26,7 @@
 #include "cli/written_files.h"
 #include "image/file.h"
 #include "suite/suite.h"
+#include "system/terminal.h"
 
 namespace glibra::bench {
 namespace {
@@ -137,7 +137,7 @@ void printLast(const Report& report) {
 /// Measures the subjects, and prints and writes what is known after each of them: minutes of work must not
 /// be lost with what comes later.
 Report measureAll(std::span<const Subject* const> chosen, const MeasureArguments& arguments) {
-    const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
+    const bool isTerminal = system::isTerminal(system::Standard::error);
     const auto begins = [&](const Subject& subject, std::size_t index, std::size_t count) {
         fmt::print(stderr, "{}[{}/{}] {}{}", isTerminal ? "\r\033[K" : "", index + 1, count, subject.title,
                    isTerminal ? "" : "\n");
@@ -341,7 +341,7 @@ int runProgram(int argc, char** argv) {
 }  // namespace glibra::bench
 
 int main(int argc, char** argv) {
-    if (!glibra::base::openStandardFiles()) return glibra::cli::kNoDriver;
+    if (!glibra::system::openStandardFiles()) return glibra::cli::kNoDriver;
     try {
         return glibra::cli::endProgram(glibra::bench::runProgram(argc, argv));
     } catch (const glibra::base::DeviceLost& lost) {

@@ -15,6 +15,7 @@
 #include "gpu/context/call_counter.h"
 #include "gpu/context/fork.h"
 #include "gpu/context/reset.h"
+#include "system/places.h"
 
 namespace glibra::gpu {
 
@@ -133,7 +134,7 @@ Context::State::~State() {
 
 void prepareEnvironment(const ContextOptions& options) {
     // A value that the user has set is kept.
-    if (options.floatFiltering) setenv("GALLIVM_PERF", "no_aos_sampling", 0);
+    if (options.floatFiltering) system::setVariable("GALLIVM_PERF", "no_aos_sampling", system::Replace::no);
 }
 
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}

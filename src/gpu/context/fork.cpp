@@ -1,20 +1,10 @@
 #include "gpu/context/fork.h"
 
-#include <dlfcn.h>
-#include <pthread.h>
+#include "system/library.h"
+#include "system/process.h"
 
 namespace glibra::gpu {
 namespace {
-
-/// A function that this process has: in the common scope, or of a library that is loaded in whatever scope.
-void* functionOf(const char* library, const char* name) {
-    if (void* here = ::dlsym(RTLD_DEFAULT, name)) return here;
-    void* loaded = ::dlopen(library, RTLD_NOW | RTLD_NOLOAD);
-    if (loaded == nullptr) return nullptr;
-    void* function = ::dlsym(loaded, name);
-    ::dlclose(loaded);
-    return function;
-}
 
 /// The functions by which a library says which context is current, and finds functions of GL.
 struct Way {
@@ -31,8 +21,9 @@ constexpr Way kWays[] = {{"libEGL.so.1", "eglGetCurrentContext", "eglGetProcAddr
 
 std::optional<CurrentContext> currentContext() {
     for (const Way& way : kWays) {
-        const auto current = reinterpret_cast<void* (*)()>(functionOf(way.library, way.current));
-        const auto address = reinterpret_cast<void* (*)(const char*)>(functionOf(way.library, way.address));
+        const auto current = reinterpret_cast<void* (*)()>(system::loadedFunction(way.library, way.current));
+        const auto address =
+            reinterpret_cast<void* (*)(const char*)>(system::loadedFunction(way.library, way.address));
         if (current == nullptr || address == nullptr) continue;
         if (void* handle = current()) return CurrentContext{handle, current, address};
     }
@@ -46,8 +37,8 @@ std::atomic<bool> isChild = false;
 }  // namespace
 
 void noteDriver() {
-    static const int watched = ::pthread_atfork(nullptr, nullptr, [] { isChild = true; });
-    static_cast<void>(watched);
+    static const bool isWatched = (system::onCopy([] { isChild = true; }), true);
+    static_cast<void>(isWatched);
 }
 
 bool isForked() {

@@ -1,25 +1,19 @@
 #include "gpu/context/hardware.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include "base/text.h"
+#include "system/places.h"
 
 namespace glibra::gpu {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool canOpen(const fs::path& file) {
-    return ::access(file.c_str(), R_OK | W_OK) == 0;
-}
 
 /// True if the variable holds what Mesa reads as yes, in upper or lower case.
 bool mesaMustUseSoftware() {
@@ -33,14 +27,9 @@ bool mesaMustUseSoftware() {
 
 bool mayUseHardware(Driver driver, const fs::path& devices) {
     if (driver == Driver::osmesa) return false;
-    if (canOpen(devices / "nvidiactl")) return true;
-    if (mesaMustUseSoftware()) return false;
-    if (canOpen(devices / "dxg")) return true;  // the Windows GPU, as WSL shows it
-    std::error_code failure;
-    for (fs::directory_iterator each(devices / "dri", failure); !failure && each != fs::directory_iterator();
-         each.increment(failure))
-        if (each->path().filename().string().starts_with("renderD") && canOpen(each->path())) return true;
-    return false;
+    const system::GraphicsCard card = system::graphicsCard(devices);
+    if (card == system::GraphicsCard::own_driver) return true;
+    return card == system::GraphicsCard::mesa && !mesaMustUseSoftware();
 }
 
 int usualWorkers(Driver driver, std::size_t pieces, int processors, const fs::path& devices) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <variant>
 
+#include "system/library.h"
+
 namespace glibra::gpu {
 
 /// A library stays loaded until the process ends: drivers start threads and register exit handlers, so
@@ -16,14 +18,13 @@ class Library {
     /// Sets `function` to the one of that name. False, with null, if there is none.
     template <class Function>
     [[nodiscard]] bool find(const char* name, Function& function) const {
-        function = reinterpret_cast<Function>(address(name));
+        function = library_.find<Function>(name);
         return function != nullptr;
     }
 
   private:
-    explicit Library(void* handle) : handle_(handle) {}
-    [[nodiscard]] void* address(const char* name) const;
-    void* handle_ = nullptr;
+    explicit Library(system::Library library) : library_(library) {}
+    system::Library library_;
 };
 
 }  // namespace glibra::gpu

@@ -2,24 +2,20 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "image/module/codec.h"
+#include "system/memory.h"
 
 namespace glibra::module {
 namespace {
@@ -126,65 +122,6 @@ void readChannels(OIIO::ImageInput& input, size_t count, const std::array<int, 4
     if (input.has_error()) throw Failure{input.geterror()};
 }
 
-[[noreturn]] void failWith(int number) {
-    throw Failure{std::strerror(number)};
-}
-
-/// A file in memory, for readers and writers that take only a path; the latter do not notice that a disk is
-/// full.
-class MemoryFile {
-  public:
-    /// Where files in memory are refused, as to a confined process, it is one without a name on the disk of
-    /// `near`, a path. Throws Failure if the system gives none.
-    explicit MemoryFile(const std::string& near)
-        : descriptor_(::memfd_create("glibra-picture", MFD_CLOEXEC)) {
-        if (descriptor_ < 0 && errno == EPERM) {
-            const std::filesystem::path folder = std::filesystem::path(near).parent_path();
-            descriptor_ = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC,
-                                 S_IRUSR | S_IWUSR);
-        }
-        if (descriptor_ < 0) failWith(errno);
-    }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-    ~MemoryFile() { ::close(descriptor_); }
-
-    /// Any code of this process can open it.
-    [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
-    void write(const void* bytes, size_t size) const {
-        const auto* from = static_cast<const char*>(bytes);
-        for (size_t done = 0; done < size;) {
-            const ssize_t put = ::pwrite(descriptor_, from + done, size - done, static_cast<off_t>(done));
-            if (put < 0 && errno != EINTR) failWith(errno);
-            if (put > 0) done += static_cast<size_t>(put);
-        }
-    }
-
-    /// All of the file, which was written from beginning to end. Throws Failure if it has reached the largest
-    /// size that this process may write, which holds for files in memory, too: it has lost what comes after.
-    [[nodiscard]] std::vector<unsigned char> content() const {
-        struct stat status{};
-        rlimit largest{};
-        if (::fstat(descriptor_, &status) != 0) failWith(errno);
-        if (::getrlimit(RLIMIT_FSIZE, &largest) == 0 && largest.rlim_cur != RLIM_INFINITY &&
-            static_cast<rlim_t>(status.st_size) >= largest.rlim_cur)
-            failWith(EFBIG);
-        std::vector<unsigned char> bytes(static_cast<size_t>(status.st_size));
-        for (size_t have = 0; have < bytes.size();) {
-            const ssize_t got =
-                ::pread(descriptor_, bytes.data() + have, bytes.size() - have, static_cast<off_t>(have));
-            if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) failWith(got < 0 ? errno : EIO);
-            have += static_cast<size_t>(got);
-        }
-        return bytes;
-    }
-
-  private:
-    int descriptor_;
-};
-
 /// The content of the file. Every format is encoded in memory: not every writer of OpenImageIO notices that a
 /// disk is full.
 std::vector<unsigned char> encoded(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec,
@@ -200,7 +137,7 @@ std::vector<unsigned char> encoded(OIIO::ImageOutput& output, const OIIO::ImageS
         write(request.path);
         return memory.buffer();
     }
-    const MemoryFile file(request.path);
+    const system::MemoryFile file(request.path);
     write(file.path());
     std::vector<unsigned char> bytes = file.content();
     // The header of SGI ends with the name of the picture and unused bytes, which OpenImageIO leaves as it
@@ -224,13 +161,13 @@ void readByOpenImageIo(const GlibraReadRequest& request) {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(request.format);
     if (!input) throw Failure{OIIO::geterror()};
     OIIO::Filesystem::IOMemReader memory(request.bytes, request.size);
-    std::optional<MemoryFile> copy;
+    std::optional<system::MemoryFile> copy;
     std::string name = std::string("picture.") + request.format;
     if (!input->supports("ioproxy") || !input->set_ioproxy(&memory)) try {
             copy.emplace(request.path != nullptr ? request.path : "");
-            copy->write(request.bytes, request.size);
+            copy->write({reinterpret_cast<const std::byte*>(request.bytes), request.size});
             name = copy->path();
-        } catch (const Failure&) {
+        } catch (const std::system_error&) {
             // A confined process may be able to read the file where it may write none.
             if (request.path == nullptr) throw;
             name = request.path;

@@ -9,13 +9,7 @@
 #include <span>
 #include <vector>
 
-// The compiler generates the loops below for several kinds of processor, and the loader chooses the best one.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define GLIBRA_FOR_EACH_PROCESSOR [[gnu::target_clones("default", "avx2")]]
-#else
-#define GLIBRA_FOR_EACH_PROCESSOR
-#endif
+#include "system/processors.h"
 
 namespace glibra::image {
 namespace {
@@ -112,20 +106,20 @@ namespace {
 // The loops below are written so that compilers vectorise them: no branches, at most 16 bits, no overlap of
 // input and output.
 
-GLIBRA_FOR_EACH_PROCESSOR
+GLIBRA_FOR_EACH_PROCESSOR("default", "avx2")
 void subtractLeft(const std::uint8_t* row, std::size_t count, std::size_t pixel,
                   std::uint8_t* __restrict to) {
     std::copy_n(row, pixel, to);
     for (std::size_t i = pixel; i < count; ++i) to[i] = static_cast<std::uint8_t>(row[i] - row[i - pixel]);
 }
 
-GLIBRA_FOR_EACH_PROCESSOR
+GLIBRA_FOR_EACH_PROCESSOR("default", "avx2")
 void subtractAbove(const std::uint8_t* row, const std::uint8_t* above, std::size_t count,
                    std::uint8_t* __restrict to) {
     for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(row[i] - above[i]);
 }
 
-GLIBRA_FOR_EACH_PROCESSOR
+GLIBRA_FOR_EACH_PROCESSOR("default", "avx2")
 void subtractPaeth(const std::uint8_t* row, const std::uint8_t* above, std::size_t count, std::size_t pixel,
                    std::uint8_t* __restrict to) {
     const auto magnitude = [](std::int16_t a) { return static_cast<std::int16_t>(a < 0 ? -a : a); };
@@ -143,7 +137,7 @@ void subtractPaeth(const std::uint8_t* row, const std::uint8_t* above, std::size
 }
 
 /// The sum of the absolute values of signed bytes.
-GLIBRA_FOR_EACH_PROCESSOR
+GLIBRA_FOR_EACH_PROCESSOR("default", "avx2")
 std::uint64_t sumOfSizes(const std::uint8_t* bytes, std::size_t count) {
     constexpr std::size_t kLanes = 32;
     constexpr std::size_t kMostAdded = 511;  // this many values of at most 128 fit into 16 bits

@@ -1,17 +1,11 @@
 #include "image/video/video_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -24,6 +18,7 @@
 #include "image/file.h"
 #include "image/png/png_writer.h"
 #include "image/video/gif_writer.h"
+#include "system/process.h"
 
 namespace glibra::image {
 namespace {
@@ -83,14 +78,7 @@ bool holdsAnimation(const fs::path& file) {
 }
 
 bool hasFfmpeg() {
-    const char* folders = std::getenv("PATH");
-    std::string_view rest = folders ? folders : "";
-    while (!rest.empty()) {
-        const std::string folder(rest.substr(0, rest.find(':')));
-        if (!folder.empty() && ::access((folder + "/ffmpeg").c_str(), X_OK) == 0) return true;
-        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    }
-    return false;
+    return !system::findInPath("ffmpeg").empty();
 }
 
 struct VideoFile::State {
@@ -108,46 +96,25 @@ struct VideoFile::State {
     int width, height;
     TemporaryFile unfinished;
     std::unique_ptr<std::FILE, CloseFile> messages;  ///< what ffmpeg prints
-    pid_t process = -1;
-    int input = -1;
+    system::Process process;
+    system::File input;
     std::variant<std::monostate, AnimatedPng, AnimatedGif> frames;  ///< of a file that needs no process
 
     [[nodiscard]] Diagnostics bad(const std::string& why) const {
         return {diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
     }
 
-    void start(std::vector<std::string> command) {
-        std::vector<char*> words;
-        words.reserve(command.size() + 1);
-        for (std::string& each : command) words.push_back(each.data());
-        words.push_back(nullptr);
+    void start(const std::vector<std::string>& command) {
         messages.reset(std::tmpfile());
-        // With a socket in place of a pipe, writing to an encoder that has ended is an error, not a signal.
-        std::array<int, 2> ends{-1, -1};
-        if (!messages || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions, ::fileno(messages.get()), STDERR_FILENO);
-        if (posix_spawnp(&process, "ffmpeg", &actions, nullptr, words.data(), environ) != 0) process = -1;
-        posix_spawn_file_actions_destroy(&actions);
-        ::close(ends[0]);
-        input = ends[1];
+        system::File theirs;
+        if (!messages || system::makeInputOf(theirs, input) != 0) return;
+        process = system::startProgram(command, {theirs, system::Stream::To::nothing, messages.get()});
     }
 
     /// Waits for ffmpeg. Returns true if it succeeded.
     bool end() {
-        if (input >= 0) ::close(input);
-        input = -1;
-        if (process <= 0) return false;
-        int status = 0;
-        pid_t ended = -1;
-        do ended = ::waitpid(process, &status, 0);
-        while (ended < 0 && errno == EINTR);
-        const bool succeeded = ended == process && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-        process = -1;
-        return succeeded;
+        input.close();
+        return process && waitFor(process).isGood();
     }
 
     Diagnostics failed() {
@@ -177,7 +144,7 @@ Result<VideoFile> VideoFile::create(const fs::path& file, int width, int height,
     if (!hasFfmpeg()) return state->bad(kFfmpegIsMissing);
     if (state->unfinished.path().empty()) return Diagnostics{state->unfinished.failure()};
     state->start(commandOf(state->unfinished.path(), width, height, framesPerSecond, comment));
-    if (state->process <= 0) return state->bad("ffmpeg cannot be started");
+    if (!state->process) return state->bad("ffmpeg cannot be started");
     return VideoFile(std::move(state));
 }
 
@@ -190,14 +157,8 @@ Diagnostics VideoFile::add(const Image& frame) {
     std::optional<Image> converted;
     if (frame.components != 3 || frame.type != Component::u8)
         converted = withComponents(withType(frame, Component::u8), 3);
-    std::span<const std::byte> rest = converted ? converted->data : frame.data;
-    while (!rest.empty()) {
-        const ssize_t sent = ::send(state_->input, rest.data(), rest.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) return state_->failed();
-        rest = rest.subspan(static_cast<std::size_t>(sent));
-    }
-    return {};
+    return sendAll(state_->input, converted ? converted->data : frame.data) == 0 ? Diagnostics()
+                                                                                 : state_->failed();
 }
 
 Diagnostics VideoFile::finish() {

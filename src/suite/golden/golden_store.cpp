@@ -1,7 +1,6 @@
 #include "suite/golden/golden_store.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <system_error>
@@ -19,6 +18,8 @@
 #include "suite/golden/hash_list.h"
 #include "suite/golden/ignored.h"
 #include "suite/write_below.h"
+#include "system/folder.h"
+#include "system/process.h"
 
 namespace glibra::suite {
 namespace {
@@ -219,14 +220,14 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
     fs::create_directories(path.parent_path(), ignored);
     if (const std::string why = whyNotWritten(path); !why.empty()) return image::cannotWrite(path, why);
     // The new golden is on the disk before it takes the place of the old one.
-    const fs::path whole =
-        path.parent_path() / fmt::format(".glibra-{}-golden{}", ::getpid(), path.extension().string());
+    const fs::path whole = path.parent_path() /
+                           fmt::format(".glibra-{}-golden{}", system::ownNumber(), path.extension().string());
     image::WriteOptions options;
     options.png.level = kCompression;
     options.named = image::NamedBy::program;
     Diagnostics problems = image::writeImage(picture, whole, options);
     if (hasError(problems)) return refuseAs(std::move(problems), whole, path);
-    if (const int problem = base::renameDurably(whole, path); problem != 0) {
+    if (const int problem = system::renameDurably(whole, path); problem != 0) {
         fs::remove(whole, ignored);
         return cannotWrite(path, problem);
     }
@@ -261,7 +262,7 @@ Diagnostics GoldenStore::rename(const fs::path& orphan, const Shot& shot,
         fs::create_directories(to.parent_path(), failure);
         if (const std::string why = whyNotWritten(to); !why.empty()) return {image::cannotWrite(to, why)};
         if (fs::exists(to, failure)) return {image::cannotWrite(to, "it is there already")};
-        if (const int problem = base::renameDurably(each, to); problem != 0)
+        if (const int problem = system::renameDurably(each, to); problem != 0)
             return {cannotWrite(to, problem)};
     }
     return renameHashes(hashFile(), former, shot.name);

@@ -1,9 +1,7 @@
 #include "suite/golden/hash_list.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/utsname.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -17,6 +15,8 @@
 #include "base/files.h"
 #include "image/file.h"
 #include "suite/write_below.h"
+#include "system/file.h"
+#include "system/places.h"
 
 namespace glibra::suite {
 namespace {
@@ -29,28 +29,10 @@ constexpr std::array<std::string_view, 12> kFeatures{"sse4_1", "avx",     "avx2"
 constexpr std::array<const char*, 4> kSwitches{"GALLIUM_OVERRIDE_CPU_CAPS", "LP_NATIVE_VECTOR_WIDTH",
                                                "GALLIVM_PERF", "LP_PERF"};
 
-/// The value of the first line "name : value" of /proc/cpuinfo, or empty.
-std::string processorFact(std::string_view name) {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        const std::size_t colon = line.find(':');
-        if (colon == std::string::npos || !line.starts_with(name)) continue;
-        if (line.find_first_not_of(" \t", name.size()) != colon) continue;
-        const std::size_t begin = line.find_first_not_of(" \t", colon + 1);
-        return begin == std::string::npos ? "" : line.substr(begin);
-    }
-    return {};
-}
-
-std::string firstOf(std::initializer_list<std::string_view> names) {
-    for (const std::string_view each : names)
-        if (std::string value = processorFact(each); !value.empty()) return value;
-    return {};
-}
-
 std::string processor() {
-    std::string words = firstOf({"vendor_id", "CPU implementer"});
-    std::istringstream flags(firstOf({"flags", "Features"}));
+    constexpr std::string_view kMakers[] = {"vendor_id", "CPU implementer"}, kLists[] = {"flags", "Features"};
+    std::string words = system::processorFact(kMakers);
+    std::istringstream flags(system::processorFact(kLists));
     for (std::string flag; flags >> flag;)
         if (std::ranges::find(kFeatures, flag) != kFeatures.end()) words += " " + flag;
     return words;
@@ -77,11 +59,8 @@ std::vector<std::string> variantsFor(std::string_view family) {
 }
 
 std::string describeMachine() {
-    utsname system{};
-    ::uname(&system);
-    const std::string model = firstOf({"model name", "Model", "CPU implementer"});
-    return fmt::format("{}{}{} {} {}", model, model.empty() ? "" : ", ", system.sysname, system.release,
-                       system.machine);
+    const std::string model = system::processorModel();
+    return model + (model.empty() ? "" : ", ") + system::systemName();
 }
 
 namespace {
@@ -99,8 +78,8 @@ Diagnostics changeList(const fs::path& file, const std::function<void(HashList&)
     // The folder itself is locked for this process, if the file system has locks, so that no lock file is
     // left among the goldens.
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    const base::Descriptor lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (lock) ::flock(lock.number(), LOCK_EX);
+    system::Lock lock;
+    lock.takeFolder(folder, system::Lock::Wait::yes);
     Result<HashList> list = HashList::read(file);
     const std::string before = list->toText();
     change(*list);

@@ -2,7 +2,6 @@
 // when a page is served: programs that are linked with cpp-httplib, and so with OpenSSL, start 8 ms later.
 
 #include <httplib.h>
-#include <sys/socket.h>
 
 #include <atomic>
 #include <chrono>

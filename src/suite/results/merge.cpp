@@ -200,7 +200,7 @@ class PictureCopier {
     /// in it, stays as it is; what is not a picture loses its path, and the remark says why. Error: file-E10.
     Diagnostics copy(fs::path& picture, const MergedRun& run) {
         if (picture.empty()) return {};
-        const base::Descriptor file = base::openBeneath(run.folder, picture.lexically_normal());
+        const system::File file = base::openBeneath(run.folder, picture.lexically_normal());
         if (!file && (errno == EINVAL || errno == ENOENT || errno == ENOTDIR)) return {};
         if (!file) return drop(picture, cannotShow(picture, errno).text);
         std::vector<std::byte> bytes;

@@ -1,9 +1,6 @@
 #include "suite/results/results_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 #include <cerrno>
 #include <cmath>
 #include <limits>
@@ -37,22 +34,6 @@ Diagnostics makeFolder(const fs::path& folder) {
     std::error_code unknown;
     if (failed && !fs::is_directory(folder, unknown)) return {cannotWrite(folder, failed.value())};
     return {};
-}
-
-/// Appends in one piece. Returns 0, or the error number; the file is then as before.
-int appendLine(int file, std::string_view line) {
-    const off_t before = ::lseek(file, 0, SEEK_END);
-    while (!line.empty()) {
-        const ssize_t count = ::write(file, line.data(), line.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            const int problem = count < 0 ? errno : ENOSPC;
-            if (before >= 0 && ::ftruncate(file, before) != 0) return problem;
-            return problem;
-        }
-        line.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return 0;
 }
 
 Diagnostics writeWhole(const RunResult& run, const fs::path& file) {
@@ -100,7 +81,7 @@ Result<std::vector<std::byte>> readNamed(const fs::path& path, const fs::path& r
                                          const base::Roots& roots, std::uint64_t largest) {
     base::Roots results;
     results.add(resultsFolder);
-    base::Descriptor file = results.open(resultsFolder / path);  // the path itself if it is absolute
+    system::File file = results.open(resultsFolder / path);  // the path itself if it is absolute
     int problem = file ? 0 : errno;
     if (!file && (problem == ENOENT || problem == ENOTDIR || problem == EACCES)) {
         file = roots.open(path);
@@ -175,24 +156,16 @@ Result<RunResult> readResults(const fs::path& folder) {
     return result;
 }
 
-ResultsLock::ResultsLock(base::Descriptor folder) : folder_(std::move(folder)), owner_(::getpid()) {}
-
-ResultsLock::~ResultsLock() {
-    // A process that was forked meanwhile shares the lock. Closing alone would leave the lock with it, and
-    // that process must not release it.
-    if (folder_ && ::getpid() == owner_) ::flock(folder_.number(), LOCK_UN);
-}
-
 Result<ResultsLock> lockResults(const fs::path& folder) {
     if (Diagnostics problems = makeFolder(folder); !problems.empty()) return problems;
-    base::Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    ResultsLock lock;
     // Only a lock that another process holds is a reason to stop, because some file systems have no locks.
-    if (::flock(opened.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    if (lock.takeFolder(folder, ResultsLock::Wait::no) == ResultsLock::Try::held)
         return diagnose(
             "result-E02",
             fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
                         folder.string()));
-    return ResultsLock(std::move(opened));
+    return lock;
 }
 
 Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResult& run, Start start) {
@@ -209,23 +182,23 @@ Result<ResultsWriter> ResultsWriter::open(const fs::path& folder, const RunResul
         beginning.shots = std::move(earlier->shots);
     }
     if (Diagnostics problems = writeWhole(beginning, path); !problems.empty()) return problems;
-    base::Descriptor file(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW));
+    system::File file = system::openToAppend(path);
     if (!file) return cannotWrite(path, errno);
     return ResultsWriter(path, std::move(*lock), std::move(file));
 }
 
 Diagnostics ResultsWriter::add(const ShotResult& shot) {
-    if (const int problem = appendLine(file_.number(), toJsonLine(shot) + '\n'); problem != 0)
+    if (const int problem = appendWhole(file_, toJsonLine(shot) + '\n'); problem != 0)
         return {cannotWrite(path_, problem)};
     if (const auto now = std::chrono::steady_clock::now(); now - synced_ >= kSyncInterval) {
         // A disk that fails is reported by the write of the whole file at the end.
-        ::fdatasync(file_.number());
+        syncContent(file_);
         synced_ = now;
     }
     return {};
 }
 
-ResultsWriter::ResultsWriter(fs::path path, ResultsLock lock, base::Descriptor file)
+ResultsWriter::ResultsWriter(fs::path path, ResultsLock lock, system::File file)
     : path_(std::move(path)),
       lock_(std::move(lock)),
       file_(std::move(file)),

@@ -13,6 +13,7 @@
 
 #include "base/contained.h"
 #include "suite/results/results.h"
+#include "system/file.h"
 
 namespace glibra::suite {
 
@@ -46,16 +47,7 @@ Result<RunResult> readResults(const std::filesystem::path& folder);
 
 /// The lock on a results folder. The process that has taken it has it as long as the object lives; the system
 /// releases the lock when the process ends.
-class ResultsLock {
-  public:
-    explicit ResultsLock(base::Descriptor folder);
-    ResultsLock(ResultsLock&&) noexcept = default;
-    ~ResultsLock();
-
-  private:
-    base::Descriptor folder_;
-    int owner_;
-};
+using ResultsLock = system::Lock;
 /// Makes the folder if it does not exist, and locks it, as a ResultsWriter does. Errors: file-E10; result-E02
 /// another process has the lock. Where the file system has no locks, there is a value all the same.
 Result<ResultsLock> lockResults(const std::filesystem::path& folder);
@@ -80,11 +72,11 @@ class ResultsWriter {
     Diagnostics add(const ShotResult& shot);
 
   private:
-    ResultsWriter(std::filesystem::path path, ResultsLock lock, base::Descriptor file);
+    ResultsWriter(std::filesystem::path path, ResultsLock lock, system::File file);
 
     std::filesystem::path path_;
     ResultsLock lock_;
-    base::Descriptor file_;
+    system::File file_;
     std::chrono::steady_clock::time_point synced_;  ///< when the file was last written to the disk
 };
 

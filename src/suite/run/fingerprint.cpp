@@ -20,6 +20,7 @@
 #include "suite/golden/hash_list.h"
 #include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
+#include "system/places.h"
 
 namespace glibra::suite {
 namespace {
@@ -281,8 +282,8 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   std::span<const ShotReference> shots,
                                                   const ShotInputs& inputs, const RunOptions& options) {
     const std::string ofRun = fmt::format(
-        "{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf("/proc/self/exe"), static_cast<int>(options.driver),
-        options.skip + 2 * options.checkUndefined, options.update,
+        "{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf(system::pathOfThisProgram()),
+        static_cast<int>(options.driver), options.skip + 2 * options.checkUndefined, options.update,
         options.force + 2 * options.also + 4 * options.onlyMissing + 8 * options.replaceUnreadable +
             16 * options.anyDriver,
         options.variant + 2 * options.strictFlaky, options.allowOutside, options.sandbox != nullptr,

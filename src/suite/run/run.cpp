@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <csignal>
 #include <map>
 #include <set>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "suite/run/run_options.h"
 #include "suite/run/run_worker.h"
 #include "suite/run/verdict.h"
+#include "system/interruption.h"
 
 namespace glibra::suite {
 
@@ -387,7 +387,7 @@ class Run {
                                                 timeoutOf(blamed))
                              : outcome.signal > 0
                                  ? fmt::format("the process that drew it ended with signal {} ({})",
-                                               outcome.signal, signalName(outcome.signal))
+                                               outcome.signal, system::signalReason(outcome.signal))
                                  : "the process that drew it ended by itself";
         if (outcome.nearMemoryLimit) reason += ", perhaps because it reached its limit of memory (--memory)";
         const std::string script = plan_.shotOf(blamed).script.string();
@@ -398,18 +398,6 @@ class Run {
         result.accept.clear();
         result.diagnostics.push_back(std::move(problem));
         return result;
-    }
-
-    static const char* signalName(int signal) {
-        static constexpr std::pair<int, const char*> kNames[] = {
-            {SIGABRT, "abort"},
-            {SIGBUS, "bus error"},
-            {SIGFPE, "arithmetic error"},
-            {SIGKILL, "killed, perhaps for lack of memory"},
-            {SIGSEGV, "segmentation fault"}};
-        for (const auto& [number, name] : kNames)
-            if (number == signal) return name;
-        return "see signal(7)";
     }
 
     /// Removes the files that a worker was writing when it ended.

@@ -1,7 +1,6 @@
 #include "suite/run/run_options.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -10,6 +9,7 @@
 #include "base/parallel.h"
 #include "gpu/context/hardware.h"
 #include "suite/golden/golden_store.h"
+#include "system/places.h"
 
 namespace glibra::suite {
 namespace {
@@ -74,7 +74,7 @@ void shareProcessors(int jobs, std::size_t pieces) {
     if (workers <= 1) return;
     const int threads = readingJobs(0) / workers;
     // 0: the caller rasterises. With one thread it would only wait for that thread.
-    ::setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 0);
+    system::setVariable("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0), system::Replace::no);
 }
 
 std::filesystem::path pictureFile(const std::filesystem::path& folder, const Suite& suite, const Shot& shot,

@@ -13,11 +13,11 @@
 #include <variant>
 #include <vector>
 
-#include "base/sandbox.h"
 #include "base/workers.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
 #include "suite/suite.h"
+#include "system/sandbox.h"
 
 namespace glibra::suite {
 
@@ -90,8 +90,8 @@ struct RunOptions {
     std::filesystem::path goldens{};  ///< folder with one folder per suite, instead of the suites' own
     std::filesystem::path results{};  ///< folder for the pictures of failures
     bool refusesMisspelt = false;  ///< with `onlyRender`: misspelt names are errors (render/consequences.h)
-    std::filesystem::path onlyRender{};      ///< if not empty: no goldens, pictures are written here by name
-    const base::Sandbox* sandbox = nullptr;  ///< if given, what confines the workers; excludes `update`
+    std::filesystem::path onlyRender{};  ///< if not empty: no goldens, pictures are written here by name
+    const system::Sandbox* sandbox = nullptr;  ///< if given, what confines the workers; excludes `update`
 };
 
 /// The file of a shot in a folder of rendered pictures.
@@ -101,11 +101,11 @@ std::filesystem::path pictureFile(const std::filesystem::path& folder, const Sui
 /// The worker processes that draw and read the scenes of a class or of a gallery.
 struct SiteWorkers {
     Driver driver = Driver::automatic;
-    int jobs = 0;                            ///< worker processes; 0: gpu::usualWorkers()
-    double timeout = 20;                     ///< seconds per picture; 0: no limit
-    std::optional<std::uint64_t> memory;     ///< bytes per worker; 0: no limit; nothing: a share
-    const base::Sandbox* drawing = nullptr;  ///< if given, what confines the workers that draw
-    const base::Sandbox* reading = nullptr;  ///< ... and those that read
+    int jobs = 0;                              ///< worker processes; 0: gpu::usualWorkers()
+    double timeout = 20;                       ///< seconds per picture; 0: no limit
+    std::optional<std::uint64_t> memory;       ///< bytes per worker; 0: no limit; nothing: a share
+    const system::Sandbox* drawing = nullptr;  ///< if given, what confines the workers that draw
+    const system::Sandbox* reading = nullptr;  ///< ... and those that read
 };
 
 /// For runShots(): the pictures are drawn into that folder, and not compared.

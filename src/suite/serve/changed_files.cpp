@@ -1,16 +1,12 @@
 #include "suite/serve/changed_files.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <system_error>
+
+#include "system/process.h"
 
 namespace glibra::suite {
 namespace {
@@ -26,25 +22,11 @@ std::vector<std::string> git(const fs::path& folder, std::vector<std::string> ar
     // Nothing that the settings of a repository name is started.
     std::vector<std::string> words{"git", "-C", folder.string(), "-c", "core.fsmonitor=false", "--no-pager"};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& each : words) pointers.push_back(each.data());
-    pointers.push_back(nullptr);
     const std::unique_ptr<std::FILE, CloseFile> output(std::tmpfile());
     if (!output) return {};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, ::fileno(output.get()), STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t process = -1;
-    const int failed = posix_spawnp(&process, "git", &actions, nullptr, pointers.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) return {};
-    int status = 0;
-    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {};
+    using To = system::Stream::To;
+    system::Process process = system::startProgram(words, {To::nothing, output.get(), To::nothing});
+    if (!process || !waitFor(process).isGood()) return {};
     std::rewind(output.get());
     std::vector<std::string> parts;
     std::string part;

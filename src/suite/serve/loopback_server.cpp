@@ -1,13 +1,12 @@
 #include "suite/serve/loopback_server.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
-#include <sys/random.h>
 
 #include <array>
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <cstddef>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -17,6 +16,8 @@
 #include "base/text.h"
 #include "image/module_loader.h"
 #include "suite/module/abi.h"
+#include "system/library.h"
+#include "system/places.h"
 
 namespace glibra::suite {
 
@@ -40,33 +41,34 @@ GlibraText plainOf(std::string_view text) {
 Result<ServerModule> loadServerModule(const std::vector<fs::path>& folders) {
     std::string why = "is not installed";
     for (const fs::path& folder : folders) {
-        const fs::path file = folder / "glibra_server.so";
+        const fs::path file = folder / system::moduleName("glibra_server");
         std::error_code failed;
         if (!fs::exists(file, failed)) continue;
-        void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-        if (library == nullptr) {
-            why = fmt::format("cannot be loaded: {}", ::dlerror());
+        std::string problem;
+        const auto library = system::Library::open(file.string(), system::Library::When::all_now, problem);
+        if (!library) {
+            why = fmt::format("cannot be loaded: {}", problem);
             continue;
         }
-        const auto version = reinterpret_cast<GlibraServerVersion>(::dlsym(library, "glibraServerVersion"));
+        const auto version = library.find<GlibraServerVersion>("glibraServerVersion");
         if (version == nullptr || version() != kGlibraServerVersion) {
             why = fmt::format("is of another version of glibra: {}", file.string());
             continue;
         }
-        return ServerModule{reinterpret_cast<GlibraServerOpen>(::dlsym(library, "glibraServerOpen")),
-                            reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerRun")),
-                            reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerStop")),
-                            reinterpret_cast<GlibraServerDo>(::dlsym(library, "glibraServerClose"))};
+        return ServerModule{library.find<GlibraServerOpen>("glibraServerOpen"),
+                            library.find<GlibraServerDo>("glibraServerRun"),
+                            library.find<GlibraServerDo>("glibraServerStop"),
+                            library.find<GlibraServerDo>("glibraServerClose")};
     }
     return diagnose("suite-E28", "cannot serve a page: the module that speaks HTTP " + why);
 }
 
 /// 128 random bits as 32 hexadecimal digits, or nothing.
 std::optional<std::string> randomToken() {
-    std::array<unsigned char, 16> bytes{};
-    if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return std::nullopt;
+    std::array<std::byte, 16> bytes{};
+    if (!system::fillWithRandom(bytes)) return std::nullopt;
     std::string token;
-    for (const unsigned char each : bytes) token += fmt::format("{:02x}", each);
+    for (const std::byte each : bytes) token += fmt::format("{:02x}", std::to_integer<unsigned>(each));
     return token;
 }
 

@@ -510,7 +510,7 @@ bool Review::isGolden(std::size_t index) const {
 
 void Review::readDecisions() {
     constexpr std::uint64_t kLargest = std::uint64_t{64} << 20U;
-    const base::Descriptor file = base::openBeneath(options_.results, kReviewFile);
+    const system::File file = base::openBeneath(options_.results, kReviewFile);
     if (!file && (errno == ENOENT || errno == ENOTDIR)) return;
     std::vector<std::byte> bytes;
     const int problem = file ? base::readAll(file, kLargest, bytes) : errno;

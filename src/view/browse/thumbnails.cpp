@@ -1,17 +1,8 @@
 #include "view/browse/thumbnails.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/eventfd.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <algorithm>
-#include <array>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -24,7 +15,9 @@
 #include "image/image.h"
 #include "image/write.h"
 #include "suite/golden/hash.h"
-#include "view/edit/external_editor.h"
+#include "system/memory.h"
+#include "system/places.h"
+#include "system/process.h"
 #include "view/scene/window_target.h"
 #include "view/session/session.h"
 
@@ -85,11 +78,8 @@ void writeRecord(const fs::path& folder, const fs::path& scene, const std::vecto
 }  // namespace
 
 fs::path thumbnailFolder() {
-    if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder)
-        return fs::path(folder) / "glibra" / "thumbnails";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return fs::path(home) / ".cache" / "glibra" / "thumbnails";
-    return {};
+    const fs::path folder = system::userFolder(system::UserFolder::cache);
+    return folder.empty() ? folder : folder / "thumbnails";
 }
 
 Thumbnail findThumbnail(const fs::path& folder, const fs::path& scene) {
@@ -145,17 +135,13 @@ void rememberFailure(const fs::path& folder, const fs::path& scene, const std::s
 namespace {
 
 constexpr int kLongestScene = 30'000;  ///< milliseconds
-constexpr int kNiceness = 10;
-constexpr int kNoDriver = 4;  ///< exit status
+constexpr int kNoDriver = 4;           ///< exit status
 
 }  // namespace
 
 ThumbnailMaker::ThumbnailMaker(std::filesystem::path folder, std::vector<std::filesystem::path> scenes,
                                std::function<void()> wake)
-    : folder_(std::move(folder)),
-      scenes_(std::move(scenes)),
-      wake_(std::move(wake)),
-      stop_(::eventfd(0, EFD_CLOEXEC)) {
+    : folder_(std::move(folder)), scenes_(std::move(scenes)), wake_(std::move(wake)) {
     // finish() must not allocate: it also reports the scenes that no memory is left for.
     finished_.reserve(scenes_.size());
     try {
@@ -167,13 +153,11 @@ ThumbnailMaker::ThumbnailMaker(std::filesystem::path folder, std::vector<std::fi
 
 ThumbnailMaker::~ThumbnailMaker() {
     if (thread_.joinable()) {
-        const std::uint64_t one = 1;
-        if (::write(stop_, &one, sizeof one) == sizeof one)
+        if (stop_.wake())
             thread_.join();
         else
             thread_.detach();
     }
-    ::close(stop_);
 }
 
 std::vector<std::filesystem::path> ThumbnailMaker::takeFinished() {
@@ -201,38 +185,32 @@ void ThumbnailMaker::finish(std::size_t scene) {
 std::size_t ThumbnailMaker::runProcess(std::size_t first, const char*& why) {
     std::vector<std::string> words{"glibra-view", "--thumbnails", folder_.string()};
     for (std::size_t i = first; i < scenes_.size(); ++i) words.push_back(scenes_[i].string());
-    // Nothing below allocates in this process, so that no exception can leave the pipe open.
-    std::array<int, 2> pipe{-1, -1};
-    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return scenes_.size();
-    const pid_t process = startAgain(std::move(words), {{pipe[1], STDOUT_FILENO}});
-    ::close(pipe[1]);
-    std::size_t done = process < 0 ? scenes_.size() : first;
+    system::File reading, writing;
+    if (makePipe(reading, writing) != 0) return scenes_.size();
+    using To = system::Stream::To;
+    system::Process process = system::startAgain(words, {To::inherited, writing, To::nothing});
+    writing.close();
+    std::size_t done = process ? first : scenes_.size();
     why = "the program that drew it ended unexpectedly";
+    std::string answers;
     while (done < scenes_.size()) {
-        std::array<pollfd, 2> wanted{{{pipe[0], POLLIN, 0}, {stop_, POLLIN, 0}}};
-        const int ready = ::poll(wanted.data(), wanted.size(), kLongestScene);
-        if (wanted[1].revents != 0) {
-            ::kill(process, SIGKILL);
+        answers.clear();
+        const system::News news = receive(reading, kLongestScene, &stop_, answers);
+        if (news == system::News::woken) {
+            kill(process);
             done = scenes_.size();
-            break;
-        }
-        if (ready == 0) {
-            ::kill(process, SIGKILL);
+        } else if (news == system::News::late) {
+            kill(process);
             why = "drawing it takes longer than 30 seconds";
-            break;
         }
-        std::array<char, 64> answers{};
-        const ssize_t length = ready > 0 ? ::read(pipe[0], answers.data(), answers.size()) : 0;
-        if (length <= 0) break;
-        for (auto lines = std::count(answers.begin(), answers.begin() + length, '\n');
-             lines > 0 && done < scenes_.size(); --lines)
+        if (news != system::News::bytes) break;
+        for (auto lines = std::ranges::count(answers, '\n'); lines > 0 && done < scenes_.size(); --lines)
             finish(done++);
     }
-    ::close(pipe[0]);
-    int status = 0;
-    if (process >= 0) ::waitpid(process, &status, 0);
+    reading.close();
+    const system::End end = waitFor(process);
     // Without a driver that draws off screen there are no pictures of any scene.
-    if (WIFEXITED(status) && WEXITSTATUS(status) == kNoDriver)
+    if (end.status == kNoDriver)
         while (done < scenes_.size()) finish(done++);
     return done;
 }
@@ -255,7 +233,7 @@ void ThumbnailMaker::run() {
 
 int makeThumbnails(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& scenes,
                    const std::vector<std::filesystem::path>& libraryRoots) {
-    ::setpriority(PRIO_PROCESS, 0, kNiceness);
+    system::stepBack();
     gpu::prepareEnvironment();
     Result<gpu::Context> context = gpu::openContext();
     if (!context) return kNoDriver;

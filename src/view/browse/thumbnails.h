@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
+#include "system/child_process.h"
 
 namespace glibra::view {
 
@@ -72,7 +73,7 @@ class ThumbnailMaker {
     std::filesystem::path folder_;
     std::vector<std::filesystem::path> scenes_;
     std::function<void()> wake_;
-    int stop_ = -1;
+    system::Waker stop_;
     std::mutex mutex_;
     std::vector<std::size_t> finished_;  ///< indices of scenes
     std::thread thread_;

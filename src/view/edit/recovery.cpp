@@ -1,17 +1,11 @@
 #include "view/edit/recovery.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -21,6 +15,8 @@
 #include "base/files.h"
 #include "image/file.h"
 #include "suite/golden/hash.h"
+#include "system/places.h"
+#include "system/process.h"
 
 namespace glibra::view {
 namespace {
@@ -36,22 +32,13 @@ std::string nameOf(const fs::path& file) {
 }
 
 std::string timeNow() {
-    const std::time_t time = std::time(nullptr);
-    std::tm local{};
-    ::localtime_r(&time, &local);
+    const std::tm local = system::localTime(std::time(nullptr)).value_or(system::LocalTime()).time;
     std::array<char, 32> text{};
     return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local)};
 }
 
 fs::path lockOf(const fs::path& folder, const std::string& owner) {
     return folder / "windows" / (owner + ".lock");
-}
-
-/// True if the path still leads to the open file.
-bool isAt(int descriptor, const fs::path& path) {
-    struct stat opened{}, named{};
-    return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
-           opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
 std::optional<RecoveredText> readCopy(const fs::path& copy) {
@@ -69,54 +56,36 @@ std::optional<RecoveredText> readCopy(const fs::path& copy) {
 }  // namespace
 
 fs::path stateFolder() {
-    if (const char* folder = std::getenv("XDG_STATE_HOME"); folder && *folder)
-        return fs::path(folder) / "glibra";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return fs::path(home) / ".local" / "state" / "glibra";
-    return {};
+    return system::userFolder(system::UserFolder::state);
 }
 
 SafetyCopies::~SafetyCopies() {
-    if (lock_ < 0) return;
     std::error_code failure;
-    fs::remove(lockOf(folder_, owner_), failure);
-    ::close(lock_);
+    if (lock_.isTaken()) fs::remove(lockOf(folder_, owner_), failure);
 }
 
 /// Gets a lock of a new name, which the system gives back when the process ends, however it does.
 bool SafetyCopies::own() {
-    if (lock_ >= 0) return true;
+    if (lock_.isTaken()) return true;
     if (folder_.empty()) return false;
     std::error_code failure;
     fs::create_directories(folder_ / "windows", failure);
     constexpr int kTries = 10;
     for (int i = 0; i < kTries; ++i) {
         const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-        const std::string owner = fmt::format("{}-{:x}", ::getpid(), now);
-        const fs::path path = lockOf(folder_, owner);
-        const int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-        if (lock < 0) return false;
-        // Another window may have removed it before it was locked.
-        if (::flock(lock, LOCK_EX | LOCK_NB) == 0 && isAt(lock, path)) {
-            lock_ = lock;
-            owner_ = owner;
-            return true;
-        }
-        ::close(lock);
+        const std::string owner = fmt::format("{}-{:x}", system::ownNumber(), now);
+        const system::Lock::Try result = lock_.takeNewFile(lockOf(folder_, owner));
+        if (result == system::Lock::Try::missing) return false;
+        if (result != system::Lock::Try::taken) continue;
+        owner_ = owner;
+        return true;
     }
     return false;
 }
 
 bool SafetyCopies::isAlive(const std::string& owner) const {
-    if (owner.empty()) return false;  // of earlier versions, which had no locks
-    const fs::path path = lockOf(folder_, owner);
-    const int lock = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
-    if (lock < 0) return false;
-    const bool isHeld = ::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    std::error_code failure;
-    if (!isHeld) fs::remove(path, failure);
-    ::close(lock);
-    return isHeld;
+    // Owners of earlier versions had no locks.
+    return !owner.empty() && system::removeUnlessLocked(lockOf(folder_, owner));
 }
 
 fs::path SafetyCopies::copyOf(const fs::path& file) const {

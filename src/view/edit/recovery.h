@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "system/file.h"
+
 namespace glibra::view {
 
 /// $XDG_STATE_HOME/glibra, by default ~/.local/state/glibra. Empty if HOME is not set.
@@ -58,7 +60,7 @@ class SafetyCopies {
 
     std::filesystem::path folder_;
     std::string owner_;  ///< names the lock; empty: there is none yet
-    int lock_ = -1;
+    system::Lock lock_;
     std::vector<std::filesystem::path> copies_;
     std::uint64_t timesChanged_ = 0;
 };

@@ -1,15 +1,9 @@
 #include "view/scene/file_watch.h"
 
-#include <poll.h>
-#include <sys/eventfd.h>
-#include <sys/inotify.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <new>
+#include <optional>
 #include <ranges>
 #include <system_error>
 #include <utility>
@@ -33,18 +27,10 @@ fs::path absolutePath(const fs::path& path) {
     return fs::absolute(path, failure).lexically_normal();
 }
 
-bool isReadable(int descriptor, int milliseconds) {
-    pollfd wanted{descriptor, POLLIN, 0};
-    return ::poll(&wanted, 1, milliseconds) > 0;
-}
-
 }  // namespace
 
-FileWatch::FileWatch(std::function<void()> wake)
-    : wake_(std::move(wake)),
-      inotify_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
-      stop_(::eventfd(0, EFD_CLOEXEC)) {
-    if (inotify_ < 0 || stop_ < 0) return;
+FileWatch::FileWatch(std::function<void()> wake) : wake_(std::move(wake)) {
+    if (!watch_) return;
     try {
         thread_ = std::thread([this] { run(); });
     } catch (const std::system_error&) {
@@ -53,21 +39,11 @@ FileWatch::FileWatch(std::function<void()> wake)
 }
 
 FileWatch::~FileWatch() {
-    if (thread_.joinable()) {
-        const std::uint64_t one = 1;
-        if (::write(stop_, &one, sizeof one) == sizeof one)
-            thread_.join();
-        else
-            thread_.detach();
-    }
-    if (inotify_ >= 0) ::close(inotify_);
-    if (stop_ >= 0) ::close(stop_);
-}
-
-FileWatch::Identity FileWatch::identityOf(const fs::path& file) {
-    struct stat found{};
-    if (::stat(file.c_str(), &found) != 0) return {};
-    return {found.st_dev, found.st_ino, found.st_size, found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
+    if (!thread_.joinable()) return;
+    if (watch_.interrupt())
+        thread_.join();
+    else
+        thread_.detach();
 }
 
 void FileWatch::watch(const std::vector<fs::path>& files) {
@@ -76,7 +52,7 @@ void FileWatch::watch(const std::vector<fs::path>& files) {
     files_.clear();
     for (const fs::path& each : files) {
         const fs::path file = absolutePath(each);
-        const Identity identity = files_[file] = identityOf(file);
+        const Identity identity = files_[file] = system::identityOf(file);
         if (identity != Identity()) gone_.erase(file);
     }
     for (const fs::path& each : gone_) files_.emplace(each, Identity());
@@ -118,25 +94,22 @@ void FileWatch::findWay(const fs::path& file, std::set<fs::path>& folders) {
             continue;
         }
         if (type == fs::file_type::not_found && rest.empty())
-            missing_[base::lower(path.native())].files.insert(file);
+            missing_[base::lower(path.string())].files.insert(file);
         if (type != fs::file_type::directory) return;
         folder = path;
     }
 }
 
 void FileWatch::findWays() {
-    constexpr std::uint32_t kEvents = IN_CLOSE_WRITE | IN_CREATE | IN_MOVED_TO | IN_DELETE | IN_MOVED_FROM |
-                                      IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
     names_.clear();
     missing_.clear();
     std::set<fs::path> folders;
     for (const auto& each : files_) findWay(each.first, folders);
     std::map<int, fs::path> watched;
     for (const fs::path& each : folders)
-        if (const int descriptor = ::inotify_add_watch(inotify_, each.c_str(), kEvents); descriptor >= 0)
-            watched[descriptor] = each;
+        if (const std::optional<int> number = watch_.add(each)) watched[*number] = each;
     for (const auto& each : folders_)
-        if (!watched.contains(each.first)) ::inotify_rm_watch(inotify_, each.first);
+        if (!watched.contains(each.first)) watch_.remove(each.first);
     folders_ = std::move(watched);
 }
 
@@ -145,7 +118,7 @@ bool FileWatch::followWays() {
     const auto now = std::chrono::steady_clock::now();
     bool isAny = false;
     for (auto& [file, identity] : files_) {
-        const Identity before = std::exchange(identity, identityOf(file));
+        const Identity before = std::exchange(identity, system::identityOf(file));
         if (identity == before) continue;
         if (identity == Identity()) {
             removed_.emplace(file, now);
@@ -165,7 +138,7 @@ FileWatch::Change FileWatch::takeChanged() {
 void FileWatch::noteSaved(const fs::path& file) {
     removed_.erase(file);
     gone_.erase(file);
-    if (const auto known = files_.find(file); known != files_.end()) known->second = identityOf(file);
+    if (const auto known = files_.find(file); known != files_.end()) known->second = system::identityOf(file);
     if (changed_.files.empty()) changed_.saved = std::chrono::steady_clock::now();
     if (std::ranges::find(changed_.files, file) == changed_.files.end()) changed_.files.push_back(file);
 }
@@ -199,58 +172,52 @@ int FileWatch::millisecondsToRemoved() {
 
 /// One event about the name in a folder, or about the folder itself. Seen::moved: the paths lead elsewhere
 /// now.
-FileWatch::Seen FileWatch::readEvent(int descriptor, std::uint32_t what, const std::string& name) {
-    if ((what & IN_Q_OVERFLOW) != 0) return Seen::moved;
-    const auto folder = folders_.find(descriptor);
+FileWatch::Seen FileWatch::readEvent(const system::FolderEvent& event) {
+    using What = system::FolderEvent::What;
+    if (event.what == What::lost) return Seen::moved;
+    const auto folder = folders_.find(event.folder);
     if (folder == folders_.end()) return Seen::nothing;
-    if ((what & (IN_IGNORED | IN_UNMOUNT | IN_DELETE_SELF | IN_MOVE_SELF)) != 0) return Seen::moved;
-    const fs::path path = folder->second / name;
+    if (event.what == What::folder_gone) return Seen::moved;
+    const fs::path path = folder->second / event.name;
     const auto known = names_.find(path);
-    const auto similar = missing_.find(base::lower(path.native()));
+    const auto similar = missing_.find(base::lower(path.string()));
     if (known == names_.end() && similar == missing_.end()) return Seen::nothing;
     const Name& meant = known == names_.end() ? similar->second : known->second;
-    if (meant.isPassed && (what & IN_CLOSE_WRITE) == 0) return Seen::moved;
-    if ((what & (IN_DELETE | IN_MOVED_FROM)) != 0) {
+    if (meant.isPassed && event.what != What::written) return Seen::moved;
+    if (event.what == What::removed) {
         for (const fs::path& file : meant.files) removed_[file] = std::chrono::steady_clock::now();
         return Seen::nothing;
     }
-    if ((what & (IN_CREATE | IN_MOVED_TO)) != 0) {
-        struct stat made{};
-        if (::lstat(path.c_str(), &made) == 0 && S_ISLNK(made.st_mode)) return Seen::moved;
+    if (event.what == What::made || event.what == What::moved_in) {
+        system::FileFacts made;
+        factsOf(path, system::Links::not_followed, made);
+        if (made.kind == system::FileKind::link) return Seen::moved;
         // A new file is written and closed; only a further name of one is complete as it is made.
-        if ((what & IN_CREATE) != 0 && made.st_nlink < 2) return Seen::nothing;
+        if (event.what == What::made && made.names < 2) return Seen::nothing;
     }
     for (const fs::path& file : meant.files) noteSaved(file);
     return meant.files.empty() ? Seen::nothing : Seen::saved;
 }
 
 bool FileWatch::readEvents() {
-    constexpr std::size_t kBufferBytes = 16384;
-    alignas(inotify_event) std::array<char, kBufferBytes> buffer{};
     bool isWatched = false, isMoved = false;
     const std::scoped_lock lock(mutex_);
-    for (;;) {
-        const ssize_t length = ::read(inotify_, buffer.data(), buffer.size());
-        if (length <= 0) break;
-        for (ssize_t at = 0; at < length;) {
-            const auto* event = reinterpret_cast<const inotify_event*>(buffer.data() + at);
-            at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
-            const Seen seen = readEvent(event->wd, event->mask, event->len > 0 ? event->name : "");
-            isWatched = isWatched || seen == Seen::saved;
-            isMoved = isMoved || seen == Seen::moved;
-        }
+    for (const system::FolderEvent& event : watch_.take()) {
+        const Seen seen = readEvent(event);
+        isWatched = isWatched || seen == Seen::saved;
+        isMoved = isMoved || seen == Seen::moved;
     }
     return (isMoved && followWays()) || isWatched;
 }
 
 void FileWatch::run() {
     for (;;) {
-        std::array<pollfd, 2> wanted{{{inotify_, POLLIN, 0}, {stop_, POLLIN, 0}}};
-        if (::poll(wanted.data(), wanted.size(), millisecondsToRemoved()) < 0) continue;
-        if (wanted[1].revents != 0) return;
+        using Waited = system::FolderWatch::Waited;
+        if (watch_.wait(millisecondsToRemoved()) == Waited::interrupted) return;
         try {
             bool isWatched = readEvents();
-            for (int i = 0; isWatched && i < kMostQuietWaits && isReadable(inotify_, kQuietMilliseconds); ++i)
+            for (int i = 0;
+                 isWatched && i < kMostQuietWaits && watch_.wait(kQuietMilliseconds) == Waited::events; ++i)
                 isWatched = readEvents() || isWatched;
             isWatched = reportRemoved() || isWatched;
             if (isWatched) wake_();

@@ -6,7 +6,6 @@
 // programs move a file away before they write it.
 
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -14,8 +13,10 @@
 #include <set>
 #include <string>
 #include <thread>
-#include <tuple>
 #include <vector>
+
+#include "system/file.h"
+#include "system/watch.h"
 
 namespace glibra::view {
 
@@ -42,8 +43,7 @@ class FileWatch {
     [[nodiscard]] bool isWorking() const { return thread_.joinable(); }
 
   private:
-    /// Device, number, size and time of a file; zeros: there is none.
-    using Identity = std::tuple<std::uint64_t, std::uint64_t, std::int64_t, std::int64_t, std::int64_t>;
+    using Identity = system::FileIdentity;
     /// What the name in a folder means for the watched files.
     struct Name {
         std::set<std::filesystem::path> files;  ///< those whose paths end there
@@ -51,11 +51,10 @@ class FileWatch {
     };
     enum class Seen { nothing, saved, moved };
 
-    static Identity identityOf(const std::filesystem::path& file);
     void run();
     /// Reads all pending events. Returns true if one of them is about a watched file that was saved.
     bool readEvents();
-    Seen readEvent(int folder, std::uint32_t what, const std::string& name);
+    Seen readEvent(const system::FolderEvent& event);
     /// Finds the folders through which the paths lead now, and watches them.
     void findWays();
     void findWay(const std::filesystem::path& file, std::set<std::filesystem::path>& folders);
@@ -68,11 +67,10 @@ class FileWatch {
     int millisecondsToRemoved();
 
     std::function<void()> wake_;
-    int inotify_ = -1;
-    int stop_ = -1;
+    system::FolderWatch watch_;
     std::mutex mutex_;
     std::map<std::filesystem::path, Identity> files_;
-    std::map<int, std::filesystem::path> folders_;  ///< without links, by watch descriptor
+    std::map<int, std::filesystem::path> folders_;  ///< without links, by their numbers of watch_
     std::map<std::filesystem::path, Name> names_;   ///< by their paths in these folders
     std::map<std::string, Name> missing_;           ///< the same for files that are missing, in lower case
     /// When each file was removed that may still come back.

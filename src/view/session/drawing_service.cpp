@@ -1,19 +1,9 @@
 #include "view/session/drawing_service.h"
 
-#include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <csignal>
 #include <cstdint>
 #include <cstring>
-#include <ctime>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,7 +12,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/readback.h"
-#include "view/edit/external_editor.h"
+#include "system/memory.h"
 #include "view/scene/window_target.h"
 
 namespace glibra::view {
@@ -42,29 +32,19 @@ std::optional<std::string> takeMessage(std::string& received) {
     return text;
 }
 
-bool sendMessage(int socket, std::string_view text) {
+bool sendMessage(const system::File& channel, std::string_view text) {
     const auto length = static_cast<std::uint64_t>(text.size());
     std::string bytes(kHead, '\0');
     std::memcpy(bytes.data(), &length, kHead);
     bytes += text;
-    for (std::string_view rest = bytes; !rest.empty();) {
-        const ssize_t sent = ::send(socket, rest.data(), rest.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) return false;
-        rest.remove_prefix(static_cast<std::size_t>(sent));
-    }
-    return true;
+    return sendAll(channel, std::as_bytes(std::span(bytes))) == 0;
 }
 
-std::optional<std::string> receiveMessage(int socket) {
+std::optional<std::string> receiveMessage(const system::File& channel) {
     std::string received;
     for (;;) {
         if (std::optional<std::string> text = takeMessage(received)) return text;
-        std::array<char, 1 << 16> bytes{};
-        const ssize_t length = ::recv(socket, bytes.data(), bytes.size(), 0);
-        if (length < 0 && errno == EINTR) continue;
-        if (length <= 0) return std::nullopt;
-        received.append(bytes.data(), static_cast<std::size_t>(length));
+        if (receive(channel, -1, nullptr, received) != system::News::bytes) return std::nullopt;
     }
 }
 
@@ -95,43 +75,11 @@ double secondsSinceTime(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double processorSecondsOf(pid_t process) {
-    clockid_t clock{};
-    timespec used{};
-    if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0;
-    constexpr double kSecondsPerNanosecond = 1e-9;
-    return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * kSecondsPerNanosecond;
-}
-
 }  // namespace
 
-bool DrawingProcess::start() {
-    std::array<int, 2> ends{-1, -1};
-    memory_ = ::memfd_create("glibra picture", MFD_CLOEXEC);
-    if (memory_ < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
-    socket_ = ends[0];
-    process_ = startAgain({"glibra-view", "--draw-for-window"},
-                          {{ends[1], kDrawingSocket}, {memory_, kDrawingMemory}});
-    ::close(ends[1]);
-    return process_ >= 0;
-}
-
-void DrawingProcess::unmap() {
-    if (!pixels_.empty()) ::munmap(pixels_.data(), pixels_.size());
-    pixels_ = {};
-}
-
 void DrawingProcess::end() {
-    unmap();
-    if (process_ > 0) {
-        ::kill(process_, SIGKILL);
-        int status = 0;
-        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-        }
-    }
-    for (int* each : {&socket_, &memory_})
-        if (*each >= 0) ::close(std::exchange(*each, -1));
-    process_ = -1;
+    if (child_) system::end(*child_);
+    child_.reset();
     received_.clear();
     isWorking_ = hasDrawn_ = false;
 }
@@ -139,17 +87,11 @@ void DrawingProcess::end() {
 bool DrawingProcess::send(const DrawingOrder& order) {
     const std::size_t size =
         static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height) * 4;
-    if (pixels_.size() != size) {
-        unmap();
-        if (::ftruncate(memory_, static_cast<off_t>(size)) != 0) return false;
-        void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, memory_, 0);
-        if (memory == MAP_FAILED) return false;
-        pixels_ = {static_cast<std::byte*>(memory), size};
-    }
+    if (child_->memory.bytes().size() != size && !child_->memory.resize(size)) return false;
     sent_ = order;
     isWorking_ = isLoading_ = true;
     begun_ = std::chrono::steady_clock::now();
-    return sendMessage(socket_, order.text);
+    return sendMessage(child_->channel, order.text);
 }
 
 /// On a busy machine the process may not have had the processor.
@@ -157,8 +99,8 @@ bool DrawingProcess::isLate(double limit) const {
     constexpr double kMostWaiting = 5;
     const double passed = secondsSinceTime(begun_);
     if (isLoading_) return passed > kLongestLoading;
-    return passed > limit &&
-           (passed > kMostWaiting * limit || processorSecondsOf(process_) - processorSeconds_ > limit / 2);
+    return passed > limit && (passed > kMostWaiting * limit ||
+                              processorSecondsOf(child_->process) - processorSeconds_ > limit / 2);
 }
 
 DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
@@ -174,17 +116,12 @@ DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
             }
             isLoading_ = false;
             begun_ = std::chrono::steady_clock::now();
-            processorSeconds_ = processorSecondsOf(process_);
+            processorSeconds_ = processorSecondsOf(child_->process);
         }
         const int left = static_cast<int>(std::max(0., (seconds - secondsSinceTime(start)) * 1000));
-        pollfd wanted{socket_, POLLIN, 0};
-        if (::poll(&wanted, 1, left) > 0) {
-            std::array<char, 1 << 12> bytes{};
-            const ssize_t length = ::recv(socket_, bytes.data(), bytes.size(), 0);
-            if (length > 0) {
-                received_.append(bytes.data(), static_cast<std::size_t>(length));
-                continue;
-            }
+        const system::News news = receive(child_->channel, left, nullptr, received_);
+        if (news == system::News::bytes) continue;
+        if (news == system::News::ended) {
             const State why = hasDrawn_ || !isLoading_ ? State::ended : State::missing;
             end();
             return why;
@@ -200,7 +137,8 @@ DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
 DrawingProcess::State DrawingProcess::draw(const DrawingOrder& wanted, double limit) {
     if (isWorking_ && sent_.loading != wanted.loading) end();
     if (isWorking_) return wait(0, limit);
-    if ((process_ < 0 && !start()) || !send(wanted)) {
+    if (!child_) child_ = system::startChild({"glibra-view", "--draw-for-window"});
+    if (!child_ || !send(wanted)) {
         end();
         return State::missing;
     }
@@ -254,7 +192,7 @@ RenderOptions optionsOf(const Order& json) {
 /// The scene that the process draws, and what it was drawn with last.
 class Drawing {
   public:
-    explicit Drawing(gpu::Context& context) : context_(context) {}
+    Drawing(gpu::Context& context, system::ParentEnds& window) : context_(context), window_(window) {}
 
     /// Draws what is asked for. Returns the diagnostics.
     Diagnostics draw(const Order& order) {
@@ -280,12 +218,12 @@ class Drawing {
             !target_)
             return problems;
         if (order.at("watchesLoops").get<bool>()) live_->watchLoops();
-        ::alarm(kLongestDraw);
-        sendMessage(kDrawingSocket, R"({"begins":true})");
+        system::endAfter(kLongestDraw);
+        sendMessage(window_.channel, R"({"begins":true})");
         append(diagnostics, live_->draw(*target_, viewOf(order.at("view")), order.at("time").get<double>(),
                                         order.at("axes").get<bool>()));
         append(diagnostics, copyPicture());
-        ::alarm(0);
+        system::endAfter(0);
         return diagnostics;
     }
 
@@ -301,23 +239,22 @@ class Drawing {
         }
     }
 
-    [[nodiscard]] Diagnostics copyPicture() const {
+    [[nodiscard]] Diagnostics copyPicture() {
         Result<std::vector<std::byte>> rows =
             gpu::readPixels(context_.capabilities(), target_->readable(), 0,
                             {0, 0, target_->width(), target_->height()}, {4, gpu::TexelType::u8});
         if (!rows) return std::move(rows.diagnostics);
-        void* const memory =
-            ::mmap(nullptr, rows->size(), PROT_READ | PROT_WRITE, MAP_SHARED, kDrawingMemory, 0);
-        if (memory == MAP_FAILED) return {diagnose("draw-E05", "out of memory")};
+        if (!window_.memory.map(rows->size())) return {diagnose("draw-E05", "out of memory")};
         const std::size_t row = static_cast<std::size_t>(target_->width()) * 4;
-        auto* to = static_cast<std::byte*>(memory);
+        std::byte* to = window_.memory.bytes().data();
         for (std::size_t at = rows->size(); at > 0; at -= row, to += row)
             std::memcpy(to, rows->data() + at - row, row);
-        ::munmap(memory, rows->size());
+        window_.memory.unmap();
         return std::move(rows.diagnostics);
     }
 
     gpu::Context& context_;
+    system::ParentEnds& window_;
     std::unique_ptr<render::LiveScene> live_;
     std::vector<render::Knob> knobs_;
     std::uint64_t loading_ = 0;
@@ -349,18 +286,15 @@ std::string orderText(const DrawnState& state) {
 }
 
 int serveDrawing() {
-    // The process belongs to the window, also while it draws and does not read the socket.
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const rlimit noCore{0, 0};
-    ::setrlimit(RLIMIT_CORE, &noCore);
+    system::ParentEnds window = system::endsOfThisChild();
     gpu::prepareEnvironment();
     Result<gpu::Context> context = gpu::openContext();
     if (!context) return kNoContext;
-    Drawing drawing(*context);
-    while (const std::optional<std::string> text = receiveMessage(kDrawingSocket)) {
+    Drawing drawing(*context, window);
+    while (const std::optional<std::string> text = receiveMessage(window.channel)) {
         const Order order = Order::parse(*text, nullptr, false);
         if (!order.is_object()) return kNoContext;
-        if (!sendMessage(kDrawingSocket, answerText(drawing.draw(order)))) break;
+        if (!sendMessage(window.channel, answerText(drawing.draw(order)))) break;
     }
     return 0;
 }

@@ -4,7 +4,6 @@
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
 
-#include <sys/types.h>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -17,23 +16,21 @@
 #include <vector>
 
 #include "render/live/live_scene.h"
+#include "system/child_process.h"
 
 namespace glibra::view {
 
 // What the window and the process that draws for it send each other (drawing_process.h, drawing_service.h).
 
 /// A message is 8 bytes with the length, then the text. False, or nothing, if the other process has ended.
-bool sendMessage(int socket, std::string_view text);
-std::optional<std::string> receiveMessage(int socket);
+bool sendMessage(const system::File& channel, std::string_view text);
+std::optional<std::string> receiveMessage(const system::File& channel);
 /// Removes the first whole message from bytes that were received; nothing if there is none.
 std::optional<std::string> takeMessage(std::string& received);
 
 /// The answer after a picture: what was reported about it.
 std::string answerText(const Diagnostics& diagnostics);
 Diagnostics diagnosticsOf(const nlohmann::json& answer);
-
-/// The descriptors of the process. They are above all that the window has open.
-inline constexpr int kDrawingSocket = 200, kDrawingMemory = 201;
 
 // Draws a scene in a process of its own, which can be ended when a shader of the scene does not end. The
 // window starts its own program again for this. It starts with the first picture that is asked for.
@@ -71,24 +68,22 @@ class DrawingProcess {
     /// bottom row first. They are valid until the next call of draw().
     [[nodiscard]] const DrawingOrder& order() const { return sent_; }
     [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
-    [[nodiscard]] std::span<const std::byte> pixels() const { return pixels_; }
+    [[nodiscard]] std::span<const std::byte> pixels() const {
+        return child_ ? child_->memory.bytes() : std::span<const std::byte>();
+    }
     [[nodiscard]] bool isWorking() const { return isWorking_; }
     /// Ends the process. The next picture starts another one.
     void end();
 
   private:
-    bool start();
     bool send(const DrawingOrder& order);
     State wait(double seconds, double limit);
     [[nodiscard]] bool isLate(double limit) const;
-    void unmap();
 
-    pid_t process_ = -1;
-    int socket_ = -1, memory_ = -1;
+    std::optional<system::ChildProcess> child_;
     std::string received_;
     DrawingOrder sent_;
     Diagnostics diagnostics_;
-    std::span<std::byte> pixels_;
     bool isWorking_ = false, hasDrawn_ = false;
     std::chrono::steady_clock::time_point begun_;
     double processorSeconds_ = 0;  ///< that the process had used then
@@ -114,8 +109,8 @@ struct DrawnState {
 /// As JSON, which serveDrawing() takes.
 std::string orderText(const DrawnState& state);
 
-/// The work of the process: draws what the messages of the socket ask for into the memory, until the socket
-/// is closed. Returns the exit status.
+/// The work of the process: draws what the messages of the window ask for into the shared memory, until
+/// the channel is closed. Returns the exit status.
 int serveDrawing();
 
 }  // namespace glibra::view

@@ -10,6 +10,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/written_files.h"
+#include "system/terminal.h"
 #include "view/browse/thumbnails.h"
 #include "view/session/drawing_service.h"
 #include "view/window/window.h"
@@ -107,7 +108,7 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (!glibra::base::openStandardFiles()) return kNoDriver;
+    if (!glibra::system::openStandardFiles()) return kNoDriver;
     try {
         return glibra::cli::endProgram(start(argc, argv));
     } catch (const std::exception& failure) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -19,13 +18,13 @@
 #include "glib/text.h"
 #include "gpu/context/context.h"
 #include "gpu/context/reset.h"
+#include "system/interruption.h"
 #include "view/browse/file_use.h"
 #include "view/debug_view/texels.h"
 #include "view/edit/example_folders.h"
 #include "view/edit/recovery.h"
 #include "view/edit/save_values.h"
 #include "view/window/panels/layout.h"
-#include "view/window/platform/ending.h"
 #include "view/window/platform/theme.h"
 #include "view/window/tabs.h"
 #include "view/window/window_loop.h"
@@ -465,8 +464,8 @@ Diagnostics Window::recover(const base::DeviceLost& lost) {
 Diagnostics Window::run() {
     openInitialScenes();
     setSize();
-    const EndingSignals signals([] { Display::wake(); });
-    while (display_.isOpen() && EndingSignals::received() == 0) {
+    const system::EndingSignals signals([] { Display::wake(); });
+    while (display_.isOpen() && system::EndingSignals::received() == 0) {
         try {
             waitForWork();
             handleRequests();
@@ -484,7 +483,7 @@ Diagnostics Window::run() {
     keepTabs();
     saveSettings();
     // The user has been asked about texts, unless the system has ended the window.
-    if (EndingSignals::received() == 0) shared_.copies.forgetAll();
+    if (system::EndingSignals::received() == 0) shared_.copies.forgetAll();
     return std::move(setProblems_);
 }
 
@@ -498,7 +497,7 @@ Diagnostics runWindow(const WindowArguments& arguments) {
         gpu::adopt([](const char* function) { return Display::address(function); });
     if (!context) return std::move(context.diagnostics);
     Diagnostics problems = Window(arguments, *display, *context).run();
-    if (const int signal = EndingSignals::received()) std::raise(signal);
+    system::EndingSignals::obey();
     return problems;
 }
 

@@ -2,22 +2,15 @@
 
 #include <imgui.h>
 
-#include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "system/places.h"
 #include "view/session/value_keeper.h"
 
 namespace glibra::view {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double cpuSeconds() {
-    constexpr double kSecondsPerNanosecond = 1e-9;
-    timespec cpu{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
-    return static_cast<double>(cpu.tv_sec) + static_cast<double>(cpu.tv_nsec) * kSecondsPerNanosecond;
-}
 
 }  // namespace
 
@@ -32,7 +25,7 @@ std::string windowJson(const Ui& ui, const LoopState& loop) {
     state["refreshRate"] = loop.refreshRate;
     state["swapControl"] = loop.hasSwapControl;
     state["waiting"] = loop.isWaiting;
-    state["cpuSeconds"] = cpuSeconds();
+    state["cpuSeconds"] = system::processorSeconds();
     state["picture"] = ui.frame.picture;
     state["room"] = ui.frame.room;
     state["scale"] = ui.shared.scale;

@@ -20,6 +20,7 @@
 #include "base/own_library.h"
 #include "glib/text.h"
 #include "image/read.h"
+#include "system/places.h"
 #include "view/browse/example_scenes.h"
 #include "view/browse/thumbnails.h"
 #include "view/edit/example_folders.h"
@@ -87,7 +88,7 @@ void listExamples(const Session& session, ExampleBrowser& browser) {
     browser.isListed = true;
     browser.maker.reset();
     browser.tiles.clear();
-    browser.root = exampleRoot(session.renderOptions().libraryRoots, session.path(), base::programFile());
+    browser.root = exampleRoot(session.renderOptions().libraryRoots, session.path(), system::programFile());
     if (browser.root.empty()) return;
     const std::filesystem::path cache = thumbnailFolder();
     std::vector<ExampleScene> scenes = exampleScenes(browser.root);

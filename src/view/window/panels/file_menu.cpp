@@ -11,6 +11,7 @@
 
 #include "base/own_library.h"
 #include "image/file.h"
+#include "system/places.h"
 #include "view/browse/example_scenes.h"
 #include "view/edit/example_folders.h"
 #include "view/edit/save_values.h"
@@ -69,7 +70,7 @@ std::string makeEmptyScene(Ui& ui, fs::path target) {
 /// The templates are the scenes in the folder "start" of the examples.
 void newMenu(Ui& ui, std::optional<std::vector<ExampleScene>>& templates) {
     if (!templates) {
-        const fs::path root = exampleRoot({}, {}, base::programFile());
+        const fs::path root = exampleRoot({}, {}, system::programFile());
         templates = root.empty() ? std::vector<ExampleScene>() : exampleScenes(root);
         std::erase_if(*templates, [](const ExampleScene& each) { return each.topic != "start"; });
     }

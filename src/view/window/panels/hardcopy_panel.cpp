@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +17,9 @@
 #include <utility>
 
 #include "image/video/video_file.h"
+#include "system/places.h"
+#include "system/process.h"
 #include "view/edit/example_folders.h"
-#include "view/edit/external_editor.h"
 #include "view/export/hardcopy.h"
 #include "view/window/panels/icons.h"
 #include "view/window/panels/label_overlay.h"
@@ -87,9 +87,9 @@ fs::path folderOf(const Settings& settings) {
         fs::is_directory(chosen, failure) && !isExample(chosen / "picture.png"))
         return chosen;
     const fs::path current = fs::current_path(failure);
-    if (::access(current.c_str(), W_OK) == 0 && !isExample(current / "picture.png")) return current;
-    const char* home = std::getenv("HOME");
-    return home ? fs::path(home) : current;
+    if (system::mayWrite(current) && !isExample(current / "picture.png")) return current;
+    const fs::path home = system::homeFolder();
+    return home.empty() ? current : home;
 }
 
 int samplesOfScreen(const Ui& ui) {
@@ -349,7 +349,7 @@ void showLast(Ui& ui, HardcopyEntries& entries) {
     if (entries.failed || entries.last.empty()) return;
     continueRowForButton("Show the file");
     if (button(ui, "Show the file", "hardcopy/show"))
-        if (const std::string why = startDetached({"xdg-open", entries.last.string()}); !why.empty())
+        if (const std::string why = system::openForUser(entries.last); !why.empty())
             ui.notice = {"cannot start 'xdg-open': " + why, true};
 }
 

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "image/file.h"
+#include "system/places.h"
 
 namespace glibra::view {
 namespace {
@@ -37,11 +38,8 @@ void Settings::scaleSizes(float by) {
 }
 
 fs::path settingsFile() {
-    if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder)
-        return fs::path(folder) / "glibra" / "view.json";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return fs::path(home) / ".config" / "glibra" / "view.json";
-    return {};
+    const fs::path folder = system::userFolder(system::UserFolder::settings);
+    return folder.empty() ? folder : folder / "view.json";
 }
 
 Settings readSettings(const fs::path& file) {

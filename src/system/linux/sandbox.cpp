@@ -1,10 +1,8 @@
-#include "base/sandbox.h"
+#include "system/sandbox.h"
 
-#ifdef __linux__
+#include <fcntl.h>
 #include <linux/capability.h>
 #include <sys/prctl.h>
-#endif
-#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -15,12 +13,16 @@
 #include <climits>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "base/call_filter.h"
-#include "base/landlock.h"
+#include "system/linux/call_filter.h"
+#include "system/linux/landlock.h"
+#include "system/posix/extras.h"
 
-namespace glibra::base {
+namespace glibra::system {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,7 +90,6 @@ void addSystem(Sandbox& sandbox) {
     sandbox.devices.emplace_back("/dev/null");
 }
 
-#ifdef __linux__
 /// Limits the size of each file that is written, for good. Returns false if that fails.
 bool limitFiles() {
     rlimit limit{};
@@ -117,7 +118,6 @@ bool giveUpRights() {
     }
     return !isChanged || ::syscall(SYS_capset, &header, rights.data()) == 0;
 }
-#endif
 
 }  // namespace
 
@@ -128,10 +128,11 @@ std::string missingForSandbox() {
     return missing;
 }
 
-std::string enterSandbox(const Sandbox& sandbox, std::span<const int> kept) {
-#ifdef __linux__
+std::string enterSandbox(const Sandbox& sandbox, std::span<const File* const> files) {
+    std::vector<int> kept;
+    for (const File* each : files) kept.push_back(numberOf(*each));
     const auto failed = [](const char* what) { return std::string(what) + ": " + std::strerror(errno); };
-    if (!closeAllBut({kept.begin(), kept.end()})) return failed("close_range");
+    if (!closeAllBut(std::move(kept))) return failed("close_range");
     const int null = ::open("/dev/null", O_RDWR | O_CLOEXEC);
     if (null < 0) return failed("/dev/null");
     for (const int each : {0, 1, 2})
@@ -144,11 +145,34 @@ std::string enterSandbox(const Sandbox& sandbox, std::span<const int> kept) {
     addSystem(whole);
     if (std::string problem = confineFiles(whole); !problem.empty()) return problem;
     return filterCalls();
-#else
-    static_cast<void>(sandbox);
-    static_cast<void>(kept);
-    return missingForSandbox();
-#endif
 }
 
-}  // namespace glibra::base
+void addGraphicsDevices(Sandbox& sandbox) {
+    for (const char* each :
+         {"/dev/dri", "/dev/nvidiactl", "/dev/nvidia-modeset", "/dev/nvidia-uvm", "/dev/dxg"})
+        sandbox.devices.emplace_back(each);
+    constexpr int kMostDevices = 16;
+    for (int i = 0; i < kMostDevices; ++i)
+        sandbox.devices.emplace_back(fs::path("/dev/nvidia" + std::to_string(i)));
+}
+
+std::uint64_t bytesWrittenBy(const Process& process) {
+    std::ifstream file("/proc/" + std::to_string(process.number()) + "/io");
+    std::uint64_t written = 0, value = 0;
+    for (std::string key; file >> key >> value;)
+        if (key == "wchar:" || key == "write_bytes:") written = std::max(written, value);
+    return written;
+}
+
+std::uint64_t systemWorkFor(const Process& process) {
+    constexpr int kBefore = 12;  // fields between the name and this one (proc(5))
+    std::ifstream file("/proc/" + std::to_string(process.number()) + "/stat");
+    std::string field;
+    std::getline(file, field, ')');
+    for (int i = 0; i < kBefore; ++i) file >> field;
+    std::uint64_t ticks = 0;
+    file >> ticks;
+    return ticks;
+}
+
+}  // namespace glibra::system

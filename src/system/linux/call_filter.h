@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace glibra::base {
+namespace glibra::system {
 
 /// Returns an empty text, or why there are no filters of system calls.
 std::string missingCallFilter();
@@ -13,4 +13,4 @@ std::string missingCallFilter();
 /// EPERM. The process must have one thread and no_new_privs. Returns an empty text, or what failed.
 std::string filterCalls();
 
-}  // namespace glibra::base
+}  // namespace glibra::system

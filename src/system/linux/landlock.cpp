@@ -1,4 +1,4 @@
-#include "base/landlock.h"
+#include "system/linux/landlock.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,13 +9,14 @@
 #include <cstdint>
 #include <cstring>
 
-#include "base/contained.h"
+#include "system/posix/extras.h"
+#include "system/sandbox.h"
 
-namespace glibra::base {
+namespace glibra::system {
 
 namespace fs = std::filesystem;
 
-#if defined(__linux__) && defined(SYS_landlock_create_ruleset)
+#if defined(SYS_landlock_create_ruleset)
 
 namespace {
 
@@ -46,10 +47,10 @@ long version() {
 }
 
 /// Opens a path below its root one part after the other, so that nobody can put a link in between.
-Descriptor openReach(const Reach& reach) {
+File openReach(const Reach& reach) {
     if (reach.root.empty())
-        return Descriptor(::open(reach.path.empty() ? "." : reach.path.c_str(), O_PATH | O_CLOEXEC));
-    Descriptor file(::open(reach.root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+        return File(::open(reach.path.empty() ? "." : reach.path.c_str(), O_PATH | O_CLOEXEC));
+    File file(::open(reach.root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     for (const fs::path& part : reach.path) {
         if (!file) break;
         if (part.empty() || part == ".") continue;
@@ -58,9 +59,9 @@ Descriptor openReach(const Reach& reach) {
             return {};
         }
         // With O_PATH, a link is opened itself.
-        file = Descriptor(::openat(file.number(), part.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
+        file = File(::openat(numberOf(file), part.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC));
         struct stat status{};
-        if (file && (::fstat(file.number(), &status) != 0 || S_ISLNK(status.st_mode))) {
+        if (file && (::fstat(numberOf(file), &status) != 0 || S_ISLNK(status.st_mode))) {
             errno = ENOENT;
             return {};
         }
@@ -70,11 +71,11 @@ Descriptor openReach(const Reach& reach) {
 
 /// Returns 0 or an error number. A path that does not exist is no error.
 int allow(int rules, const Reach& reach, std::uint64_t rights) {
-    const Descriptor file = openReach(reach);
+    const File file = openReach(reach);
     if (!file) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;
     struct stat status{};
-    if (::fstat(file.number(), &status) != 0) return errno;
-    PathRule rule{S_ISDIR(status.st_mode) ? rights : rights & kOfFiles, file.number()};
+    if (::fstat(numberOf(file), &status) != 0) return errno;
+    PathRule rule{S_ISDIR(status.st_mode) ? rights : rights & kOfFiles, numberOf(file)};
     return ::syscall(SYS_landlock_add_rule, rules, kPathRuleType, &rule, 0) == 0 ? 0 : errno;
 }
 
@@ -134,4 +135,4 @@ std::string confineFiles(const Sandbox&) {
 
 #endif
 
-}  // namespace glibra::base
+}  // namespace glibra::system

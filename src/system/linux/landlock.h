@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "base/reach.h"
+#include "system/sandbox.h"
 
-namespace glibra::base {
+namespace glibra::system {
 
 /// Returns an empty text, or why there is no Landlock.
 std::string missingLandlock();
@@ -14,4 +14,4 @@ std::string missingLandlock();
 /// what failed. The process must have no_new_privs.
 std::string confineFiles(const Sandbox& sandbox);
 
-}  // namespace glibra::base
+}  // namespace glibra::system

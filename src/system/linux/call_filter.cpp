@@ -1,7 +1,7 @@
-#include "base/call_filter.h"
+#include "system/linux/call_filter.h"
 
 // The list of calls is that of 64 bits.
-#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
+#if defined(__x86_64__) || defined(__aarch64__)
 #define GLIBRA_CALL_FILTER
 #include <fcntl.h>
 #include <linux/seccomp.h>
@@ -19,7 +19,7 @@
 #include <initializer_list>
 #endif
 
-namespace glibra::base {
+namespace glibra::system {
 
 #ifdef GLIBRA_CALL_FILTER
 
@@ -251,4 +251,4 @@ std::string filterCalls() {
 
 #endif
 
-}  // namespace glibra::base
+}  // namespace glibra::system

@@ -1,0 +1,116 @@
+#include "system/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <utility>
+
+#include "system/memory.h"
+#include "system/places.h"
+#include "system/posix/extras.h"
+#include "system/posix/spawn.h"
+
+namespace glibra::system {
+namespace {
+
+/// The descriptors of a child. They are above all that its parent has open.
+constexpr int kChannel = 200, kMemory = 201;
+
+}  // namespace
+
+Waker::Waker() {
+    int reading = -1, writing = -1;
+    if (!openWaker(reading, writing)) return;
+    reading_ = File(reading);
+    if (writing != reading) writing_ = File(writing);
+}
+
+bool Waker::wake() const {
+    const std::uint64_t one = 1;
+    return ::write(numberOf(writing_ ? writing_ : reading_), &one, sizeof one) == sizeof one;
+}
+
+void Waker::wait() const {
+    std::uint64_t count = 0;
+    while (::read(numberOf(reading_), &count, sizeof count) < 0 && errno == EINTR) {
+    }
+}
+
+News receive(const File& from, int milliseconds, const Waker* waker, std::string& received) {
+    std::array<pollfd, 2> wanted{
+        {{numberOf(from), POLLIN, 0}, {waker ? numberOf(waker->file()) : -1, POLLIN, 0}}};
+    int ready = -1;
+    do ready = ::poll(wanted.data(), wanted.size(), milliseconds);
+    while (ready < 0 && errno == EINTR);
+    if (wanted[1].revents != 0) return News::woken;
+    if (ready == 0) return News::late;
+    std::array<char, 1 << 12> bytes;
+    ssize_t length = 0;
+    do length = ready > 0 ? ::read(numberOf(from), bytes.data(), bytes.size()) : 0;
+    while (length < 0 && errno == EINTR);
+    if (length <= 0) return News::ended;
+    received.append(bytes.data(), static_cast<std::size_t>(length));
+    return News::bytes;
+}
+
+SharedFile::SharedFile(SharedFile&& other) noexcept
+    : file_(std::move(other.file_)), bytes_(std::exchange(other.bytes_, {})) {}
+
+SharedFile& SharedFile::operator=(SharedFile&& other) noexcept {
+    std::swap(file_, other.file_);
+    std::swap(bytes_, other.bytes_);
+    return *this;
+}
+
+bool SharedFile::make() {
+    file_ = File(openMemoryFile("glibra picture"));
+    return static_cast<bool>(file_);
+}
+
+bool SharedFile::resize(std::size_t size) {
+    unmap();
+    return ::ftruncate(numberOf(file_), static_cast<off_t>(size)) == 0 && map(size);
+}
+
+bool SharedFile::map(std::size_t size) {
+    unmap();
+    void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, numberOf(file_), 0);
+    if (memory == MAP_FAILED) return false;
+    bytes_ = {static_cast<std::byte*>(memory), size};
+    return true;
+}
+
+void SharedFile::unmap() {
+    if (!bytes_.empty()) ::munmap(bytes_.data(), bytes_.size());
+    bytes_ = {};
+}
+
+std::optional<ChildProcess> startChild(const std::vector<std::string>& words) {
+    ChildProcess child;
+    File theirs;
+    if (!child.memory.make() || makeInputOf(child.channel, theirs) != 0) return std::nullopt;
+    child.process = spawn(pathOfThisProgram().c_str(), words, {.error = Stream::To::nothing},
+                          {{numberOf(theirs), kChannel}, {numberOf(child.memory.file()), kMemory}});
+    if (!child.process) return std::nullopt;
+    return child;
+}
+
+void end(ChildProcess& child) {
+    kill(child.process);
+    waitFor(child.process);
+    child = ChildProcess();
+}
+
+ParentEnds endsOfThisChild() {
+    // The process belongs to the window, also while it does not read the channel.
+    endWithParent();
+    leaveNoCore();
+    return {File(kChannel), SharedFile(File(kMemory))};
+}
+
+}  // namespace glibra::system

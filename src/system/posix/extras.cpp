@@ -1,0 +1,100 @@
+#include "system/posix/extras.h"
+
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "system/places.h"
+#include "system/process.h"
+
+namespace glibra::system {
+namespace {
+
+/// Between the making of a descriptor and this call another thread may start a program, which inherits it.
+void closeInPrograms(const int (&ends)[2]) {
+    for (const int each : ends) ::fcntl(each, F_SETFD, FD_CLOEXEC);
+}
+
+}  // namespace
+
+bool openPipe(int (&ends)[2]) {
+    if (::pipe(ends) != 0) return false;
+    closeInPrograms(ends);
+    return true;
+}
+
+bool openSockets(int (&ends)[2]) {
+    if (::socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) return false;
+    closeInPrograms(ends);
+    return true;
+}
+
+bool openWaker(int& reading, int& writing) {
+    int ends[2];
+    if (!openPipe(ends)) return false;
+    reading = ends[0];
+    writing = ends[1];
+    return true;
+}
+
+int passingMode() {
+    return O_RDONLY;
+}
+
+bool hasAccessList(int) {
+    return false;
+}
+
+int openUnnamed(int, const char*, int, mode_t) {
+    return -1;
+}
+
+int nameFile(int, int, const std::filesystem::path&) {
+    return ENOTSUP;
+}
+
+int openMemoryFile(const char*) {
+    std::error_code failure;
+    std::string name = (std::filesystem::temp_directory_path(failure) / "glibra-XXXXXX").string();
+    if (failure) return -1;
+    const int file = ::mkstemp(name.data());
+    if (file < 0) return -1;
+    ::unlink(name.c_str());
+    ::fcntl(file, F_SETFD, FD_CLOEXEC);
+    return file;
+}
+
+std::string pathOf(int file) {
+    return "/dev/fd/" + std::to_string(file);
+}
+
+std::string pathOfThisProgram() {
+    return programFile().string();
+}
+
+bool hasOneThread() {
+    return false;
+}
+
+void endWithParent() {}
+
+void beFirstToEnd() {}
+
+int descriptorOf(pid_t) {
+    return -1;
+}
+
+double processorSecondsOf(pid_t) {
+    return 0;
+}
+
+std::uint64_t dataBytes() {
+    return 0;
+}
+
+}  // namespace glibra::system
