@@ -15,6 +15,9 @@ enum class Comparison : std::uint8_t { never, less, lequal, equal, gequal, great
 enum class Cull : std::uint8_t { off, back, front, both };
 /// Which order of vertices in the window makes a face a front face.
 enum class Winding : std::uint8_t { ccw, cw };
+constexpr Winding opposite(Winding winding) {
+    return winding == Winding::ccw ? Winding::cw : Winding::ccw;
+}
 enum class PolygonMode : std::uint8_t { fill, line, point };
 /// The vertex of a primitive that gives `flat` outputs their values.
 enum class ProvokingVertex : std::uint8_t { last, first };

@@ -357,7 +357,7 @@ bool isFilledWhole(const scene::Scene& scene, const FramePlan& plan, const Plann
             return false;
         scene::RasterState plain;
         plain.depthTest = plain.depthWrite = false;
-        return draw.raster == plain && draw.instances == 1 && !draw.instancesFrom;
+        return *draw.raster == plain && draw.instances == 1 && !draw.instancesFrom;
     });
 }
 

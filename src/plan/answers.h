@@ -4,6 +4,9 @@
 // depends on the programs and meshes before: so a plan that lacks something asks for it, and is made again
 // with the answers.
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,6 +18,31 @@
 
 namespace glibra::plan {
 
+/// What is known of the sight of draws.
+class Sight {
+  public:
+    /// `why` nothing of the draw is visible; an empty text if it may be visible or has effects besides those
+    /// on its target.
+    void add(const scene::StepIndex& at, const std::string& why) {
+        if (known_.size() <= at.pass) known_.resize(at.pass + 1);
+        std::vector<std::uint8_t>& pass = known_[at.pass];
+        if (pass.size() <= at.step) pass.resize(std::max(at.step + 1, 2 * pass.size()));
+        const auto same = std::ranges::find(reasons_, why);
+        pass[at.step] = static_cast<std::uint8_t>(same - reasons_.begin() + 1);
+        if (same == reasons_.end()) reasons_.push_back(why);
+    }
+    /// What add() was given; null: nothing.
+    [[nodiscard]] const std::string* find(const scene::StepIndex& at) const {
+        const bool isKnown = at.pass < known_.size() && at.step < known_[at.pass].size();
+        const std::size_t reason = isKnown ? known_[at.pass][at.step] : 0;
+        return reason == 0 ? nullptr : &reasons_[reason - 1];
+    }
+
+  private:
+    std::vector<std::vector<std::uint8_t>> known_;  ///< by pass and step: a reason, from 1; 0: not known
+    std::vector<std::string> reasons_;              ///< few
+};
+
 /// What is known when a plan is made. Nothing need be known at first.
 struct Answers {
     std::map<ProgramVariant, const ProgramInterface*> interfaces;  ///< they must outlive the plan
@@ -22,9 +50,7 @@ struct Answers {
     std::map<scene::ProgramIndex, bool> writers;
     /// The rounds after which the driver ends a shader's loops, 0 if it never does.
     std::optional<int> loopLimit;
-    /// Why nothing of a draw is visible; an empty text if it may be visible or has effects besides those on
-    /// its target.
-    std::map<scene::StepIndex, std::string> unseen;
+    Sight sight;
     bool seesAll = false;    ///< no draw is out of sight, so that nobody asks
     bool asksAhead = false;  ///< for draws, too, that are not needed if others are out of sight
 };

@@ -41,8 +41,8 @@ std::string glslTypeOf(BaseType kind, int components) {
 }
 
 bool isWritten(const scene::Draw& draw, std::size_t target) {
-    const base::ColorMask& mask = draw.raster.write.at(target);
-    return !draw.raster.discard && (mask.red || mask.green || mask.blue || mask.alpha);
+    const base::ColorMask& mask = draw.raster->write.at(target);
+    return !draw.raster->discard && (mask.red || mask.green || mask.blue || mask.alpha);
 }
 
 }  // namespace
@@ -287,8 +287,8 @@ void DrawRemarks::reportPrecision(const scene::Draw& draw, PlannedProgramIndex i
     };
     // 24 bits of depth have steps of z * z / near * 2^-24 at the distance z.
     constexpr double kMostRatio = 1e7, kVisible = .01;
-    const scene::Lens lens = perspectiveOf(draw.projection);
-    if (draw.raster.depthTest && lens.near > 0 && lens.far / lens.near >= kMostRatio)
+    const scene::Lens lens = perspectiveOf(*draw.projection);
+    if (draw.raster->depthTest && lens.near > 0 && lens.far / lens.near >= kMostRatio)
         warn(
             fmt::format("near {} and far {}: beyond {:.3g} from the eye, surfaces need more than 1% of their "
                         "distance between them for the depth to tell them apart; raise near or lower far",

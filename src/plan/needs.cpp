@@ -17,7 +17,7 @@ namespace glibra::plan {
 bool usesStencil(const scene::Pass& pass) {
     return std::ranges::any_of(pass.steps, [](const auto& step) {
         const auto* draw = std::get_if<scene::Draw>(&step);
-        return draw != nullptr ? draw->raster.stencilTest : std::get<scene::Clear>(step).stencil;
+        return draw != nullptr ? draw->raster->stencilTest : std::get<scene::Clear>(step).stencil;
     });
 }
 
@@ -179,13 +179,14 @@ class NeedFinder {
     /// True, too, if it is not known yet.
     bool isOutOfSight(scene::StepIndex at) {
         if (answers_.seesAll) return false;
-        const auto known = answers_.unseen.find(at);
-        if (known == answers_.unseen.end()) {
-            if (asked_.insert(at).second) questions_.unseen.push_back(at);
+        const std::string* why = answers_.sight.find(at);
+        if (why == nullptr) {
+            if (asked_.find(at) == nullptr) questions_.unseen.push_back(at);
+            asked_.add(at, {});
             return !answers_.asksAhead;
         }
-        if (!known->second.empty()) needs_.outOfSight.emplace(at, known->second);
-        return !known->second.empty();
+        if (!why->empty()) needs_.outOfSight.emplace(at, *why);
+        return !why->empty();
     }
 
     /// What is read before the pass: its targets, as far as it keeps them. `isColorSeen`: something of the
@@ -240,7 +241,7 @@ class NeedFinder {
     std::set<Object> pinned_;  ///< a clear does not end the need for them
     std::set<int> liveDepths_;
     bool isWindowLive_ = true;
-    std::set<scene::StepIndex> asked_;  ///< whether it is out of sight
+    Sight asked_;  ///< those in `questions_`
     Needs needs_;
 };
 

@@ -3,6 +3,7 @@
 // Finds which steps of a frame contribute to the picture: it walks back from the window to the passes whose
 // targets are sampled on the way.
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace glibra::plan {
 
-enum class StepNeed { needed, coveredByClear, drawsNothing, outOfSight, passNotNeeded };
+enum class StepNeed : std::uint8_t { needed, coveredByClear, drawsNothing, outOfSight, passNotNeeded };
 
 /// One element per pass, dispatch and clear of the list, per step of each pass, and per texture and buffer.
 struct Needs {

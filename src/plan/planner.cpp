@@ -333,6 +333,7 @@ class FramePlanner {
         const scene::Pass& pass = nodes_.passes[index];
         PlannedPass result;
         result.pass = index;
+        result.steps.reserve(static_cast<std::size_t>(std::ranges::count(needs, StepNeed::needed)));
         for (std::size_t step = 0; step < pass.steps.size(); ++step) {
             if (needs[step] != StepNeed::needed) continue;
             if (std::holds_alternative<scene::Clear>(pass.steps[step]))

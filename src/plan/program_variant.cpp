@@ -8,13 +8,13 @@ namespace {
 
 /// True if fragments of the draw are seen: a pass without colours needs no fragment stage.
 bool needsFragments(const scene::Draw& draw, const scene::Pass& pass) {
-    return !draw.raster.discard && (pass.isWindow || !pass.targets.empty());
+    return !draw.raster->discard && (pass.isWindow || !pass.targets.empty());
 }
 
 }  // namespace
 
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
-    const auto* space = std::get_if<scene::ClipSpace>(&draw.projection);
+    const auto* space = std::get_if<scene::ClipSpace>(&*draw.projection);
     ProgramVariant variant{.flatColors = draw.flatColors,
                            .colorTargets = std::max<int>(1, static_cast<int>(pass.targets.size()))};
     if (usesBuiltin(scene, draw)) return variant;

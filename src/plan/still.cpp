@@ -95,7 +95,7 @@ bool usesDepth(const scene::Pass& pass) {
     return pass.depth || pass.clearDepth || pass.clearStencil || usesStencil(pass) ||
            std::ranges::any_of(pass.steps, [](const auto& step) {
                const auto* draw = std::get_if<scene::Draw>(&step);
-               return draw != nullptr ? draw->raster.depthTest : std::get<scene::Clear>(step).depth;
+               return draw != nullptr ? draw->raster->depthTest : std::get<scene::Clear>(step).depth;
            });
 }
 

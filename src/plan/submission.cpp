@@ -164,7 +164,7 @@ std::optional<Topology> addedAdjacency(const scene::Shape& shape, Topology submi
 
 bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
                       const ProgramInterface& interface, const Submission& submission) {
-    if (program == nullptr || draw.raster.pointSizeFromShader || !interface.facts.writesPointSize)
+    if (program == nullptr || draw.raster->pointSizeFromShader || !interface.facts.writesPointSize)
         return false;
     const std::string_view points = wordOf(Topology::points);
     if (program->hasStage(glsl::Stage::geometry, draw.isFill))

@@ -84,8 +84,8 @@ void SceneState::makeAhead() {
             answers.writers.emplace(each, programs.mayWriteImages(each));
         answers.loopLimit = 0;
         for (const scene::StepIndex& each : asked.unseen)
-            answers.unseen.emplace(
-                each, outOfSight(scene.frame.draw(each), scene.frame.passes[each.pass], nullptr));
+            answers.sight.add(each,
+                              outOfSight(scene.frame.draw(each), scene.frame.passes[each.pass], nullptr));
     };
     plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
     planOptions.overrides = std::move(*overrides);

@@ -52,7 +52,7 @@ plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::Pla
             answers.writers.emplace(each, programs.mayWriteImages(each));
         if (asked.loopLimit) answers.loopLimit = loopLimit();
         for (const scene::StepIndex& each : asked.unseen)
-            answers.unseen.emplace(each, outOfSight(nodes.draw(each), nodes.passes[each.pass]));
+            answers.sight.add(each, outOfSight(nodes.draw(each), nodes.passes[each.pass]));
     };
     plan::Answers known;
     known.seesAll = !outOfSight;

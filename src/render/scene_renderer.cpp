@@ -58,7 +58,7 @@ Diagnostics chooseCounts(SceneState& state, plan::PlanOptions& planOptions, Stat
          .mostSamples = driver.maxSamples,
          .clipFromModel =
              [&](const scene::Draw& draw, double aspect) {
-                 return state.view.projection(draw.projection, aspect) * state.view.modelView(draw);
+                 return state.view.projection(*draw.projection, aspect) * state.view.modelView(draw);
              },
          .contourShift = [&](const budget::Choice& from,
                              const budget::Choice& to) { return pictures.shift(from, to); },

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "base/raster_state.h"
+#include "base/shared.h"
 #include "scene/objects.h"
 
 namespace glibra::scene {
@@ -53,9 +55,9 @@ struct Draw {
     ProgramIndex program{};
     glm::dmat4 modelView{1.0};
     glm::dmat4 model{1.0};  ///< the transforms below the camera; modelView is the camera's view times it
-    Projection projection;
+    base::Shared<Projection> projection;
     glm::dvec4 color{1.0};
-    RasterState raster;
+    base::Shared<RasterState> raster;
     int patchVertices = 3;
     bool flatColors = false;
     Sampling sampling;
@@ -119,7 +121,7 @@ struct PassSetup {
 
 /// Drawing into one target list.
 struct Pass : PassSetup {
-    std::vector<std::variant<Draw, Clear>> steps;
+    std::deque<std::variant<Draw, Clear>> steps;
 };
 
 /// As many invocations as the object has texels or elements, or as these three numbers say.

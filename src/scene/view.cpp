@@ -87,14 +87,14 @@ std::vector<SeenDraw> perspectiveDraws(const Scene& scene, double windowAspect) 
     for (const Pass& pass : scene.frame.passes)
         for (const auto& step : pass.steps)
             if (const Draw* draw = std::get_if<Draw>(&step);
-                draw && !draw->isSky && std::holds_alternative<Perspective>(draw->projection))
+                draw && !draw->isSky && std::holds_alternative<Perspective>(*draw->projection))
                 draws.push_back({draw, aspectOf(scene, pass, windowAspect)});
     return draws;
 }
 
 /// Half of the draw's field of view in radians, vertical or horizontal, whichever is smaller.
 double halfAngle(const SeenDraw& seen) {
-    const double half = std::get<Perspective>(seen.draw->projection).fieldOfView / 2;
+    const double half = std::get<Perspective>(*seen.draw->projection).fieldOfView / 2;
     const double tangent = sineOfDegrees(half) / cosineOfDegrees(half);
     return std::atan(std::min(tangent, seen.aspect * tangent));
 }
@@ -114,7 +114,7 @@ std::optional<Sphere> sphereAround(const std::vector<SeenDraw>& draws, const Mes
         Box box;
         eachVertex(*mesh, seen.draw->modelView, [&](const glm::dvec3& point, double) { box.add(point); });
         if (box.isEmpty()) continue;
-        const double near = std::get<Perspective>(seen.draw->projection).near;
+        const double near = std::get<Perspective>(*seen.draw->projection).near;
         if (box.high.z <= -near) return std::nullopt;  // the scene is laid out for an eye at the origin
         nearest = std::max(nearest, near);
         all.add(box);

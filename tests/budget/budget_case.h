@@ -31,7 +31,7 @@ class Budget {
         request.width = request.height = 600;
         request.mostSamples = 4;
         request.clipFromModel = [](const scene::Draw& draw, double aspect) {
-            return scene::projectionMatrix(draw.projection, aspect) * draw.modelView;
+            return scene::projectionMatrix(*draw.projection, aspect) * draw.modelView;
         };
     }
 

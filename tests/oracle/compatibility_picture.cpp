@@ -163,7 +163,7 @@ class Drawing {
 
     void drawOne(const scene::Draw& draw, double aspect) {
         const std::vector<glib::UniformSpec>& tags = scene_.programs[draw.program].uniforms;
-        const glm::dmat4 projection = scene::projectionMatrix(draw.projection, aspect);
+        const glm::dmat4 projection = scene::projectionMatrix(*draw.projection, aspect);
         gl_.MatrixMode(GL_PROJECTION);
         gl_.LoadMatrixd(glm::value_ptr(projection));
         gl_.MatrixMode(GL_MODELVIEW);
@@ -176,10 +176,10 @@ class Drawing {
         bindTextures(program, draw, tags);
 
         gl_.ShadeModel(draw.flatColors ? GL_FLAT : GL_SMOOTH);
-        gl_.PointSize(static_cast<GLfloat>(draw.raster.pointSize));
-        gl_.LineWidth(static_cast<GLfloat>(draw.raster.lineWidth));
-        draw.raster.pointSizeFromShader ? gl_.Enable(GL_PROGRAM_POINT_SIZE)
-                                        : gl_.Disable(GL_PROGRAM_POINT_SIZE);
+        gl_.PointSize(static_cast<GLfloat>(draw.raster->pointSize));
+        gl_.LineWidth(static_cast<GLfloat>(draw.raster->lineWidth));
+        draw.raster->pointSizeFromShader ? gl_.Enable(GL_PROGRAM_POINT_SIZE)
+                                         : gl_.Disable(GL_PROGRAM_POINT_SIZE);
         const auto [known, isNew] = meshes_.try_emplace(draw.shape);
         if (isNew) {
             Result<geometry::Mesh> made = scene::makeMesh(scene_, draw.shape);

@@ -227,7 +227,7 @@ struct Programs {
         builtin.uniforms.push_back(uniform("uModelViewProjectionMatrix", "mat4"));
         builtin.inputs = {{"aVertex", 0}, {"aColor", 1}};
     }
-    /// `outOfSight`: Answers::unseen of a draw; without it all are seen.
+    /// `outOfSight`: Answers::sight of a draw; without it all are seen.
     FramePlan plan(
         const scene::Scene& scene, const PlanOptions& options = {},
         const std::function<std::string(const scene::Draw&, const scene::Pass&)>& outOfSight = {}) {
@@ -244,8 +244,7 @@ struct Programs {
             }
             answers.loopLimit = 0;
             for (const scene::StepIndex& each : open.unseen)
-                answers.unseen.emplace(each,
-                                       outOfSight(scene.frame.draw(each), scene.frame.passes[each.pass]));
+                answers.sight.add(each, outOfSight(scene.frame.draw(each), scene.frame.passes[each.pass]));
         });
     }
     [[nodiscard]] std::vector<scene::ProgramIndex> askedPrograms() const {

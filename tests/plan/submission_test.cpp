@@ -174,7 +174,7 @@ struct PointSizeCase : Case {
     bool ignores(CommandId command, bool mode = false) {
         interface.facts.writesPointSize = true;
         scene::Draw& draw = hand.draw("X", hand.shape(command));
-        draw.raster.pointSizeFromShader = mode;
+        draw.raster.change().pointSizeFromShader = mode;
         return ignoresPointSize(draw, &hand.scene.programs.at(0), interface,
                                 {topologyOf(hand.scene.shapes.back()), 0});
     }

@@ -33,7 +33,7 @@ ComputeScene squares(bool isInstanced) {
     for (int i = 0; i < (isInstanced ? 1 : 16); ++i) {
         scene::Draw& draw = made.square(program, 0, 2);
         draw.instances = isInstanced ? 16 : 1;
-        draw.raster.blend.fill(base::kBlendOver);
+        draw.raster.change().blend.fill(base::kBlendOver);
         made.set(draw, {{"uFirst", {static_cast<double>(i)}}});
     }
     return made;

@@ -30,7 +30,7 @@ TEST(ModernPasses, TestAgainstTheDepthThatAnEarlierPassLeft) {
     const auto depth = scene.modern.texture("depth", TexelFormat::depth24, 4, 4);
     const auto color = scene.modern.texture("color", TexelFormat::rgba8, 4, 4);
     scene.modern.pass({}, {}).depth = TextureView{.texture = depth};
-    scene.square(kRed, 0).raster.viewport = kLeft;
+    scene.square(kRed, 0).raster.change().viewport = kLeft;
     scene::Pass& second = scene.modern.pass({color}, glm::dvec4(0, 0, 0, 1));
     second.depth = TextureView{.texture = depth};
     second.clearDepth = false;
@@ -88,17 +88,19 @@ TEST(ModernPasses, ClearAndKeepEachPartAsTheySay) {
                 Squares scene;
                 scene.modern.window();
                 scene::Draw& first = scene.square(kRed, 0);
-                first.raster.viewport = kLeft;
-                first.raster.stencilTest = true;
-                first.raster.stencilFront.reference = first.raster.stencilBack.reference = 1;
-                first.raster.stencilFront.pass = first.raster.stencilBack.pass = base::StencilAction::replace;
+                scene::RasterState& raster = first.raster.change();
+                raster.viewport = kLeft;
+                raster.stencilTest = true;
+                raster.stencilFront.reference = raster.stencilBack.reference = 1;
+                raster.stencilFront.pass = raster.stencilBack.pass = base::StencilAction::replace;
                 scene::Pass& second =
                     scene.modern.window(keepsColor ? std::nullopt : std::optional(glm::dvec4(0, 0, 1, 1)));
                 second.clearDepth = !keepsDepth;
                 if (keepsStencil) second.clearStencil.reset();
                 scene::Draw& far = scene.square(kGreen, .5);
-                far.raster.stencilTest = true;  // drawn where the stencil is still 0
-                far.raster.stencilFront.function = far.raster.stencilBack.function = base::Comparison::equal;
+                scene::RasterState& kept = far.raster.change();
+                kept.stencilTest = true;  // drawn where the stencil is still 0
+                kept.stencilFront.function = kept.stencilBack.function = base::Comparison::equal;
                 const ModernPicture picture = draw(scene.modern);
                 const std::array<int, 3> background =
                     keepsColor ? std::array{255, 0, 0} : std::array{0, 0, 255};
@@ -112,15 +114,15 @@ TEST(ModernPasses, MirrorWithTheStencil) {
     Squares scene;
     scene.modern.window(glm::dvec4(0, 0, 1, 1));
     scene::Draw& mirror = scene.square(kRed, 0, .5);
-    mirror.raster.write.fill({false, false, false, false});
-    mirror.raster.depthWrite = false;
-    mirror.raster.stencilTest = true;
-    mirror.raster.stencilFront.reference = 1;
-    mirror.raster.stencilFront.pass = base::StencilAction::replace;
+    mirror.raster.change().write.fill({false, false, false, false});
+    mirror.raster.change().depthWrite = false;
+    mirror.raster.change().stencilTest = true;
+    mirror.raster.change().stencilFront.reference = 1;
+    mirror.raster.change().stencilFront.pass = base::StencilAction::replace;
     scene::Draw& image = scene.square(kGreen, .5);
-    image.raster.stencilTest = true;
-    image.raster.stencilFront.reference = 1;
-    image.raster.stencilFront.function = base::Comparison::equal;
+    image.raster.change().stencilTest = true;
+    image.raster.change().stencilFront.reference = 1;
+    image.raster.change().stencilFront.function = base::Comparison::equal;
     const ModernPicture picture = draw(scene.modern);
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x) {
@@ -133,10 +135,10 @@ TEST(ModernPasses, KeepViewportAndScissorInTiles) {
     Squares scene(40, 24);
     scene.modern.window(glm::dvec4(0, 0, 1, 1));
     scene::Draw& first = scene.square(kRed, .5);
-    first.raster.viewport = {.125, .25, .5, .5};
+    first.raster.change().viewport = {.125, .25, .5, .5};
     scene::Draw& second = scene.square(kGreen, 0, .5);
-    second.raster.viewport = {.5, .25, .375, .625};
-    second.raster.scissor = base::FractionRectangle{.25, .3, .5, .4};
+    second.raster.change().viewport = {.5, .25, .375, .625};
+    second.raster.change().scissor = base::FractionRectangle{.25, .3, .5, .4};
     const ModernPicture whole = draw(scene.modern);
     RenderOptions options;
     options.tileSize = 16;
@@ -323,7 +325,7 @@ TEST(ModernPasses, ProveNothingOutOfSightThatTheirStateShows) {
         ModernScene modern(4, 4);
         const auto placed = placedProgram(modern);
         modern.window();
-        modern.square(placed, 1.5).raster.depthClamp = clamps;
+        modern.square(placed, 1.5).raster.change().depthClamp = clamps;
         const ModernPicture picture = draw(modern);
         EXPECT_EQ(picture.at(1, 1)[0], clamps ? 255 : 0);
         const bool isSkipped = std::ranges::any_of(picture.stats.skipped, [](const plan::Skipped& each) {

@@ -41,13 +41,13 @@ TEST(ModernState, CompareDepthAndStencilAsTheTablesSay) {
         for (int value = 1; value <= 3; ++value) {
             const base::FractionRectangle third{(value - 1) / 3., 0, 1 / 3., 1};
             scene::Draw& tested = depth.square(kGreen, (value - 2) * .5);
-            tested.raster.depthFunction = comparison;
-            tested.raster.scissor = third;
+            tested.raster.change().depthFunction = comparison;
+            tested.raster.change().scissor = third;
             scene::Draw& marked = stencil.square(kGreen);
-            marked.raster.stencilTest = true;
-            marked.raster.stencilFront.function = comparison;
-            marked.raster.stencilFront.reference = value;
-            marked.raster.scissor = third;
+            marked.raster.change().stencilTest = true;
+            marked.raster.change().stencilFront.function = comparison;
+            marked.raster.change().stencilFront.reference = value;
+            marked.raster.change().scissor = third;
         }
         const ModernPicture deep = draw(depth.modern), cut = draw(stencil.modern);
         for (int value = 1; value <= 3; ++value) {
@@ -132,11 +132,12 @@ TEST(ModernState, BlendWithEveryFactorAndEquation) {
         for (int y = 0; y < base::kBlendFactorCount; ++y)
             for (int x = 0; x < base::kBlendFactorCount; ++x) {
                 scene::Draw& drawn = scene.square(kSource);
-                drawn.raster.depthTest = false;
+                drawn.raster.change().depthTest = false;
                 constexpr double kSide = base::kBlendFactorCount;
-                drawn.raster.scissor = base::FractionRectangle{x / kSide, y / kSide, 1 / kSide, 1 / kSide};
-                drawn.raster.blend[0] = {true, functionAt(x, y), functionAt(x, y)};
-                drawn.raster.blendConstant = kBlendConstant;
+                drawn.raster.change().scissor =
+                    base::FractionRectangle{x / kSide, y / kSide, 1 / kSide, 1 / kSide};
+                drawn.raster.change().blend[0] = {true, functionAt(x, y), functionAt(x, y)};
+                drawn.raster.change().blendConstant = kBlendConstant;
             }
         scene.show({.texture = map});
         scene.modern.scene.textures[map].sampler.filter = base::Filter::nearest;
@@ -168,9 +169,9 @@ TEST(ModernState, BlendAndMaskEachTargetAlone) {
                              "fSecond; void main() { fFirst = fSecond = vec4(.2, .4, .6, 1.); }");
     scene.modern.pass({first, second}, glm::dvec4(.2, .2, .2, 1));
     scene::Draw& drawn = scene.modern.square(both);
-    drawn.raster.blend[0] = {
+    drawn.raster.change().blend[0] = {
         true, {base::BlendFactor::one, base::BlendFactor::one, base::BlendEquation::add}, {}};
-    drawn.raster.write[1] = {false, true, false, true};
+    drawn.raster.change().write[1] = {false, true, false, true};
     const auto show =
         scene.modern.shading("Show",
                              "uniform sampler2D first, second; out vec4 fColor; void main() { fColor = vST.s "

@@ -168,7 +168,7 @@ TEST(ModernTextures, OfDepthAreComparedOrReadByTheTypeOfTheSampler) {
         scene::Pass& pass = scene.modern.pass({}, {});
         pass.depth = TextureView{.texture = shadow};
         scene.modern.square(scene.writer, .5);
-        scene.modern.square(scene.writer, -.5).raster.scissor = base::FractionRectangle{0, 0, .5, 1};
+        scene.modern.square(scene.writer, -.5).raster.change().scissor = base::FractionRectangle{0, 0, .5, 1};
         scene.modern.window();
         scene.modern.square(scene.reader);
         return draw(scene.modern);

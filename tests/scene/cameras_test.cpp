@@ -31,7 +31,7 @@ TEST(Cameras, TheCameraEyeSeesTheWindow) {
     EXPECT_EQ(textsOf(scene.diagnostics), "");
     const Draw draw = drawsOf(scene).at(0);
     EXPECT_EQ(placeOf(draw), glm::dvec3(1, 0, -5));
-    EXPECT_EQ(std::get<Perspective>(draw.projection).fieldOfView, 60);
+    EXPECT_EQ(std::get<Perspective>(*draw.projection).fieldOfView, 60);
     EXPECT_TRUE(scene.usesLookAt) << "the view policy leaves it alone";
 }
 

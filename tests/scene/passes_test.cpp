@@ -55,8 +55,8 @@ TEST(Passes, OneTexturePassAndTheWindow) {
 
 TEST(Passes, BlendingIsForTheWindowOnly) {
     const auto draws = drawsOf(run("Texture2D 6 8 8\nRenderToTexture 6\nSphere\nRenderToTexture\nSphere\n"));
-    EXPECT_FALSE(draws.at(0).raster.blend[0].isOn);
-    EXPECT_EQ(draws.at(1).raster.blend[0], base::kBlendOver);
+    EXPECT_FALSE(draws.at(0).raster->blend[0].isOn);
+    EXPECT_EQ(draws.at(1).raster->blend[0], base::kBlendOver);
 }
 
 TEST(Passes, ALaterClearStaysAStepWithItsOwnColour) {
@@ -189,7 +189,7 @@ TEST(Passes, NeitherMatrixNorProjectionChangesWithTheTarget) {
     const auto draws =
         drawsOf(run("Ortho\nTranslate 1 2 3\nTexture2D 6 8 8\nSphere\nRenderToTexture 6\nSphere\n"));
     EXPECT_EQ(draws.at(0).modelView, draws.at(1).modelView);
-    EXPECT_EQ(draws.at(0).projection.index(), draws.at(1).projection.index());
+    EXPECT_EQ(draws.at(0).projection->index(), draws.at(1).projection->index());
 }
 
 }  // namespace

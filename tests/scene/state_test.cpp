@@ -38,16 +38,16 @@ TEST(State, InitialValuesAreThoseOfTheLanguage) {
     const Scene scene = run("Sphere\n");
     const Draw draw = drawsOf(scene).at(0);
     EXPECT_EQ(draw.modelView, glm::dmat4(1.0));
-    const auto& view = std::get<Perspective>(draw.projection);
+    const auto& view = std::get<Perspective>(*draw.projection);
     EXPECT_EQ(view.fieldOfView, 50);
     EXPECT_EQ(view.near, .1);
     EXPECT_EQ(view.far, 1000);
     EXPECT_EQ(draw.color, glm::dvec4(1.0));
     EXPECT_FALSE(draw.program);
     EXPECT_EQ(draw.patchVertices, 3);
-    EXPECT_EQ(draw.raster.lineWidth, 1);
-    EXPECT_EQ(draw.raster.pointSize, 1);
-    EXPECT_FALSE(draw.raster.pointSizeFromShader);
+    EXPECT_EQ(draw.raster->lineWidth, 1);
+    EXPECT_EQ(draw.raster->pointSize, 1);
+    EXPECT_FALSE(draw.raster->pointSizeFromShader);
     EXPECT_FALSE(draw.flatColors);
     EXPECT_FALSE(draw.sampling.clamp);
     EXPECT_EQ(draw.timerPeriod, 10);
@@ -60,7 +60,7 @@ TEST(State, InitialValuesAreThoseOfTheLanguage) {
 
 TEST(FullScreen, IsNotPlacedByTheView) {
     const Draw draw = drawsOf(run("Perspective 40\nLookAt 1 2 3 0 0 0 0 1 0\nScale 2\nFullScreen\n")).at(0);
-    EXPECT_TRUE(std::holds_alternative<ClipSpace>(draw.projection));
+    EXPECT_TRUE(std::holds_alternative<ClipSpace>(*draw.projection));
     EXPECT_EQ(draw.modelView, glm::dmat4(1.0));
     EXPECT_TRUE(draw.raster == drawOf("Sphere\n").raster);
 }
@@ -71,12 +71,12 @@ TEST(SkyBox, KeepsRotationsAndScalesOnly) {
     EXPECT_TRUE(draw.isSky);
     expectAt(moved(draw.modelView, {0, 0, 0}), {0, 0, 0});
     expectAt(moved(draw.modelView, {1, 0, 0}), {0, 0, -2});
-    EXPECT_TRUE(draw.raster.depthClamp);
-    EXPECT_EQ(draw.raster.depthNear, 1);
-    EXPECT_EQ(draw.raster.depthFar, 1);
+    EXPECT_TRUE(draw.raster->depthClamp);
+    EXPECT_EQ(draw.raster->depthNear, 1);
+    EXPECT_EQ(draw.raster->depthFar, 1);
     const Draw next = drawsOf(run("SkyBox\nTranslate 1 0 0\nBox\n")).at(1);
     EXPECT_FALSE(next.isSky);
-    EXPECT_FALSE(next.raster.depthClamp);
+    EXPECT_FALSE(next.raster->depthClamp);
     expectAt(moved(next.modelView, {0, 0, 0}), {1, 0, 0});
 }
 
@@ -100,16 +100,16 @@ TEST(State, LaterStatementsNeverChangeEarlierDraws) {
     ASSERT_EQ(draws.size(), 2U);
     EXPECT_EQ(draws[0].color, glm::dvec4(1, 0, 0, 1));
     EXPECT_EQ(draws[0].modelView, glm::dmat4(1.0));
-    EXPECT_TRUE(std::holds_alternative<Perspective>(draws[0].projection));
+    EXPECT_TRUE(std::holds_alternative<Perspective>(*draws[0].projection));
     EXPECT_EQ(draws[1].color, glm::dvec4(0, 1, 0, 1));
     expectAt(moved(draws[1].modelView, {0, 0, 0}), {1, 0, 0});
-    EXPECT_TRUE(std::holds_alternative<Orthographic>(draws[1].projection));
+    EXPECT_TRUE(std::holds_alternative<Orthographic>(*draws[1].projection));
     EXPECT_TRUE(draws[1].flatColors);
     EXPECT_TRUE(draws[1].sampling.clamp);
     EXPECT_EQ(draws[1].timerPeriod, 3);
-    EXPECT_EQ(draws[1].raster.lineWidth, 4);
-    EXPECT_EQ(draws[1].raster.pointSize, 5);
-    EXPECT_TRUE(draws[1].raster.pointSizeFromShader);
+    EXPECT_EQ(draws[1].raster->lineWidth, 4);
+    EXPECT_EQ(draws[1].raster->pointSize, 5);
+    EXPECT_TRUE(draws[1].raster->pointSizeFromShader);
     EXPECT_EQ(draws[1].patchVertices, 16);
     EXPECT_EQ(draws[0].shape, draws[1].shape);
 }
@@ -118,7 +118,7 @@ TEST(State, SwitchesCanBeTurnedBack) {
     const Draw draw = drawOf("Flat\nSmooth\nClamp\nClamp off\nPointSizeMode 1\nPointSizeMode 0\nSphere\n");
     EXPECT_FALSE(draw.flatColors);
     EXPECT_FALSE(draw.sampling.clamp);
-    EXPECT_FALSE(draw.raster.pointSizeFromShader);
+    EXPECT_FALSE(draw.raster->pointSizeFromShader);
 }
 
 TEST(State, TransformsAreMultipliedFromTheRight) {
@@ -252,7 +252,7 @@ TEST(State, OneNumberIsGreyAndAlphaIsOptional) {
 
 TEST(State, OrthoTakesSixNumbersAsGiven) {
     const Draw draw = drawOf("Ortho -1 2 -3 4 5 6\nSphere\n");
-    const auto& box = std::get<Orthographic>(draw.projection);
+    const auto& box = std::get<Orthographic>(*draw.projection);
     EXPECT_EQ(box.left, -1);
     EXPECT_EQ(box.right, 2);
     EXPECT_EQ(box.bottom, -3);

@@ -250,7 +250,7 @@ std::vector<ClipTriangle> clipTriangles(const std::string& text) {
     const scene::Scene scene = interpreted(text);
     const geometry::Mesh mesh = meshOf(text);
     const scene::Draw& draw = std::get<scene::Draw>(scene.frame.passes.at(0).steps.at(0));
-    const glm::dmat4 matrix = scene::projectionMatrix(draw.projection, 1) * draw.modelView;
+    const glm::dmat4 matrix = scene::projectionMatrix(*draw.projection, 1) * draw.modelView;
     const geometry::Attribute& positions = *mesh.attribute(geometry::kPosition);
     std::vector<ClipTriangle> triangles;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

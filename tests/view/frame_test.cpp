@@ -327,20 +327,20 @@ TEST_F(Frame, TriesAnotherStateForADraw) {
                                          .frame.passes.at(items[draw(2)].step.pass)
                                          .steps.at(items[draw(2)].step.step));
     };
-    base::RasterState always = far().raster;
+    base::RasterState always = *far().raster;
     always.depthFunction = base::Comparison::always;
     session.tryState(far(), always);
     session.drawIfNeeded();
     EXPECT_FALSE(pixelsOf(session) == before) << "the far quad is in front now";
-    EXPECT_EQ(far().raster, always);
+    EXPECT_EQ(*far().raster, always);
     EXPECT_EQ(watch(draw(2)).mask->hiddenPixels, 0U);
     EXPECT_NE(session.onlyOnScreen().find("tried"), std::string::npos);
     // It stays while other things change, also when the scene is read again.
     folder.write("a.frag", changed(kFrameFiles.at("a.frag"), "2. *", "3. *"));
     ASSERT_TRUE(session.reload());
-    EXPECT_EQ(far().raster, always);
+    EXPECT_EQ(*far().raster, always);
     session.setCamera("eye");
-    EXPECT_EQ(far().raster, always);
+    EXPECT_EQ(*far().raster, always);
     folder.write("a.frag", kFrameFiles.at("a.frag"));
     ASSERT_TRUE(session.reload());
     // A third state is another one than the scene's, not than the second.
@@ -360,13 +360,13 @@ TEST_F(Frame, WhatTheSceneSaysNowCountsMoreThanWhatIsTried) {
     const auto near = [&]() -> const scene::Draw& {
         return std::get<scene::Draw>(session.live().scene().frame.passes.at(at.pass).steps.at(at.step));
     };
-    base::RasterState wanted = near().raster;
+    base::RasterState wanted = *near().raster;
     wanted.cull = base::Cull::both;
     session.tryState(near(), wanted);
     folder.write("scene.glib", changed(kFrame, "Set uColor {0. 1. 0.} uCut 0", "State depthwrite off"));
     ASSERT_TRUE(session.reload());
-    EXPECT_FALSE(near().raster.depthWrite);
-    EXPECT_EQ(near().raster.cull, base::Cull::off);
+    EXPECT_FALSE(near().raster->depthWrite);
+    EXPECT_EQ(near().raster->cull, base::Cull::off);
 }
 
 TEST_F(Frame, WhatIsTriedGoesWithItsDrawWhenTheSceneIsEdited) {
@@ -378,7 +378,7 @@ TEST_F(Frame, WhatIsTriedGoesWithItsDrawWhenTheSceneIsEdited) {
                 found.push_back(
                     std::get<scene::Draw>(
                         session.live().scene().frame.passes.at(each.step.pass).steps.at(each.step.step))
-                        .raster.depthFunction);
+                        .raster->depthFunction);
         return found;
     };
     const auto edit = [&](const std::string& text) {
@@ -390,7 +390,7 @@ TEST_F(Frame, WhatIsTriedGoesWithItsDrawWhenTheSceneIsEdited) {
     const scene::StepIndex at = items[draw(1)].step;
     const auto& middle =
         std::get<scene::Draw>(session.live().scene().frame.passes.at(at.pass).steps.at(at.step));
-    base::RasterState wanted = middle.raster;
+    base::RasterState wanted = *middle.raster;
     wanted.depthFunction = base::Comparison::always;
     session.tryState(middle, wanted);
     EXPECT_EQ(functions(), (Functions{lequal, always, lequal}));
@@ -433,7 +433,7 @@ TEST(StateChoices, AreTheWordsOfTheStatement) {
             EXPECT_FALSE(hasError(session.diagnostics())) << statement << text(session.diagnostics());
             const auto& steps = session.live().scene().frame.passes.at(0).steps;
             ASSERT_FALSE(steps.empty()) << statement;
-            EXPECT_EQ(std::get<scene::Draw>(steps.at(0)).raster, chosen) << statement;
+            EXPECT_EQ(*std::get<scene::Draw>(steps.at(0)).raster, chosen) << statement;
         }
     }
     base::RasterState biased = state;

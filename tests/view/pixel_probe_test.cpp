@@ -235,7 +235,7 @@ TEST(PixelProbe, GivesTheEyeSpaceOfTheTemplateTeapot) {
                 draw = each;
     ASSERT_NE(draw, nullptr);
     const glm::dvec4 clip(2 * 150.5 / 300 - 1, 1 - 2 * 110.5 / 200, 2 * probed.depth - 1, 1);
-    const glm::dvec4 eye = glm::inverse(session.live().view().projection(draw->projection, 1.5)) * clip;
+    const glm::dvec4 eye = glm::inverse(session.live().view().projection(*draw->projection, 1.5)) * clip;
     expectNear(numbers(probed, "vPosition"), {eye.x / eye.w, eye.y / eye.w, eye.z / eye.w}, 1e-3);
     const std::vector<double> normal = numbers(probed, "vNormal"), st = numbers(probed, "vST");
     ASSERT_EQ(normal.size(), 3U);

@@ -165,6 +165,9 @@ class Parser {
 
     /// Fills the commands of the script, and what its faulty statements lack and would declare.
     void parse(Script& script) {
+        // Memory that is reserved and not used costs nothing; growing would copy the commands.
+        const auto lines = static_cast<std::size_t>(std::ranges::count(text_, '\n'));
+        commands_.reserve(std::min(lines + 1, kMostStatements));
         std::size_t statements = 0;
         while (const std::optional<Statement> statement = reader_.next()) {
             if (++statements > kMostStatements) {

@@ -63,8 +63,8 @@ std::vector<Vertex> vertices() {
 scene::Projection lastProjection(const scene::Scene& scene) {
     scene::Projection projection;
     scene.frame.visitDraws([&](const scene::Draw& draw, const scene::Pass& pass) {
-        if (pass.isWindow && !std::holds_alternative<scene::ClipSpace>(draw.projection))
-            projection = draw.projection;
+        if (pass.isWindow && !std::holds_alternative<scene::ClipSpace>(*draw.projection))
+            projection = *draw.projection;
     });
     return projection;
 }

@@ -17,7 +17,10 @@
 namespace glibra::render {
 namespace {
 
-std::array<double, 4> asArray(const glm::dvec4& color) {
+/// The colour, or the one that the viewer has chosen for the window.
+std::array<double, 4> clearColor(const glm::dvec4& color, const PassInProgress& pass) {
+    const auto& chosen = pass.frame.view.state().background;
+    if (pass.pass.isWindow && chosen) return {(*chosen)[0], (*chosen)[1], (*chosen)[2], (*chosen)[3]};
     return {color.r, color.g, color.b, color.a};
 }
 
@@ -80,7 +83,6 @@ Diagnostics FrameDrawer::run(const Frame& frame) {
 }
 
 Diagnostics FrameDrawer::execute(const gpu::Target* window, const Frame& frame) {
-    frame_ = &frame;
     if (!isOpen_) forgetState();
     isOpen_ = true;
     Diagnostics diagnostics = drawNodes(window, frame);
@@ -124,23 +126,24 @@ bool FrameDrawer::drawsPlainly() const {
            shift_ == glm::dvec2(0.0) && textureShifts_.empty();
 }
 
-bool FrameDrawer::isStill(std::size_t node) {
-    if (frame_->still == nullptr || frame_->still->nodes.empty() || !frame_->still->nodes[node]) return false;
+bool FrameDrawer::isStill(std::size_t node, const Frame& frame) {
+    if (frame.still == nullptr || frame.still->nodes.empty() || !frame.still->nodes[node]) return false;
     const bool isPass = plan_.order[node].kind == scene::NodeIndex::Kind::pass;
     stats_.add(isPass ? kStillPasses : kStillDispatches, 1);
     return true;
 }
 
 void FrameDrawer::noteNodes() {
-    if (std::exchange(areNodesNoted_, true)) return;
+    if (memory_) return;
+    memory_.emplace();
     bool isStored = false;
     for (std::size_t i = 0; i < plan_.order.size(); ++i) {
-        NodeMemory& memory = memory_.emplace_back(memoryOf(plan_, i));
+        NodeMemory& memory = memory_->emplace_back(memoryOf(plan_, i));
         isStored = isStored || !memory.stored.empty();
         for (const plan::PlannedExchange& each : plan_.accesses[i].exchanges)
             if (each.isFilled || keepsContent(i, each)) memory.ways |= kWaysOfCopies;
     }
-    if (!isStored) memory_.clear();
+    if (!isStored) memory_->clear();
 }
 
 Diagnostics FrameDrawer::exchangeCopies(std::size_t node) {
@@ -170,7 +173,7 @@ bool FrameDrawer::keepsContent(std::size_t node, const plan::PlannedExchange& ex
 Diagnostics FrameDrawer::beginNode(std::size_t node) {
     if (nodeHook_) nodeHook_(node, true);
     noteNodes();
-    if (!memory_.empty()) order_.before(memory_[node]);
+    if (!memory_->empty()) order_.before((*memory_)[node]);
     Diagnostics diagnostics = exchangeCopies(node);
     for (const plan::Object& each : plan_.accesses[node].written)
         append(diagnostics, device_.noteWritten(each, bindings_));
@@ -178,7 +181,8 @@ Diagnostics FrameDrawer::beginNode(std::size_t node) {
 }
 
 void FrameDrawer::endNode(std::size_t node) {
-    if (!memory_.empty()) order_.after(memory_[node], plan_.order[node].kind == scene::NodeIndex::Kind::pass);
+    if (!memory_->empty())
+        order_.after((*memory_)[node], plan_.order[node].kind == scene::NodeIndex::Kind::pass);
     if (!nodeHook_) return;
     order_.finish();  // the hook may look at everything
     nodeHook_(node, false);
@@ -191,10 +195,10 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
     for (std::size_t index = 0; index < plan_.order.size() && !hasError(diagnostics); ++index) {
         const scene::NodeIndex& node = plan_.order[index];
         if (node.kind != scene::NodeIndex::Kind::pass) {
-            if (!frame.texturePasses || isStill(index)) continue;
+            if (!frame.texturePasses || isStill(index, frame)) continue;
             append(diagnostics, beginNode(index));
             if (node.kind == scene::NodeIndex::Kind::dispatch)
-                append(diagnostics, dispatch(plan_.dispatches[node.index]));
+                append(diagnostics, dispatch(plan_.dispatches[node.index], frame));
             else
                 clearObject(plan_.clearOf(plan_.clears[node.index]));
             endNode(index);
@@ -204,52 +208,69 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
         const std::size_t begin = draws;
         draws += static_cast<std::size_t>(std::ranges::count_if(
             pass.steps, [](const auto& step) { return std::holds_alternative<plan::PlannedDraw>(step); }));
-        const bool isWindow = plan_.passOf(pass).isWindow;
+        const scene::Pass& declared = plan_.passOf(pass);
+        const bool isWindow = declared.isWindow;
         if (isWindow ? window == nullptr : !frame.texturePasses) continue;
-        if (isStill(index)) {
+        if (isStill(index, frame)) {
             ++texturePass;
             continue;
         }
         append(diagnostics, beginNode(index));
-        const gpu::Target* target = window;
-        if (!isWindow) {
-            Result<const gpu::Target*> made = device_.target(plan_.passOf(pass));
+        ViewMatrices own;
+        const ViewMatrices& view = viewOf(declared, frame, own);
+        if (isWindow) {
+            append(diagnostics,
+                   drawPass(pass,
+                            {frame, declared, *window, view, frame.tile, frame.width, frame.height, shift_},
+                            begin));
+        } else {
+            Result<const gpu::Target*> made = device_.target(declared);
             append(diagnostics, std::move(made.diagnostics));
             if (!made) {
                 endNode(index);
                 return diagnostics;
             }
-            target = *made;
-            if (seenTargets_.insert(target).second) bindings_.forgetWorkUnit();  // it may have been made now
-            texture_ = {0, 0, target->width(), target->height()};
-            textureShift_ = texturePass < textureShifts_.size() ? textureShifts_[texturePass] : glm::dvec2(0);
+            const gpu::Target& target = **made;
+            if (seenTargets_.insert(&target).second) bindings_.forgetWorkUnit();  // it may have been made now
+            const glm::dvec2 shift =
+                texturePass < textureShifts_.size() ? textureShifts_[texturePass] : glm::dvec2(0);
             ++texturePass;
+            const int width = target.width(), height = target.height();
+            append(
+                diagnostics,
+                drawPass(pass, {frame, declared, target, view, {0, 0, width, height}, width, height, shift},
+                         begin));
         }
-        append(diagnostics, drawPass(pass, *target, begin));
         endNode(index);
     }
     return diagnostics;
 }
 
-Diagnostics FrameDrawer::drawPass(const plan::PlannedPass& pass, const gpu::Target& target,
+const ViewMatrices& FrameDrawer::viewOf(const scene::Pass& pass, const Frame& frame, ViewMatrices& own) {
+    if (!movedCameras_) movedCameras_ = movedCameras(*plan_.nodes);
+    if (!movedCameras_->contains(pass.rootCamera)) return own = frame.view.unmoved();
+    if (pass.shift != glm::dmat4(1)) return own = frame.view.shifted(pass.shift);
+    return frame.view;
+}
+
+Diagnostics FrameDrawer::drawPass(const plan::PlannedPass& planned, const PassInProgress& pass,
                                   std::size_t begin) {
     Diagnostics diagnostics;
-    const scene::Pass& drawn = plan_.passOf(pass);
-    for (const auto& step : pass.steps)
+    for (const auto& step : planned.steps)
         if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) completeReads(draw->textures);
-    beginPass(pass, target);
+    beginPass(pass);
     std::size_t drawIndex = begin;
-    for (const auto& step : pass.steps) {
+    for (const auto& step : planned.steps) {
         if (drawIndex >= drawLimit_) break;
         if (const auto* draw = std::get_if<plan::PlannedDraw>(&step)) {
-            append(diagnostics, drawOne(*draw, target, drawn.isWindow));
+            append(diagnostics, drawOne(*draw, pass));
             ++drawIndex;
         } else {
-            clear(target, plan_.clearOf(std::get<plan::PlannedClear>(step)), drawn.isWindow);
+            clear(pass, plan_.clearOf(std::get<plan::PlannedClear>(step)));
         }
     }
     gpu::settleClears(context_.capabilities());  // the draws may have been skipped
-    for (const scene::TextureIndex each : drawn.targets) device_.textures().wasWritten(each);
+    for (const scene::TextureIndex each : pass.pass.targets) device_.textures().wasWritten(each);
     stats_.add("passes", 1);
     return diagnostics;
 }
@@ -268,41 +289,26 @@ void FrameDrawer::completeReads(const std::vector<plan::TextureUse>& textures) {
     if (isScissorOff) raster_.limitTo(limit_);
 }
 
-void FrameDrawer::beginPass(const plan::PlannedPass& pass, const gpu::Target& target) {
-    const scene::Pass& begun = plan_.passOf(pass);
+void FrameDrawer::beginPass(const PassInProgress& pass) {
+    const scene::Pass& begun = pass.pass;
     context_.debugLog().setPlace(begun.place);
-    if (!movedCameras_) movedCameras_ = movedCameras(*plan_.nodes);
-    isAsWindow_ = movedCameras_->contains(begun.rootCamera);
-    if (!isAsWindow_) {
-        passView_ = frame_->view.unmoved();
-    } else if (begun.shift != glm::dmat4(1)) {
-        isAsWindow_ = false;
-        passView_ = frame_->view.shifted(begun.shift);
-    }
-    target.bind();
-    encodeSrgb(target.hasSrgb());
-    raster_.targetBound(target.width(), target.height());
+    pass.target.bind();
+    encodeSrgb(pass.target.hasSrgb());
+    raster_.targetBound(pass.target.width(), pass.target.height());
     raster_.openForClears();
     for (std::size_t i = 0; i < begun.clearColors.size(); ++i)
         if (const auto& color = begun.clearColors[i])
-            target.clearColorOfAnyFormat(static_cast<int>(i), asArray(clearColor(*color, begun.isWindow)));
-    if (begun.clearDepth) target.clearDepth(static_cast<float>(begun.depthValue));
-    if (begun.clearStencil) target.clearStencil(*begun.clearStencil);
+            pass.target.clearColorOfAnyFormat(static_cast<int>(i), clearColor(*color, pass));
+    if (begun.clearDepth) pass.target.clearDepth(static_cast<float>(begun.depthValue));
+    if (begun.clearStencil) pass.target.clearStencil(*begun.clearStencil);
 }
 
-void FrameDrawer::clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow) {
+void FrameDrawer::clear(const PassInProgress& pass, const scene::Clear& clear) {
     raster_.openForClears();
-    const int colors = clear.color ? target.readable().colorCount() : 0;
-    for (int i = 0; i < colors; ++i)
-        target.clearColorOfAnyFormat(i, asArray(clearColor(*clear.color, isWindow)));
-    if (clear.depth) target.clearDepth();
-    if (clear.stencil) target.clearStencil();
-}
-
-glm::dvec4 FrameDrawer::clearColor(const glm::dvec4& color, bool isWindow) const {
-    const auto& chosen = frame_->view.state().background;
-    if (!isWindow || !chosen) return color;
-    return {(*chosen)[0], (*chosen)[1], (*chosen)[2], (*chosen)[3]};
+    const int colors = clear.color ? pass.target.readable().colorCount() : 0;
+    for (int i = 0; i < colors; ++i) pass.target.clearColorOfAnyFormat(i, clearColor(*clear.color, pass));
+    if (clear.depth) pass.target.clearDepth();
+    if (clear.stencil) pass.target.clearStencil();
 }
 
 }  // namespace glibra::render

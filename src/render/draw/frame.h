@@ -49,6 +49,18 @@ struct Frame {
     bool recordsLoops = false;
 };
 
+/// A pass of a frame while it is drawn.
+struct PassInProgress {
+    const Frame& frame;
+    const scene::Pass& pass;
+    const gpu::Target& target;
+    const ViewMatrices& view;   ///< by which its draws are seen
+    Tile part;                  ///< the part of the whole that the target shows
+    int width = 1, height = 1;  ///< pixels of the whole
+    glm::dvec2 shift{0.0};      ///< FrameDrawer::setShift
+    [[nodiscard]] double aspect() const { return static_cast<double>(width) / height; }
+};
+
 /// True if every pass into textures, dispatch and clear comes before every pass into the window, so that
 /// tiles can share them.
 bool texturesComeFirst(const plan::FramePlan& plan);
@@ -157,11 +169,13 @@ class FrameDrawer {
     void endNode(std::size_t node);
     /// Fills memory_, once.
     void noteNodes();
-    /// True if the node of that number is still; counts it.
-    bool isStill(std::size_t node);
+    /// True if the node of that number is still in the frame; counts it.
+    bool isStill(std::size_t node, const Frame& frame);
+    /// By which the draws of the pass are seen. `own` holds what is made for it.
+    const ViewMatrices& viewOf(const scene::Pass& pass, const Frame& frame, ViewMatrices& own);
     /// `begin`: the number of draws of the plan before those of the pass.
-    Diagnostics drawPass(const plan::PlannedPass& pass, const gpu::Target& target, std::size_t begin);
-    Diagnostics dispatch(const plan::PlannedDispatch& planned);
+    Diagnostics drawPass(const plan::PlannedPass& planned, const PassInProgress& pass, std::size_t begin);
+    Diagnostics dispatch(const plan::PlannedDispatch& planned, const Frame& frame);
     /// The group counts of a dispatch without a buffer of counts; computed once.
     const GroupCounts& groupsOf(const plan::PlannedDispatch& planned, const BuiltProgram& built);
     void clearObject(const scene::ClearObject& clear);
@@ -169,10 +183,9 @@ class FrameDrawer {
     void forgetState();
     /// Colours that are drawn into sRGB textures are encoded.
     void encodeSrgb(bool on);
-    void beginPass(const plan::PlannedPass& pass, const gpu::Target& target);
-    void clear(const gpu::Target& target, const scene::Clear& clear, bool isWindow);
-    [[nodiscard]] glm::dvec4 clearColor(const glm::dvec4& color, bool isWindow) const;
-    Diagnostics drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow);
+    void beginPass(const PassInProgress& pass);
+    void clear(const PassInProgress& pass, const scene::Clear& clear);
+    Diagnostics drawOne(const plan::PlannedDraw& planned, const PassInProgress& pass);
     void setLiterals(plan::PlannedProgramIndex program, const BuiltProgram& built);
     /// Makes the uniform blocks whose values are literals.
     void makeBlocks(ProgramState& state, plan::PlannedProgramIndex program, const BuiltProgram& built);
@@ -180,10 +193,8 @@ class FrameDrawer {
     /// have changed them.
     void resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built);
     [[nodiscard]] bool isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                                   const gpu::Target& target, bool isWindow) const;
-    [[nodiscard]] DrawFacts factsOf(const scene::Draw& draw, double aspect) const;
+                                   const PassInProgress& pass) const;
     void setSupplied(plan::PlannedProgramIndex program, const BuiltProgram& built, const DrawFacts& facts);
-    void setTile(const BuiltProgram& built, const base::FractionRectangle& viewport, bool isWindow);
     void setBuiltins(const BuiltProgram& built, const DrawFacts& facts);
     void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
                            const glm::dvec4& color) const;
@@ -195,13 +206,13 @@ class FrameDrawer {
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
-    /// The program that records the loops of this frame in place of, or beside, the given one; null: none.
+    /// The program that records the loops of the frame in place of, or beside, the given one; null: none.
     [[nodiscard]] const BuiltProgram* loopCounterOf(plan::PlannedProgramIndex program,
-                                                    const BuiltProgram& built) const;
+                                                    const BuiltProgram& built, const Frame& frame) const;
     /// Uses a program's loop counter with the values that the program has.
     void useCounter(const BuiltProgram& built);
     /// Draws with the loop counter of the program, whose state is set. True if that is the draw itself.
-    bool recordLoops(const plan::PlannedDraw& planned, const BuiltProgram& built,
+    bool recordLoops(const plan::PlannedDraw& planned, const BuiltProgram& built, const Frame& frame,
                      const base::RasterState& raster);
     /// Submits a draw whose state is set, in parts if it may take long (work_share.h).
     void submitInShares(const plan::PlannedDraw& planned, const BuiltProgram& built);
@@ -220,11 +231,8 @@ class FrameDrawer {
     /// Draws with counts that buffers hold.
     void submitIndirect(const scene::Draw& draw, const Elements& elements, GLenum mode) const;
     /// Returns the state that it has set.
-    base::RasterState setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built, bool isWindow,
-                                Diagnostics& diagnostics);
-    /// Viewport and scissor are fractions of the whole picture. Programs that are made for tiles map the
-    /// viewport themselves; this leaves the rest to the scissor.
-    void fitToTile(scene::RasterState& raster, const BuiltProgram& built, bool isWindow) const;
+    base::RasterState setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                const PassInProgress& pass, Diagnostics& diagnostics);
     /// Makes what is read from textures that were drawn into: mipmaps, resolved samples.
     void completeReads(const std::vector<plan::TextureUse>& textures);
     /// Runs the groups in as many pieces as the scene wants, along the last axis with several groups. After
@@ -246,12 +254,11 @@ class FrameDrawer {
     Stats& stats_;
     scene::List<ProgramState, plan::PlannedProgram> states_;
     std::map<const plan::PlannedDispatch*, GroupCounts> groups_;  ///< of groupsOf
-    std::vector<NodeMemory> memory_;  ///< by node of FramePlan::order; empty if no shader of the plan stores
-    bool areNodesNoted_ = false;
+    /// By node of FramePlan::order; empty if no shader of the plan stores. noteNodes() makes it.
+    std::optional<std::vector<NodeMemory>> memory_;
     std::map<const plan::PlannedExchange*, bool> covered_;  ///< of coversWhole
     MemoryOrder order_;
     bool isOpen_ = false;
-    const Frame* frame_ = nullptr;  ///< while draw() runs
     std::size_t drawLimit_ = std::numeric_limits<std::size_t>::max();
     bool wireframe_ = false;
     bool blendsOpaque_ = true;
@@ -264,13 +271,9 @@ class FrameDrawer {
     std::map<const BuiltProgram*, bool> loops_;  ///< whether it has any
     glm::dvec2 shift_{0.0};
     std::vector<glm::dvec2> textureShifts_;  ///< one per pass into textures, in their order
-    Tile texture_;                           ///< the whole target of the current pass into a texture
-    glm::dvec2 textureShift_{0.0};           ///< of that pass
     bool encodesSrgb_ = false;               ///< as set
     bool shadesSamples_ = false;
     bool runsPerSample_ = false;  ///< as set
-    bool isAsWindow_ = true;      ///< the current pass is seen as the window is
-    ViewMatrices passView_;       ///< for the other passes
     std::optional<std::set<std::string>> movedCameras_;
     gpu::RasterTracker raster_;
     gpu::BindingTracker bindings_;

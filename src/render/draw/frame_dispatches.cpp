@@ -46,7 +46,7 @@ void setPiece(const BuiltProgram& built, const GroupCounts& first, const GroupCo
 
 }  // namespace
 
-Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
+Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned, const Frame& frame) {
     const scene::Dispatch& dispatch = plan_.dispatchOf(planned);
     const BuiltProgram* built = programs_.find(plan_.programs[planned.program].variant);
     if (!built || !built->program) return {};
@@ -54,12 +54,12 @@ Diagnostics FrameDrawer::dispatch(const plan::PlannedDispatch& planned) {
     completeReads(planned.textures);
     setLiterals(planned.program, *built);
     DrawFacts facts;
-    facts.timer = timerAt(frame_->time, dispatch.timerPeriod);
+    facts.timer = timerAt(frame.time, dispatch.timerPeriod);
     setSupplied(planned.program, *built, facts);
     bindings_.use(*built->program);
     bindBlocks(planned.program, *built);
     bindTextures(planned.textures, *built);
-    const bool recordsLoops = loopCounterOf(planned.program, *built) != nullptr;
+    const bool recordsLoops = loopCounterOf(planned.program, *built, frame) != nullptr;
     if (recordsLoops) useCounter(*built);
     Diagnostics remarks;
     if (const auto* from = std::get_if<scene::GroupsFrom>(&dispatch.groups)) {

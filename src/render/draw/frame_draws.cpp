@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "gpu/object/compute.h"
+#include "gpu/object/uniform.h"
 #include "plan/accesses.h"
 #include "render/draw/frame.h"
 #include "render/draw/patch_split.h"
@@ -32,27 +33,48 @@ scene::Draw seenBy(const scene::ClipSpace& space, scene::Draw draw) {
     return draw;
 }
 
-}  // namespace
-
-void FrameDrawer::setTessellationLevels(const std::array<float, 6>& levels) {
-    if (levels_ == levels) return;
-    levels_ = levels;
-    glPatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, levels.data());
-    glPatchParameterfv(GL_PATCH_DEFAULT_INNER_LEVEL, levels.data() + 4);
+DrawFacts factsOf(const scene::Draw& draw, const PassInProgress& pass) {
+    DrawFacts facts;
+    facts.projection = pass.view.projection(*draw.projection, pass.aspect());
+    facts.modelView = pass.view.modelView(draw);
+    facts.texture = pass.frame.view.texture();
+    facts.timer = timerAt(pass.frame.time, draw.timerPeriod);
+    facts.color = draw.color;
+    facts.pointSize = draw.raster->pointSize;
+    return facts;
 }
 
-void FrameDrawer::fitToTile(scene::RasterState& raster, const BuiltProgram& built, bool isWindow) const {
+/// Maps the viewport of a draw to the part of its target that is drawn.
+void setTile(const BuiltProgram& built, const base::FractionRectangle& viewport, const PassInProgress& pass) {
+    // These names are the translator's; programs that are not made for tiles lack these uniforms.
+    const Tile& part = pass.part;
+    const glm::dvec2& shift = pass.shift;
+    const gpu::PixelRectangle port = gpu::pixelsOf(viewport, pass.width, pass.height);
+    for (const base::ActiveUniform& uniform : built.interface.uniforms) {
+        if (uniform.emittedName == "glibra_Tile") {
+            const double width = part.width, height = part.height;
+            gpu::setUniform(*built.program, uniform,
+                            std::array{port.width / width, port.height / height,
+                                       (port.width - 2.0 * (part.x - port.x - shift.x) - width) / width,
+                                       (port.height - 2.0 * (part.y - port.y - shift.y) - height) / height});
+        } else if (uniform.emittedName == "glibra_TileOrigin") {
+            gpu::setUniform(*built.program, uniform, std::array{part.x - shift.x, part.y - shift.y});
+        }
+    }
+}
+
+/// Viewport and scissor are fractions of the whole picture. Programs that are made for tiles map the
+/// viewport themselves; this leaves the rest to the scissor.
+void fitToTile(scene::RasterState& raster, const BuiltProgram& built, const PassInProgress& pass) {
     const base::FractionRectangle all;
     if (raster.viewport == all && !raster.scissor) return;
-    const Tile whole{0, 0, isWindow ? frame_->width : texture_.width,
-                     isWindow ? frame_->height : texture_.height};
-    const Tile& part = isWindow ? frame_->tile : texture_;
+    const Tile& part = pass.part;
     const bool isTiled = std::ranges::any_of(
         built.interface.uniforms, [](const auto& each) { return each.emittedName == "glibra_Tile"; });
     if (!isTiled) return;
-    // setSupplied() maps the viewport to the tile; what GL would clip at its edges is cut off here.
+    // setTile() maps the viewport to the tile; what GL would clip at its edges is cut off here.
     const auto shown = [&](const base::FractionRectangle& fraction) {
-        const gpu::PixelRectangle pixels = gpu::pixelsOf(fraction, whole.width, whole.height);
+        const gpu::PixelRectangle pixels = gpu::pixelsOf(fraction, pass.width, pass.height);
         return base::FractionRectangle{static_cast<double>(pixels.x - part.x) / part.width,
                                        static_cast<double>(pixels.y - part.y) / part.height,
                                        static_cast<double>(pixels.width) / part.width,
@@ -73,9 +95,18 @@ void FrameDrawer::fitToTile(scene::RasterState& raster, const BuiltProgram& buil
     raster.viewport = all;
 }
 
+}  // namespace
+
+void FrameDrawer::setTessellationLevels(const std::array<float, 6>& levels) {
+    if (levels_ == levels) return;
+    levels_ = levels;
+    glPatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, levels.data());
+    glPatchParameterfv(GL_PATCH_DEFAULT_INNER_LEVEL, levels.data() + 4);
+}
+
 base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                                         bool isWindow, Diagnostics& diagnostics) {
-    scene::RasterState raster = plan_.drawOf(planned).raster;
+                                         const PassInProgress& pass, Diagnostics& diagnostics) {
+    scene::RasterState raster = *plan_.drawOf(planned).raster;
     if (!blendsOpaque_ && built.interface.facts.isOpaque)
         for (base::Blend& each : raster.blend)
             if (each == base::kBlendOver) each.isOn = false;
@@ -88,7 +119,7 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
                      plan_.drawOf(planned).place));
     }
     raster.pointSizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
-    fitToTile(raster, built, isWindow);
+    fitToTile(raster, built, pass);
     if (wireframe_) raster.polygon = base::PolygonMode::line;
     for (std::size_t target = 0; target < planned.unwritten.size(); ++target)
         if (planned.unwritten[target]) raster.write[target] = {false, false, false, false};
@@ -114,7 +145,7 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
 }
 
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                              const gpu::Target& target, bool isWindow) const {
+                              const PassInProgress& pass) const {
     const scene::Draw& draw = plan_.drawOf(planned);
     const VertexBox* bounds = windowSamples_ > 0 ? device_.meshes().knownBounds(draw.shape) : nullptr;
     const DeviceMesh* mesh = device_.meshes().onDevice(plan_, planned.mesh);
@@ -122,14 +153,14 @@ bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgr
     if (!bounds || !isPlacedByMatrices(draw) || (mesh != nullptr && mesh->pointCount > 0) ||
         plan::writesMemory(plan_.programs[planned.program], planned.textures))
         return false;
-    const Screen window{frame_->width, frame_->height, frame_->tile, windowSamples_,
-                        shift_ != glm::dvec2(0.0)};
-    const Screen texture{target.width(), target.height(), {0, 0, target.width(), target.height()}, 1, false};
-    DrawView drawView = drawViewOf(draw, planned.submission.topology, isAsWindow_ ? frame_->view : passView_,
-                                   isWindow ? window : texture, context_.capabilities());
+    const bool isWindow = pass.pass.isWindow;
+    const Screen screen{pass.width, pass.height, pass.part, isWindow ? windowSamples_ : 1,
+                        isWindow && shift_ != glm::dvec2(0.0)};
+    DrawView drawView =
+        drawViewOf(draw, planned.submission.topology, pass.view, screen, context_.capabilities());
     if (wireframe_ && drawView.filled) {
         drawView.filled = false;
-        drawView.reach = draw.raster.lineWidth / 2 + 1;
+        drawView.reach = draw.raster->lineWidth / 2 + 1;
     }
     return sightOf(placed(*bounds, built.interface.facts.placement), drawView) != Sight::possible;
 }
@@ -283,39 +314,38 @@ bool FrameDrawer::noteStores(plan::PlannedProgramIndex program,
     return true;
 }
 
-Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Target& target, bool isWindow) {
+Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInProgress& pass) {
     Diagnostics diagnostics;
     if (!device_.meshes().onDevice(plan_, planned.mesh)) return diagnostics;
     const scene::Draw& draw = plan_.drawOf(planned);
+    const bool isWindow = pass.pass.isWindow;
     const BuiltProgram* drawnWith = programOf(planned);
     if (drawnWith == nullptr) return diagnostics;
     const BuiltProgram& built = *drawnWith;
     const bool isUsable = ownProgramOf(planned) != nullptr;
-    if (isUsable && isOutOfTile(planned, built, target, isWindow)) {
+    if (isUsable && isOutOfTile(planned, built, pass)) {
         stats_.add(kDrawsOutOfTheirTile, 1);
         return diagnostics;
     }
     context_.debugLog().setPlace(draw.place);
     if (Diagnostics refused = checkCounts(draw); !refused.empty()) return refused;
     bindings_.use(*built.program);
-    const double aspect = isWindow ? static_cast<double>(frame_->width) / frame_->height
-                                   : static_cast<double>(target.width()) / target.height();
     // A supplied vertex stage uses no matrices, so those are free for the fragment stage.
-    const auto* covering =
-        built.interface.facts.suppliesVertexStage ? std::get_if<scene::ClipSpace>(&draw.projection) : nullptr;
+    const auto* covering = built.interface.facts.suppliesVertexStage
+                               ? std::get_if<scene::ClipSpace>(&*draw.projection)
+                               : nullptr;
     const std::optional<scene::Draw> seen =
         covering != nullptr ? std::optional(seenBy(*covering, draw)) : std::nullopt;
     const scene::Draw& placed = seen ? *seen : draw;
-    DrawFacts facts = factsOf(placed, aspect);
+    DrawFacts facts = factsOf(placed, pass);
     if (isUsable) {
         setLiterals(planned.program, built);
         if (!plan_.programs[planned.program].foundByName.empty()) {
-            const ViewMatrices& view = isAsWindow_ ? frame_->view : passView_;
-            facts.model = view.model(placed);
-            facts.view = view.view(placed);
+            facts.model = pass.view.model(placed);
+            facts.view = pass.view.view(placed);
         }
         setSupplied(planned.program, built, facts);
-        setTile(built, draw.raster.viewport, isWindow);
+        setTile(built, draw.raster->viewport, pass);
     } else {
         facts.color = kMagenta;
         setBuiltins(built, facts);
@@ -323,13 +353,13 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const gpu::Ta
     if (isUsable) bindBlocks(planned.program, built);
     setConstantInputs(planned, built, facts.color);
     bindTextures(planned.textures, built);
-    const base::RasterState raster = setRaster(planned, built, isWindow, diagnostics);
+    const base::RasterState raster = setRaster(planned, built, pass, diagnostics);
     runPerSample(shadesSamples_ && isWindow && isUsable &&
                  plan::paintedEdges(plan_.programs[planned.program], planned.textures) ==
                      plan::PaintedEdges::shown);
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
-    if (!recordLoops(planned, built, raster)) submitInShares(planned, built);
+    if (!recordLoops(planned, built, pass.frame, raster)) submitInShares(planned, built);
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();

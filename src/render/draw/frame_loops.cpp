@@ -8,10 +8,10 @@
 
 namespace glibra::render {
 
-const BuiltProgram* FrameDrawer::loopCounterOf(plan::PlannedProgramIndex program,
-                                               const BuiltProgram& built) const {
+const BuiltProgram* FrameDrawer::loopCounterOf(plan::PlannedProgramIndex program, const BuiltProgram& built,
+                                               const Frame& frame) const {
     const BuiltProgram* counter = built.loopCounter.get();
-    const bool isWanted = frame_->recordsLoops && !isCounted_ && !hook_ && !programs_.isReversed() &&
+    const bool isWanted = frame.recordsLoops && !isCounted_ && !hook_ && !programs_.isReversed() &&
                           plan_.programs[program].hasOpenLoops;
     return isWanted && counter != nullptr && counter->record ? counter : nullptr;
 }
@@ -23,9 +23,10 @@ void FrameDrawer::useCounter(const BuiltProgram& built) {
     bindings_.bindBase(*counter.record, GL_SHADER_STORAGE_BUFFER, counter.recordBinding);
 }
 
-bool FrameDrawer::recordLoops(const plan::PlannedDraw& planned, const BuiltProgram& built,
+bool FrameDrawer::recordLoops(const plan::PlannedDraw& planned, const BuiltProgram& built, const Frame& frame,
                               const base::RasterState& raster) {
-    if (programOf(planned) != ownProgramOf(planned) || loopCounterOf(planned.program, built) == nullptr)
+    if (programOf(planned) != ownProgramOf(planned) ||
+        loopCounterOf(planned.program, built, frame) == nullptr)
         return false;
     const bool stores = plan::writesMemory(plan_.programs[planned.program], planned.textures);
     base::RasterState unseen = raster;

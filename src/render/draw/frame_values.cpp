@@ -75,18 +75,6 @@ void FrameDrawer::makeBlocks(ProgramState& state, plan::PlannedProgramIndex prog
                                     static_cast<GLuint>(i));
 }
 
-DrawFacts FrameDrawer::factsOf(const scene::Draw& draw, double aspect) const {
-    DrawFacts facts;
-    const ViewMatrices& view = isAsWindow_ ? frame_->view : passView_;
-    facts.projection = view.projection(draw.projection, aspect);
-    facts.modelView = view.modelView(draw);
-    facts.texture = frame_->view.texture();
-    facts.timer = timerAt(frame_->time, draw.timerPeriod);
-    facts.color = draw.color;
-    facts.pointSize = draw.raster.pointSize;
-    return facts;
-}
-
 void FrameDrawer::setBuiltins(const BuiltProgram& built, const DrawFacts& facts) {
     for (std::size_t i = 0; i < built.interface.uniforms.size(); ++i)
         if (const glsl::BuiltinUniform* row = plan::suppliedBy(built.interface.uniforms[i]))
@@ -102,25 +90,6 @@ void FrameDrawer::setSupplied(plan::PlannedProgramIndex program, const BuiltProg
         const base::ActiveUniform& uniform = at(built.interface.uniforms, binding.uniform);
         gpu::setUniform(*built.program, uniform,
                         suppliedValue(supplied->value, facts, uniform.arraySize).span());
-    }
-}
-
-void FrameDrawer::setTile(const BuiltProgram& built, const base::FractionRectangle& viewport, bool isWindow) {
-    // These names are the translator's; programs that are not made for tiles lack these uniforms.
-    const Tile& part = isWindow ? frame_->tile : texture_;
-    const glm::dvec2& shift = isWindow ? shift_ : textureShift_;
-    const gpu::PixelRectangle port = gpu::pixelsOf(viewport, isWindow ? frame_->width : part.width,
-                                                   isWindow ? frame_->height : part.height);
-    for (const base::ActiveUniform& uniform : built.interface.uniforms) {
-        if (uniform.emittedName == "glibra_Tile") {
-            const double width = part.width, height = part.height;
-            gpu::setUniform(*built.program, uniform,
-                            std::array{port.width / width, port.height / height,
-                                       (port.width - 2.0 * (part.x - port.x - shift.x) - width) / width,
-                                       (port.height - 2.0 * (part.y - port.y - shift.y) - height) / height});
-        } else if (uniform.emittedName == "glibra_TileOrigin") {
-            gpu::setUniform(*built.program, uniform, std::array{part.x - shift.x, part.y - shift.y});
-        }
     }
 }
 

@@ -96,8 +96,8 @@ bool missesCentres(const VertexBox& bounds, const Form& coordinate, const Form& 
 }  // namespace
 
 bool isPlacedByMatrices(const scene::Draw& draw) {
-    return !draw.raster.depthClamp && draw.raster.polygon == base::PolygonMode::fill &&
-           draw.raster.viewport == base::FractionRectangle{} && !draw.attributes;
+    return !draw.raster->depthClamp && draw.raster->polygon == base::PolygonMode::fill &&
+           draw.raster->viewport == base::FractionRectangle{} && !draw.attributes;
 }
 
 VertexBox placed(const VertexBox& bounds, glsl::Placement placement) {
@@ -112,18 +112,19 @@ DrawView drawViewOf(const scene::Draw& draw, geometry::Topology topology, const 
     using geometry::Topology;
     DrawView drawView;
     drawView.modelView = view.modelView(draw);
-    drawView.projection = view.projection(draw.projection, static_cast<double>(screen.width) / screen.height);
+    drawView.projection =
+        view.projection(*draw.projection, static_cast<double>(screen.width) / screen.height);
     drawView.width = screen.width;
     drawView.height = screen.height;
     drawView.tile = screen.tile;
-    drawView.depthClamp = draw.raster.depthClamp;
+    drawView.depthClamp = draw.raster->depthClamp;
     drawView.filled = topology == Topology::triangles || topology == Topology::trianglesAdjacency;
     drawView.oneSample = screen.samples <= 1 && !screen.mayShift;
     if (topology == Topology::points)
         drawView.reach =
-            (draw.raster.pointSizeFromShader ? driver.maxPointSize : draw.raster.pointSize) / 2 + 1;
+            (draw.raster->pointSizeFromShader ? driver.maxPointSize : draw.raster->pointSize) / 2 + 1;
     else if (!drawView.filled)
-        drawView.reach = draw.raster.lineWidth / 2 + 1;
+        drawView.reach = draw.raster->lineWidth / 2 + 1;
     if (screen.mayShift) drawView.reach += 1;
     return drawView;
 }

@@ -105,9 +105,9 @@ glm::dmat4 ViewMatrices::view(const scene::Draw& draw) const {
 }
 
 glm::dmat4 ViewMatrices::modelView(const scene::Draw& draw) const {
-    if (std::holds_alternative<scene::ClipSpace>(draw.projection)) return glm::dmat4(1);
+    if (std::holds_alternative<scene::ClipSpace>(*draw.projection)) return glm::dmat4(1);
     glm::dmat4 matrix = draw.modelView;
-    if (eyeDistance_ != 0 && std::holds_alternative<scene::Perspective>(draw.projection))
+    if (eyeDistance_ != 0 && std::holds_alternative<scene::Perspective>(*draw.projection))
         matrix = scene::translation({0, 0, -eyeDistance_}) * matrix;
     if (state_.eye != kIdentity) matrix = asMatrix(state_.eye) * matrix;
     for (const ViewState::Object& each : state_.objects)

@@ -200,12 +200,11 @@ void LiveState::lookThrough() {
         const bool isMirrored = own != cameras.end() && own->isMirrored;
         for (auto& step : pass.steps) {
             auto* draw = std::get_if<scene::Draw>(&step);
-            if (draw == nullptr || std::holds_alternative<scene::ClipSpace>(draw->projection)) continue;
+            if (draw == nullptr || std::holds_alternative<scene::ClipSpace>(*draw->projection)) continue;
             draw->modelView = wanted->view * draw->model;
             draw->projection = wanted->projection;
             if (wanted->isMirrored == isMirrored) continue;
-            draw->raster.front =
-                draw->raster.front == base::Winding::ccw ? base::Winding::cw : base::Winding::ccw;
+            draw->raster.change().front = base::opposite(draw->raster->front);
         }
     }
     giveTried();
@@ -220,9 +219,9 @@ void LiveState::giveTried() {
             auto* draw = std::get_if<scene::Draw>(&passes[pass].steps[step]);
             const auto found = draw == nullptr ? tried.end() : tried.find(draw->id);
             if (found == tried.end() || draw->word != found->second.word ||
-                draw->raster != found->second.ofScene)
+                *draw->raster != found->second.ofScene)
                 continue;
-            untried.emplace_back(scene::StepIndex{pass, step}, draw->raster);
+            untried.emplace_back(scene::StepIndex{pass, step}, *draw->raster);
             draw->raster = found->second.wanted;
         }
 }

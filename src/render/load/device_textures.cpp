@@ -263,7 +263,8 @@ bool isWithoutDepth(const scene::Pass& pass) {
     return !pass.depth && !pass.clearDepth && !pass.clearStencil &&
            std::ranges::all_of(pass.steps, [](const auto& step) {
                const auto* draw = std::get_if<scene::Draw>(&step);
-               return draw != nullptr && draw->isFill && !draw->raster.depthTest && !draw->raster.stencilTest;
+               return draw != nullptr && draw->isFill && !draw->raster->depthTest &&
+                      !draw->raster->stencilTest;
            });
 }
 

@@ -16,7 +16,7 @@ namespace {
 template <class Visit>
 void visitFills(const plan::FramePlan& plan, Visit&& visit) {
     plan.visitDraws([&](const plan::PlannedDraw& planned, const scene::Draw& draw, const auto&) {
-        if (std::holds_alternative<scene::ClipSpace>(draw.projection) &&
+        if (std::holds_alternative<scene::ClipSpace>(*draw.projection) &&
             plan::readsCamera(plan.programs[planned.program]))
             visit(planned);
     });
@@ -71,7 +71,7 @@ void addCameras(const plan::FramePlan& plan, const scene::NodeList& now, std::ve
         const auto [pass, step] = planned.step;
         if (pass >= now.passes.size() || step >= now.passes[pass].steps.size()) return;
         const auto* draw = std::get_if<scene::Draw>(&now.passes[pass].steps[step]);
-        const auto* space = draw != nullptr ? std::get_if<scene::ClipSpace>(&draw->projection) : nullptr;
+        const auto* space = draw != nullptr ? std::get_if<scene::ClipSpace>(&*draw->projection) : nullptr;
         if (space == nullptr) return;
         scene::Projection projection;
         std::visit([&](const auto& each) { projection = each; }, space->projection);

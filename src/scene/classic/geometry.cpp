@@ -65,19 +65,20 @@ std::vector<std::pair<std::string, std::vector<double>>> keyOfAttributes(const A
 }
 
 /// Shapes that the view does not place as others.
-void placeBySpace(Interpreter& in, Draw& made, CommandId command) {
+void placeBySpace(Interpreter& in, Draw& made, RasterState& raster, CommandId command) {
     const geometry::PrimitiveSpec* spec = glib::primitiveOf(command);
     if (spec == nullptr || spec->space == geometry::Space::model) return;
     if (spec->space == geometry::Space::clip) {
         made.modelView = glm::dmat4(1);
-        made.projection = in.scene.suppliesNames ? coveringSpace(in, currentAspect(in)) : ClipSpace{};
+        shareProjection(in, made,
+                        in.scene.suppliesNames ? coveringSpace(in, currentAspect(in)) : ClipSpace{});
         return;
     }
     made.isSky = true;
     made.modelView[3] = {0, 0, 0, 1};
     // Clipping at the near and far plane is off, and the depth is that of the far plane.
-    made.raster.depthClamp = true;
-    made.raster.depthNear = made.raster.depthFar;
+    raster.depthClamp = true;
+    raster.depthNear = raster.depthFar;
 }
 
 }  // namespace
@@ -153,14 +154,15 @@ void draw(Interpreter& in, const Command& command, const Drawing& drawing) {
     made.shape = drawing.shape;
     made.program = state.program;
     made.color = drawing.color.value_or(state.color);
-    made.raster = state.raster;
-    made.raster.lineWidth = state.pointsAndLines.lineWidth;
-    made.raster.pointSize = state.pointsAndLines.pointSize;
-    made.raster.pointSizeFromShader = state.pointsAndLines.pointSizeFromShader;
+    RasterState raster = state.raster;
+    raster.lineWidth = state.pointsAndLines.lineWidth;
+    raster.pointSize = state.pointsAndLines.pointSize;
+    raster.pointSizeFromShader = state.pointsAndLines.pointSizeFromShader;
     if (!in.around.pass && !state.local.isBlendStated)
-        made.raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
-    lookAt(in, made);
-    placeBySpace(in, made, in.scene.shapes[drawing.shape].command);
+        raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
+    lookAt(in, made, raster);
+    placeBySpace(in, made, raster, in.scene.shapes[drawing.shape].command);
+    made.raster = in.made.raster = raster;
     made.patchVertices = state.patchVertices;
     made.flatColors = state.flatColors;
     made.sampling = state.sampling;

@@ -362,8 +362,8 @@ void doFill(Interpreter& in, const Command& command) {
         in, targets->isWindow ? windowAspect(in) : static_cast<double>(targets->width) / targets->height);
     noteFill(in);
     made.color = in.state.color;
-    made.raster.depthTest = false;
-    made.raster.depthWrite = false;
+    RasterState& raster = made.raster.change();
+    raster.depthTest = raster.depthWrite = false;
     made.sampling = in.state.sampling;
     made.slots = currentSlots(in);
     made.uniforms = uniformsOf(in, *program, command.tags);

@@ -91,7 +91,11 @@ ClipSpace coveringSpace(Interpreter& in, double aspect) {
     return space;
 }
 
-void lookAt(Interpreter& in, Draw& draw) {
+void shareProjection(Interpreter& in, Draw& draw, const Projection& projection) {
+    draw.projection = in.made.projection = projection;
+}
+
+void lookAt(Interpreter& in, Draw& draw, RasterState& raster) {
     const SceneCamera* camera =
         findCamera(in, in.around.pass ? in.around.pass->camera : CameraName{"eye", 0});
     draw.model = in.state.model;
@@ -99,18 +103,17 @@ void lookAt(Interpreter& in, Draw& draw) {
         (camera == nullptr ? in.modern.drawsClassicView : in.modern.usesEye) = true;
     if (camera == nullptr) {
         draw.modelView = in.state.modelView;
-        draw.projection = in.state.projection;
+        shareProjection(in, draw, in.state.projection);
         return;
     }
     const double aspect = currentAspect(in);
     if (!in.around.pass) noteAspect(in, *camera, aspect);
     draw.modelView = camera->view * in.state.model;
     if (camera->clip || camera->aspect)
-        draw.projection = projectionOf(*camera, aspect);
+        shareProjection(in, draw, projectionOf(*camera, aspect));
     else
-        draw.projection = camera->projection;
-    if (camera->isMirrored)
-        draw.raster.front = draw.raster.front == base::Winding::ccw ? base::Winding::cw : base::Winding::ccw;
+        shareProjection(in, draw, camera->projection);
+    if (camera->isMirrored) raster.front = base::opposite(raster.front);
 }
 
 }  // namespace glibra::scene

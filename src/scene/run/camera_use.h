@@ -31,7 +31,9 @@ glm::dmat4 projectionOf(const SceneCamera& camera, double aspect);
 void noteAspect(Interpreter&, const SceneCamera& camera, double aspect);
 /// The space of a draw that covers a target of this shape (width / height), seen by the current camera.
 ClipSpace coveringSpace(Interpreter&, double aspect);
+/// Gives a draw the projection, which it shares with the last draw if that has an equal one.
+void shareProjection(Interpreter&, Draw& draw, const Projection& projection);
 /// Sets what the current camera decides for a draw: its matrices, and the winding if it is mirrored.
-void lookAt(Interpreter&, Draw& draw);
+void lookAt(Interpreter&, Draw& draw, RasterState& raster);
 
 }  // namespace glibra::scene

@@ -392,6 +392,8 @@ struct MadeParts {
     /// By size, and the units or the numbers of the textures and their parts.
     std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;
     std::map<std::pair<int, int>, int> drawsOfLines;  ///< by file and line
+    base::Shared<RasterState> raster;                 ///< of the last draw
+    base::Shared<Projection> projection;
 };
 
 /// What a frame has used so far of what is limited.

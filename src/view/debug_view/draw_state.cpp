@@ -146,7 +146,7 @@ std::vector<StateLine> stateOf(const scene::Scene& scene, const plan::FramePlan&
     all.add("program", draw.program ? fmt::format("{}, line {}", scene.programs[draw.program].name,
                                                   scene.programs[draw.program].place.line)
                                     : "glibra's own");
-    all.addRaster(draw.raster);
+    all.addRaster(*draw.raster);
     for (const plan::TextureUse& each : planned.textures) {
         if (!program.interface) break;
         const auto& uniforms = program.interface->uniforms;
@@ -158,9 +158,9 @@ std::vector<StateLine> stateOf(const scene::Scene& scene, const plan::FramePlan&
                                                        : "nothing: reads (0, 0, 0, 1)";
         all.add(name, value, !each.view.texture && !each.buffer.buffer, each.view.texture);
     }
-    if (!std::holds_alternative<scene::ClipSpace>(draw.projection)) {
+    if (!std::holds_alternative<scene::ClipSpace>(*draw.projection)) {
         all.add("model-view", matrixText(view.modelView(draw)));
-        all.add("projection", matrixText(view.projection(draw.projection, aspect)));
+        all.add("projection", matrixText(view.projection(*draw.projection, aspect)));
     }
     return std::move(all.lines);
 }

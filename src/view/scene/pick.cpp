@@ -53,7 +53,7 @@ std::optional<Picked> pick(render::LiveScene& scene, const gpu::Target& picture,
     const double aspect = static_cast<double>(picture.width()) / picture.height();
     const glm::dvec4 clip((x + .5) / picture.width() * 2 - 1, (row + .5) / picture.height() * 2 - 1,
                           depth * 2.0 - 1, 1);
-    const glm::dvec4 eye = scene::inverseOrZero(scene.view().projection(draw.projection, aspect)) * clip;
+    const glm::dvec4 eye = scene::inverseOrZero(scene.view().projection(*draw.projection, aspect)) * clip;
     const std::vector<const scene::Draw*> all = windowDraws(scene.scene());
     const auto ordinal = static_cast<int>(std::ranges::find(all, &draw) - all.begin());
     Picked picked{.draw = draw.id, .ordinal = ordinal, .word = draw.word};

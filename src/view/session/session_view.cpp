@@ -114,14 +114,14 @@ Surroundings Session::surroundings(TransformMode mode) const {
             if (!render::isMoved(frame, pass)) continue;
             for (const auto& step : pass.steps)
                 if (const auto* each = std::get_if<scene::Draw>(&step))
-                    if (!std::holds_alternative<scene::ClipSpace>(each->projection)) draw = each;
+                    if (!std::holds_alternative<scene::ClipSpace>(*each->projection)) draw = each;
         }
     }
     Surroundings around;
     if (!draw) return around;
     const double size = shrinking();
     around.projection = scene::scaling({size, size, 1}) *
-                        view.projection(draw->projection, static_cast<double>(width_) / height_);
+                        view.projection(*draw->projection, static_cast<double>(width_) / height_);
     if (mode == TransformMode::object)
         around.after = view.modelView(*draw);
     else
@@ -141,8 +141,8 @@ void Session::nextProjection() {
     bool isDeep = false, isFlat = false;
     if (live_)
         for (const scene::Draw* each : windowDraws(live_->scene())) {
-            isDeep = isDeep || std::holds_alternative<scene::Perspective>(each->projection);
-            isFlat = isFlat || std::holds_alternative<scene::Orthographic>(each->projection);
+            isDeep = isDeep || std::holds_alternative<scene::Perspective>(*each->projection);
+            isFlat = isFlat || std::holds_alternative<scene::Orthographic>(*each->projection);
         }
     std::vector<ProjectionMode> round{ProjectionMode::scene};
     if (isDeep) round.push_back(ProjectionMode::orthographic);
@@ -185,7 +185,7 @@ double Session::shrinking() const {
         return 1;  // an eye that was moved back sees all
     const scene::Draw* last = nullptr;
     for (const scene::Draw* each : windowDraws(live_->scene()))
-        if (!std::holds_alternative<scene::ClipSpace>(each->projection)) last = each;
+        if (!std::holds_alternative<scene::ClipSpace>(*each->projection)) last = each;
     if (last == nullptr || !std::holds_alternative<scene::Perspective>(last->projection)) return 1;
     return std::min(1.0, static_cast<double>(width_) / height_ / wholeShape_);
 }

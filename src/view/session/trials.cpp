@@ -39,8 +39,8 @@ void Trials::keepTexts(const TextOf& textOf) {
 void Trials::set(const scene::Draw& draw, const base::RasterState& state, const TextOf& textOf) {
     const auto known = std::ranges::find(trials_, draw.id, &Trial::now);
     // A trial has ended if the scene gives its draw another state than it did.
-    const bool isTried = known != trials_.end() && known->state.wanted == draw.raster;
-    const base::RasterState ofScene = isTried ? known->state.ofScene : draw.raster;
+    const bool isTried = known != trials_.end() && known->state.wanted == *draw.raster;
+    const base::RasterState ofScene = isTried ? known->state.ofScene : *draw.raster;
     if (known != trials_.end()) trials_.erase(known);
     if (state != ofScene)
         trials_.push_back({draw.place.file, draw.id, draw.id, render::TriedState{draw.word, ofScene, state}});

@@ -67,15 +67,15 @@ void frameTrial(Ui& ui, const FrameWindow& window) {
     if (planned == nullptr) return ImGui::TextDisabled("Choose a draw to try another state for it.");
     const scene::Draw& draw = ui.session.live().plan().drawOf(*planned);
     const auto known = ui.session.triedStates().find(draw.id);
-    const bool isTried = known != ui.session.triedStates().end() && known->second.wanted == draw.raster;
-    const base::RasterState& ofScene = isTried ? known->second.ofScene : draw.raster;
-    base::RasterState wanted = draw.raster;
+    const bool isTried = known != ui.session.triedStates().end() && known->second.wanted == *draw.raster;
+    const base::RasterState& ofScene = isTried ? known->second.ofScene : *draw.raster;
+    base::RasterState wanted = *draw.raster;
     bool isChosen = false;
     const float room = ImGui::GetContentRegionAvail().x;
     const int pairs = std::max(1, static_cast<int>(room / (195 * ui.shared.scale)));
     if (ImGui::BeginTable("try", 2 * pairs, ImGuiTableFlags_SizingFixedFit)) {
         for (const StateChoice& each : stateChoices()) {
-            label(each.key, each.wordOf(draw.raster) != each.wordOf(ofScene));
+            label(each.key, each.wordOf(*draw.raster) != each.wordOf(ofScene));
             isChosen = chooseWord(ui, each, wanted) || isChosen;
         }
         label("offset",
@@ -83,7 +83,7 @@ void frameTrial(Ui& ui, const FrameWindow& window) {
         isChosen = chooseOffset(ui, wanted) || isChosen;
         ImGui::EndTable();
     }
-    const std::string statement = stateStatement(ofScene, draw.raster);
+    const std::string statement = stateStatement(ofScene, *draw.raster);
     if (!statement.empty()) {
         ImGui::AlignTextToFramePadding();
         codeText(statement);

@@ -72,7 +72,7 @@ void cursor(const Ui& ui, ImDrawList& list) {
     if (!draw) return;
     const render::ViewMatrices& view = ui.session.live().view();
     const glm::dmat4 projection =
-        view.projection(draw->projection, ui.frame.picture[2] / ui.frame.picture[3]);
+        view.projection(*draw->projection, ui.frame.picture[2] / ui.frame.picture[3]);
     const glm::dmat4 modelView = view.modelView(*draw);
     const glm::dvec3 middle(modelView * glm::dvec4(picked.centre, 1));
     ImVec2 centre;
