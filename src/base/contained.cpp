@@ -22,7 +22,7 @@ std::vector<std::string> downwards(const fs::path& path) {
     for (const fs::path& each : path) {
         if (each == "..") return {};
         if (each.native().find('\0') != std::string::npos) return {};
-        if (!each.empty() && each != ".") parts.push_back(each.string());
+        if (!each.empty() && each != ".") parts.push_back(each.generic_string());
     }
     return parts;
 }

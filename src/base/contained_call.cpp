@@ -9,9 +9,15 @@
 
 #include "system/memory.h"
 #include "system/process.h"
+#include "system/worker.h"
 
 namespace glibra::base {
+
 CallEnd runContained(const CallLimits& limits, const std::function<void()>& work) {
+    if (!system::workersAreCopies()) {
+        work();
+        return {};
+    }
     system::Process process = system::runInCopy([&] {
         system::endWithParent();
         system::endBySignals();

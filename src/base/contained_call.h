@@ -23,7 +23,8 @@ struct CallEnd {
 
 /// Calls `work` in a copy of this process and waits for its end. Results come back through
 /// system::SharedMemory; nothing else that `work` changes is seen by the caller. `work` must not throw. May
-/// be called from any thread.
+/// be called from any thread. Where the system copies no processes (Windows), `work` is done by this one,
+/// without limits.
 CallEnd runContained(const CallLimits& limits, const std::function<void()>& work);
 
 /// Calls `work` in a thread of this process, for one that may not fork (a sandbox), and waits for its end.

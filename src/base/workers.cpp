@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/earlier_calls.h"
 #include "system/memory.h"
 #include "system/worker.h"
 
@@ -135,12 +136,23 @@ system::End finish(Worker& worker) {
     return end;
 }
 
+/// How a worker that is this program started again comes to the call.
+struct WayToCall {
+    std::uint64_t call = 0;
+    std::string before{};  ///< what it is sent first: toBytes() of the calls before
+};
+
 class Pool {
   public:
     Pool(std::size_t count, const WorkerOptions& options, const Work& work,
          const std::function<void(std::size_t, const Outcome&)>& done,
-         const std::function<void(std::size_t, const std::string&)>& progress)
-        : count_(count), options_(options), work_(work), done_(done), progress_(progress) {
+         const std::function<void(std::size_t, const std::string&)>& progress, WayToCall way)
+        : count_(count),
+          options_(options),
+          work_(work),
+          done_(done),
+          progress_(progress),
+          way_(std::move(way)) {
         if (options.sandbox)
             mostFiles_ = filesBelow(*options.sandbox, kUnlimited) + kMostMade + kMostMadeForPiece * count;
     }
@@ -205,10 +217,11 @@ class Pool {
             dismiss(worker);
         if (!worker.isRunning()) {
             std::optional<system::Worker> started = system::startWorker(
-                all(), memory,
+                all(), memory, way_.call,
                 [&](const system::WorkerEnds& ends) { servePieces(ends, count_, options_, work_); });
             if (!started && busy() > 0) return;  // try again when another worker is done
             if (started) worker = {.process = std::move(*started), .memory = memory};
+            if (started && !way_.before.empty()) send(worker.process, std::as_bytes(std::span(way_.before)));
         }
         if (isRepeated)
             again_.pop_front();
@@ -363,6 +376,7 @@ class Pool {
     const Work& work_;
     const std::function<void(std::size_t, const Outcome&)>& done_;
     const std::function<void(std::size_t, const std::string&)>& progress_;
+    WayToCall way_;
     std::vector<Worker> workers_;
     std::size_t next_ = 0;
     std::deque<std::size_t> again_;     ///< pieces to be done again, each alone
@@ -391,12 +405,68 @@ std::optional<StepTime> stepTime() {
     return StepTime{thisStep.seconds, std::max(0., thisStep.seconds - passed)};
 }
 
-void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
-                  const std::function<void(std::size_t, const Outcome&)>& done,
-                  const std::function<void(std::size_t, const std::string&)>& progress) {
-    if (const std::optional<system::WorkerEnds> ends = system::endsOfThisWorker())
-        servePieces(*ends, count, options, work);
-    Pool(count, options, work, done, progress).run();
+namespace {
+
+using Done = std::function<void(std::size_t, const Outcome&)>;
+using Progress = std::function<void(std::size_t, const std::string&)>;
+
+/// The calls of this process, where workers are no copies.
+struct Calls {
+    std::map<std::string, std::size_t> passed{};  ///< by place
+    WorkerCalls made{};                           ///< that of the parent, in a worker
+    std::optional<system::WorkerEnds> ends = system::endsOfThisWorker();
+
+    Calls() {
+        if (ends) made = receiveCalls(ends->requests);
+    }
+};
+
+void repeat(const std::vector<WorkerEvent>& events, const WorkerOptions& options, const Done& done,
+            const Progress& progress) {
+    for (const WorkerEvent& each : events) {
+        if (each.kind == WorkerEvent::Kind::progress)
+            progress(each.index, each.text);
+        else if (each.kind == WorkerEvent::Kind::done)
+            done(each.index, each.outcome);
+        else if (options.repeated)
+            options.repeated(each.index, each.outcome);
+    }
+}
+
+/// Comes to the same state as the parent, or serves it.
+void runStartedAgain(std::size_t count, const WorkerOptions& options, const Work& work, const Done& done,
+                     const Progress& progress, std::string place) {
+    static Calls calls;
+    const std::uint64_t call = numberOfCall(place, calls.passed[place]++);
+    if (calls.ends) {
+        if (call == calls.ends->call) servePieces(*calls.ends, count, options, work);
+        return repeat(calls.made[call], options, done, progress);
+    }
+    std::vector<WorkerEvent> events;
+    WorkerOptions noting = options;
+    noting.repeated = [&](std::size_t index, const Outcome& outcome) {
+        events.push_back({WorkerEvent::Kind::repeated, index, outcome});
+        if (options.repeated) options.repeated(index, outcome);
+    };
+    const Done noteDone = [&](std::size_t index, const Outcome& outcome) {
+        events.push_back({WorkerEvent::Kind::done, index, outcome});
+        done(index, outcome);
+    };
+    const Progress noteProgress = [&](std::size_t index, const std::string& text) {
+        events.push_back({.index = index, .text = text});
+        progress(index, text);
+    };
+    Pool(count, noting, work, noteDone, noteProgress, {call, toBytes(calls.made)}).run();
+    calls.made[call] = std::move(events);
+}
+
+}  // namespace
+
+void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work, const Done& done,
+                  const Progress& progress, const std::source_location& place) {
+    if (system::workersAreCopies()) return Pool(count, options, work, done, progress, {}).run();
+    runStartedAgain(count, options, work, done, progress,
+                    std::string(place.file_name()) + ":" + std::to_string(place.line()));
 }
 
 }  // namespace glibra::base

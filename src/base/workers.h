@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <source_location>
 #include <string>
 
 #include "base/device_lost.h"
@@ -77,12 +78,17 @@ struct StepTime {
 /// Nothing if this is no worker, or if the step has no limit.
 std::optional<StepTime> stepTime();
 
-/// Does pieces 0 to count - 1, each once (but see `repeats`), in workers (system/worker.h); a worker that
-/// ends is replaced. `done` and `progress` run in the calling process, in the order of events. Call it before
-/// any thread or GL context exists. Workers ignore the signals that a terminal sends to the whole group
-/// (Ctrl-C); the caller ends them by `stop`. After a stop `done` is called for the running pieces only.
+/// Does pieces 0 to count - 1, each once (but see `repeats`), in processes of their own; a worker that ends
+/// is replaced. `done` and `progress` run in the calling process, in the order of events. Call it before any
+/// thread or GL context exists. Workers ignore the signals that a terminal sends to the whole group (Ctrl-C);
+/// the caller ends them by `stop`. After a stop `done` is called for the running pieces only.
+///
+/// Where the system copies no processes (Windows), a worker is this program started again: it must come to
+/// this call, and to the same pieces, by its arguments and by what earlier calls have told their callers
+/// (earlier_calls.h). On its way the functions of the room system that change files do nothing.
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
                   const std::function<void(std::size_t index, const Outcome&)>& done,
-                  const std::function<void(std::size_t index, const std::string& text)>& progress);
+                  const std::function<void(std::size_t index, const std::string& text)>& progress,
+                  const std::source_location& place = std::source_location::current());
 
 }  // namespace glibra::base

@@ -142,7 +142,7 @@ struct __attribute__((visibility("hidden"))) GLSLProgram::State {
 bool GLSLProgram::State::build(std::vector<std::pair<std::string, std::string>> texts) {
     glsl::ProgramRequest request;
     for (auto& [path, text] : texts) {
-        const std::string extension = std::filesystem::path(path).extension().string();
+        const std::string extension = std::filesystem::path(path).extension().generic_string();
         const auto stage = std::ranges::find(kStages, extension, &StageOfFile::extension);
         if (stage == kStages.end())
             return fail("the extension says no stage; .vert, .tcs, .tes, .geom and .frag do", {path, 1, 1});
@@ -159,7 +159,7 @@ bool GLSLProgram::State::build(std::vector<std::pair<std::string, std::string>> 
     request.place = {request.stages.front().path, 1, 1};
     request.include = [](std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
         const std::filesystem::path path = std::filesystem::path(from).parent_path() / name;
-        if (auto text = textOfFile(path)) return glsl::IncludedFile{path.string(), std::move(*text)};
+        if (auto text = textOfFile(path)) return glsl::IncludedFile{path.generic_string(), std::move(*text)};
         return std::nullopt;
     };
     request.target = targetOf(*owner.gl());

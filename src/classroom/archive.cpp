@@ -36,7 +36,7 @@ std::optional<fs::path> pathOf(std::string name) {
     fs::path path;
     int depth = 0;
     for (const fs::path& each : fs::path(name)) {
-        const std::string part = each.string();
+        const std::string part = each.generic_string();
         if (part.empty() || part == ".") continue;
         if (part.front() == '.' || part == "__MACOSX" || part.size() > 255 || ++depth > kDeepestEntry)
             return std::nullopt;
@@ -64,7 +64,7 @@ std::string writeEntry(unzFile file, const fs::path& to, UnpackLimits& limits, s
     if (!out) return {};  // a file of this name is a folder already; the scene misses it and says so
     if (unzOpenCurrentFile(file) != UNZ_OK)
         return fmt::format("'{}' in the zip file is packed in a way that is not known",
-                           to.filename().string());
+                           to.filename().generic_string());
     std::vector<char> buffer(std::size_t{1} << 16U);
     for (;;) {
         const int count = unzReadCurrentFile(file, buffer.data(), static_cast<unsigned>(buffer.size()));
@@ -72,22 +72,23 @@ std::string writeEntry(unzFile file, const fs::path& to, UnpackLimits& limits, s
         const bool isDamaged = count < 0;
         if (isDamaged || static_cast<std::uint64_t>(count) > limits.bytes) {
             unzCloseCurrentFile(file);
-            return isDamaged ? fmt::format("the zip file is damaged at '{}'", to.filename().string())
+            return isDamaged ? fmt::format("the zip file is damaged at '{}'", to.filename().generic_string())
                              : fmt::format("the zip file unpacks to more than {}", megabytes(allowed));
         }
         limits.bytes -= static_cast<std::uint64_t>(count);
         out.write(buffer.data(), count);
     }
     if (unzCloseCurrentFile(file) != UNZ_OK)
-        return fmt::format("the zip file is damaged at '{}': its checksum is wrong", to.filename().string());
+        return fmt::format("the zip file is damaged at '{}': its checksum is wrong",
+                           to.filename().generic_string());
     out.close();
-    return out ? std::string() : fmt::format("cannot write '{}'", to.string());
+    return out ? std::string() : fmt::format("cannot write '{}'", to.generic_string());
 }
 
 }  // namespace
 
 bool isArchive(const fs::path& file) {
-    return glib::sameWord(file.extension().string(), ".zip");
+    return glib::sameWord(file.extension().generic_string(), ".zip");
 }
 
 std::string unpackArchive(const fs::path& archive, const fs::path& into, UnpackLimits& limits) {
@@ -103,7 +104,7 @@ std::string unpackArchive(const fs::path& archive, const fs::path& into, UnpackL
         return true;
     };
     const Archive file(unzOpen64(archive.c_str()));
-    if (!file) return fmt::format("'{}' is no zip file", archive.filename().string());
+    if (!file) return fmt::format("'{}' is no zip file", archive.filename().generic_string());
     int status = unzGoToFirstFile(file.get());
     if (status == UNZ_END_OF_LIST_OF_FILE) return {};
     for (; status == UNZ_OK; status = unzGoToNextFile(file.get())) {

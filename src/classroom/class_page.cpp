@@ -96,7 +96,7 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
         to.reproduce.clear();
         // Messages name the folder, and whoever made it put a name there.
         const auto clean = [&](std::string& text) {
-            replaceAll(text, from.submission.folder.string() + "/", "");
+            replaceAll(text, from.submission.folder.generic_string() + "/", "");
             for (std::size_t other = 0; other < order.size(); ++other) {
                 const Submission& one = room.entries[other].submission;
                 replaceAll(text, one.name, nameOf(numberOf[other]));
@@ -159,7 +159,7 @@ std::string factsHtml(const Classroom& room, const Entry& entry) {
     if (!entry.submission.scene.empty())
         html += fmt::format(
             "<p>Scene: <code>{}</code></p>",
-            escapeXml(entry.submission.scene.lexically_relative(entry.submission.folder).string()));
+            escapeXml(entry.submission.scene.lexically_relative(entry.submission.folder).generic_string()));
     if (!entry.reproduce.empty())
         html += fmt::format("<div class=\"command\"><code>{}</code></div>", escapeXml(entry.reproduce));
     if (html.empty()) return html;
@@ -222,7 +222,7 @@ void markLines(const Entry& entry, const TokenPlace& place, std::size_t tokens, 
 std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines& sources) {
     std::string html = "<div>";
     for (const auto& [file, lines] : marked) {
-        const std::string path = fs::path(file).lexically_relative(entry.submission.folder).string();
+        const std::string path = fs::path(file).lexically_relative(entry.submission.folder).generic_string();
         html += fmt::format("<h4>{}, {}</h4>", nameHtml(entry.submission.name),
                             escapeXml(path.empty() ? file : path));
         const int last = std::max(kMostLines, lines.rbegin()->first);
@@ -371,7 +371,7 @@ std::string detailsHtml(const Classroom& room) {
         if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, escapeXml(value));
     };
     if (!room.isAnonymous) add("Submissions", room.folder);
-    add("Reference", room.reference.submission.scene.string());
+    add("Reference", room.reference.submission.scene.generic_string());
     add("Driver", room.driver);
     add("Machine", room.machine);
     add("Command", room.command);

@@ -46,7 +46,7 @@ std::vector<std::string> earlierPictures(const fs::path& site) {
     std::vector<std::string> names;
     // A file that stays does no harm: the page names only those that were drawn.
     for (const fs::directory_entry& each : base::entriesOf(site / kPictures))
-        if (std::string name = each.path().filename().string(); isOurs(name))
+        if (std::string name = each.path().filename().generic_string(); isOurs(name))
             names.push_back(std::move(name));
     return names;
 }
@@ -76,12 +76,12 @@ class ClassRun {
     ClassRun(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events)
         : plan_(plan), workers_(workers), events_(events) {
         Classroom& room = end_.classroom;
-        room.folder = plan.folder.string();
+        room.folder = plan.folder.generic_string();
         room.moments = plan.moments;
         room.sliders = slidersOf(plan.moments);
         room.leftOut = plan.submissions.leftOut;
         room.reference.submission = {
-            plan.reference.filename().string(), plan.reference.parent_path(), plan.reference, {}};
+            plan.reference.filename().generic_string(), plan.reference.parent_path(), plan.reference, {}};
         for (const Submission& each : plan.submissions.all) {
             room.entries.emplace_back().submission = each;
             if (!each.scene.empty()) room.entries.back().pictures.resize(plan.moments.size());
@@ -96,9 +96,10 @@ class ClassRun {
         if (const int problem =
                 base::prepareBeneath(plan_.site, fs::path(kPictures) / (pictureName(0, 0) + ".png"));
             problem != 0) {
-            end_.diagnostics.push_back(diagnose(
-                "file-E10", fmt::format("cannot write into '{}': {}", (plan_.site / kPictures).string(),
-                                        std::generic_category().message(problem))));
+            end_.diagnostics.push_back(
+                diagnose("file-E10",
+                         fmt::format("cannot write into '{}': {}", (plan_.site / kPictures).generic_string(),
+                                     std::generic_category().message(problem))));
             return std::move(end_);
         }
         removeLinks(plan_.site);
@@ -265,7 +266,7 @@ class ClassRun {
             const std::string reason = hasError(own) ? "" : ": " + reasonOf(reference);
             append(end_.diagnostics, own);
             end_.diagnostics.push_back(withoutId(Severity::error, "the reference cannot be drawn" + reason,
-                                                 {plan_.reference.string(), 1, 1}));
+                                                 {plan_.reference.generic_string(), 1, 1}));
             return false;
         }
         for (std::size_t i = moments(); i < suite_.shots.size(); ++i) {
@@ -367,7 +368,7 @@ class ClassRun {
                 entry.diagnostics.push_back(
                     withoutId(Severity::warning,
                               "the scene, its shaders and pictures could not be reviewed within the limits",
-                              {entry.submission.scene.string(), 1, 1}));
+                              {entry.submission.scene.generic_string(), 1, 1}));
             entry.notCompared.emplace_back("everything, because the review did not end");
             return;
         }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::string placeOf(const std::string& path) {
     std::error_code failure;
     const fs::path place = fs::weakly_canonical(path, failure);
-    return failure ? path : place.string();
+    return failure ? path : place.generic_string();
 }
 
 /// Names a file of an entry that others use, too.
@@ -28,7 +28,7 @@ void nameShared(Classroom& room, std::size_t index, const std::string& place,
                 const std::vector<std::size_t>& users, bool isOfReference) {
     constexpr std::size_t kMostNames = 3;
     Entry& entry = room.entries[index];
-    const std::string name = fs::path(place).filename().string();
+    const std::string name = fs::path(place).filename().generic_string();
     if (isOfReference) entry.notCompared.push_back(fmt::format("'{}' is a file of the reference", name));
     if (users.size() < 2) return;
     std::string others;

@@ -54,17 +54,17 @@ Contents contentsOf(const fs::path& folder, std::string& problem, bool& isUnlist
         std::error_code ignored;
         const fs::file_type type = each->symlink_status(ignored).type();
         const fs::path& path = each->path();
-        if (path.filename().string().starts_with('.')) {
+        if (path.filename().generic_string().starts_with('.')) {
             if (type == fs::file_type::directory) each.disable_recursion_pending();
             continue;
         }
         if (type == fs::file_type::directory && each.depth() >= kDeepest) each.disable_recursion_pending();
         if (type != fs::file_type::regular && type != fs::file_type::symlink) continue;
-        if (glib::sameWord(path.extension().string(), ".glib"))
+        if (glib::sameWord(path.extension().generic_string(), ".glib"))
             found.scenes.push_back(path.lexically_relative(folder));
         else if (type == fs::file_type::regular && isArchive(path))
             found.archives.push_back(path.lexically_relative(folder));
-        else if (glib::sameWord(path.stem().extension().string(), ".glib"))
+        else if (glib::sameWord(path.stem().extension().generic_string(), ".glib"))
             found.misnamed.push_back(path.lexically_relative(folder));
     }
     isUnlisted = bool(failure);
@@ -88,7 +88,7 @@ std::string withoutScene(const Contents& contents) {
 
 bool fitsPattern(const std::string& pattern, const fs::path& scene) {
     const bool wholePath = pattern.find('/') != std::string::npos;
-    return suite::fits(pattern, wholePath ? scene.generic_string() : scene.filename().string());
+    return suite::fits(pattern, wholePath ? scene.generic_string() : scene.filename().generic_string());
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ ChosenScene chooseScene(std::span<const fs::path> scenes, const Submission& subm
         const auto found = std::ranges::find_if(left, fits);
         return found != left.end() && std::none_of(std::next(found), left.end(), fits) ? *found : nullptr;
     };
-    const std::string preferred = options.reference.filename().string();
+    const std::string preferred = options.reference.filename().generic_string();
     if (const fs::path* one = onlyOne([&](const fs::path* each) { return each->filename() == preferred; }))
         return chosen(one);
     if (const fs::path* one = onlyOne([&](const fs::path* each) {
@@ -165,7 +165,7 @@ void findScene(Submission& submission, const SubmissionOptions& options) {
     const fs::path& scene = found.scenes[chosen.index];
     if (std::error_code failure; fs::is_symlink(submission.folder / scene, failure))
         submission.problem =
-            fmt::format("the scene '{}' is a link; expected the file itself", scene.string());
+            fmt::format("the scene '{}' is a link; expected the file itself", scene.generic_string());
     else
         submission.scene = submission.folder / scene;
 }

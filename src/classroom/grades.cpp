@@ -96,7 +96,7 @@ std::string gradesCsv(const Classroom& classroom) {
         line.text(reasonOf(entry));
         line.text(entry.submission.scene.empty()
                       ? std::string()
-                      : entry.submission.scene.lexically_relative(entry.submission.folder).string());
+                      : entry.submission.scene.lexically_relative(entry.submission.folder).generic_string());
         line.count(classroom.moments.size());
         line.count(drawnCount(entry));
         line.score(part(&Scores::flip));

@@ -65,7 +65,7 @@ std::string digestOfHandIn(const std::filesystem::path& handedIn, std::span<cons
     for (const fs::path& each : isFolder ? filesIn(folder) : filesReadBy(handedIn, folder, pictures)) {
         const auto bytes = base::bytesIn(base::openBeneath(folder, each), left);
         if (bytes) left -= bytes->size();
-        whole += each.string() + '\0' +
+        whole += each.generic_string() + '\0' +
                  (bytes ? suite::toText(suite::hashOf(*bytes))
                         : std::to_string(fs::file_size(folder / each, failure))) +
                  '\n';

@@ -62,10 +62,11 @@ Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
     std::vector<Moment> moments;
     for (const suite::Shot& shot : read->shots) {
         if (shot.script != read->shots.front().script)
-            return withoutId(Severity::error,
-                             fmt::format("the suite of a reference has one scene, found '{}' and '{}'",
-                                         read->shots.front().script.string(), shot.script.string()),
-                             shot.place);
+            return withoutId(
+                Severity::error,
+                fmt::format("the suite of a reference has one scene, found '{}' and '{}'",
+                            read->shots.front().script.generic_string(), shot.script.generic_string()),
+                shot.place);
         Moment moment{read->shots.size() > 1 ? shot.name : "", {}};
         moment.shot.script = shot.script;
         moment.shot.options = shot.options;
@@ -74,7 +75,8 @@ Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
         moment.shot.memory = shot.memory;
         moments.push_back(std::move(moment));
     }
-    if (moments.empty()) return withoutId(Severity::error, "the suite has no shots", {file.string(), 1, 1});
+    if (moments.empty())
+        return withoutId(Severity::error, "the suite has no shots", {file.generic_string(), 1, 1});
     return {std::move(moments), std::move(read.diagnostics)};
 }
 

@@ -69,10 +69,11 @@ Result<std::string> givenText(const std::filesystem::path& file, std::uint64_t l
         pipe.read(text.data(), static_cast<std::streamsize>(text.size()));
         text.resize(static_cast<std::size_t>(pipe.gcount()));
         if (text.size() > largest)
-            return diagnose("file-E09", fmt::format("'{}' is longer than {} bytes", file.string(), largest));
+            return diagnose("file-E09",
+                            fmt::format("'{}' is longer than {} bytes", file.generic_string(), largest));
         return text;
     }
-    const auto bytes = image::readFile(file, {file.string(), {}}, largest);
+    const auto bytes = image::readFile(file, {file.generic_string(), {}}, largest);
     if (!bytes) return bytes.diagnostics;
     return std::string(base::asText(*bytes));
 }

@@ -51,7 +51,7 @@ std::string quoteHtml(const Entry& entry, const Place& place, SourceLines& sourc
 std::string messageText(const Entry& entry, const Diagnostic& message) {
     Diagnostic shown = message;
     const fs::path inside = fs::path(shown.place.file).lexically_relative(entry.submission.folder);
-    if (!inside.empty() && *inside.begin() != "..") shown.place.file = inside.string();
+    if (!inside.empty() && *inside.begin() != "..") shown.place.file = inside.generic_string();
     return escapeXml(toString(shown));
 }
 

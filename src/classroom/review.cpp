@@ -62,7 +62,7 @@ class Sources {
         std::vector<DeclaredUniform> uniforms;
         std::set<std::string> seen;
         std::vector<std::pair<std::string, std::optional<std::string>>> open;  // path, and text if it has one
-        if (!file.path.empty()) open.emplace_back(file.path.string(), file.text);
+        if (!file.path.empty()) open.emplace_back(file.path.generic_string(), file.text);
         while (!open.empty() && seen.size() < kMostFiles) {
             const auto [path, given] = std::move(open.back());
             open.pop_back();
@@ -77,7 +77,7 @@ class Sources {
             for (const std::string& each : includedNames(*text)) {
                 const scene::FileReference found =
                     scene::findInclude(each, path, scene_.path, options_, listings_);
-                if (!found.path.empty()) open.emplace_back(found.path.string(), std::nullopt);
+                if (!found.path.empty()) open.emplace_back(found.path.generic_string(), std::nullopt);
             }
         }
         if (!open.empty()) leaveOut({}, fmt::format("files after the first {} of a stage", kMostFiles));
@@ -92,7 +92,7 @@ class Sources {
         const auto include = [this](std::string_view name, std::string_view includingPath) {
             return included(name, includingPath);
         };
-        ReachedCode code = reachedCode({stage, file.path.string(), *text}, include);
+        ReachedCode code = reachedCode({stage, file.path.generic_string(), *text}, include);
         if (!code.isWhole) leaveOut(file.path, "after what the preprocessor reads of it");
         for (SourceFile& each : code.runs) compare(std::move(each));
         for (std::string& each : code.calls)
@@ -119,7 +119,7 @@ class Sources {
             scene::findInclude(name, includingPath, scene_.path, options_, listings_);
         std::optional<std::string> text = found.path.empty() ? std::nullopt : textOf(opened(found.path));
         if (!text) return std::nullopt;
-        return glsl::IncludedFile{found.path.string(), std::move(*text)};
+        return glsl::IncludedFile{found.path.generic_string(), std::move(*text)};
     }
 
     /// Keeps code of the submission, each once: stages may share it.
@@ -140,7 +140,7 @@ class Sources {
 
     /// Remembers what is not compared, each once.
     void leaveOut(const fs::path& path, const std::string& why) {
-        std::string text = path.empty() ? why : fmt::format("'{}' {}", path.filename().string(), why);
+        std::string text = path.empty() ? why : fmt::format("'{}' {}", path.filename().generic_string(), why);
         if (notCompared_.size() < kMostFiles && std::ranges::find(notCompared_, text) == notCompared_.end())
             notCompared_.push_back(std::move(text));
     }
@@ -177,8 +177,8 @@ void addGivenFile(const fs::path& path, std::size_t& tokens, Review& result) {
     const std::optional<std::string> text = textOf(base::openBeneath(folder, path.filename()));
     if (!text) return;
     // As it is written, and as a stage of it would run: copies of both are no copies.
-    result.files.push_back({path.string(), comparableTokens(*text)});
-    for (SourceFile& each : reachedCode({glsl::Stage::fragment, path.string(), *text}).runs)
+    result.files.push_back({path.generic_string(), comparableTokens(*text)});
+    for (SourceFile& each : reachedCode({glsl::Stage::fragment, path.generic_string(), *text}).runs)
         result.files.push_back(std::move(each));
     tokens += result.files.back().tokens.size();
 }
@@ -307,7 +307,7 @@ void addReadPictures(const scene::Scene& scene, const ReviewTask& task,
             const auto bytes = base::bytesIn(own.open(path), kLargestReadPicture);
             if (!bytes) continue;
             ReadPicture& read = result.readPictures.emplace_back();
-            read.name = path.filename().string();
+            read.name = path.filename().generic_string();
             read.digest = suite::toText(suite::hashOf(*bytes));
             if (task.options.within.empty()) continue;  // the reference may look like itself
             const std::optional<image::Image> picture = image::decodeImage(*bytes, path).value;

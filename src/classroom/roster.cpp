@@ -128,8 +128,8 @@ Result<Roster> readRoster(const fs::path& file) {
         return withoutId(Severity::error,
                          fmt::format("the roster '{}' has no column 'name' or 'number'; its first line has "
                                      "the names of the columns",
-                                     file.string()),
-                         {file.string(), 1, 1});
+                                     file.generic_string()),
+                         {file.generic_string(), 1, 1});
     Diagnostics problems;
     for (std::size_t i = 1; i < roster.records.size(); ++i) {
         const auto field = [&](const std::optional<std::size_t>& column) {
@@ -154,8 +154,8 @@ Result<Roster> readRoster(const fs::path& file) {
                 fmt::format(
                     "cannot read the time '{}' in the roster '{}'; a time is '2026-11-20 23:59', or as "
                     "Moodle writes it in English",
-                    words, file.string()),
-                {file.string(), static_cast<int>(i + 1), 1}));
+                    words, file.generic_string()),
+                {file.generic_string(), static_cast<int>(i + 1), 1}));
         roster.students.push_back(std::move(student));
     }
     return {std::move(roster), std::move(problems)};

@@ -252,7 +252,7 @@ Result<Rubric> readRubric(const std::filesystem::path& file) {
     constexpr std::uint64_t kLargest = 1U << 20U;
     const Result<std::string> text = givenText(file, kLargest);
     if (!text) return text.diagnostics;
-    return readRubricText(*text, file.string());
+    return readRubricText(*text, file.generic_string());
 }
 
 Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,

@@ -16,12 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isScene(const fs::path& path) {
-    return glib::sameWord(path.extension().string(), ".glib");
+    return glib::sameWord(path.extension().generic_string(), ".glib");
 }
 
 /// "x.glib.txt": editors and mail programs add such endings.
 bool isMisnamed(const fs::path& path) {
-    return glib::sameWord(path.stem().extension().string(), ".glib");
+    return glib::sameWord(path.stem().extension().generic_string(), ".glib");
 }
 
 Diagnostic problem(const std::string& text) {
@@ -43,7 +43,7 @@ class Collector {
 
     void add(const fs::directory_entry& entry) {
         const fs::path& path = entry.path();
-        const std::string name = path.filename().string();
+        const std::string name = path.filename().generic_string();
         std::error_code ignored;
         switch (entry.symlink_status(ignored).type()) {
             case fs::file_type::directory:
@@ -53,7 +53,7 @@ class Collector {
                 addFile(path);
                 break;
             case fs::file_type::symlink: {
-                Submission made{isScene(path) ? path.stem().string() : name, folder_, {}, {}};
+                Submission made{isScene(path) ? path.stem().generic_string() : name, folder_, {}, {}};
                 made.problem = "the submission is a link; expected the folder or the file itself";
                 made.key = name;
                 found_.all.push_back(std::move(made));
@@ -86,7 +86,7 @@ class Collector {
     }
 
     void addFolder(const fs::path& path) {
-        const std::string key = path.filename().string();
+        const std::string key = path.filename().generic_string();
         Submission made = of(names_.split(key).value_or(Person{key, {}}), key);
         made.folder = path;
         findScene(made, options_);
@@ -94,19 +94,21 @@ class Collector {
     }
 
     void addFile(const fs::path& path) {
-        const std::string key = path.filename().string();
+        const std::string key = path.filename().generic_string();
         std::optional<Person> person = names_.split(key);
-        if (!person && (isScene(path) || isArchive(path))) person = names_.split(path.stem().string());
+        if (!person && (isScene(path) || isArchive(path)))
+            person = names_.split(path.stem().generic_string());
         if (person) return addPart(path, *person);
         if (!isScene(path) && !isArchive(path) && !isMisnamed(path)) return found_.leftOut.push_back(key);
-        Submission& made = found_.all.emplace_back(of({path.stem().string(), {}}, path.stem().string()));
+        Submission& made =
+            found_.all.emplace_back(of({path.stem().generic_string(), {}}, path.stem().generic_string()));
         made.folder = folder_;
         if (isScene(path)) {
             made.scene = path;
         } else if (isArchive(path)) {
             made.parts.push_back({path, {}});
         } else {
-            made.name = path.stem().stem().string();
+            made.name = path.stem().stem().generic_string();
             made.key = key;
             made.problem = fmt::format("'{}' is no scene: expected a name that ends with '.glib'", key);
         }
@@ -117,12 +119,12 @@ class Collector {
         const auto [known, isNew] =
             flat_.try_emplace(std::pair(person.name, person.number), found_.all.size());
         if (isNew) {
-            found_.all.push_back(of(person, path.stem().string()));
+            found_.all.push_back(of(person, path.stem().generic_string()));
             found_.all.back().folder = folder_;
         }
         Submission& made = found_.all[known->second];
         made.isLate = made.isLate || person.isLate;
-        made.parts.push_back({path, person.file.empty() ? path.filename().string() : person.file});
+        made.parts.push_back({path, person.file.empty() ? path.filename().generic_string() : person.file});
     }
 
     /// Two students of one name have their numbers beside it, and a folder 'ana' and a file 'ana.glib' are
@@ -173,7 +175,7 @@ Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOpti
     std::vector<fs::directory_entry> entries;
     fs::directory_iterator each(folder, failure);
     if (failure)
-        return problem(fmt::format("cannot read the folder of submissions '{}': {}", folder.string(),
+        return problem(fmt::format("cannot read the folder of submissions '{}': {}", folder.generic_string(),
                                    failure.message()));
     const auto isOther = [&](const fs::path& path) {
         const auto same = [&](const fs::path& other) {
@@ -183,24 +185,24 @@ Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOpti
         return same(options.reference) || std::ranges::any_of(options.others, same);
     };
     for (; !failure && each != fs::directory_iterator(); each.increment(failure))
-        if (!each->path().filename().string().starts_with('.') && !isOther(each->path()))
+        if (!each->path().filename().generic_string().starts_with('.') && !isOther(each->path()))
             entries.push_back(*each);
     if (failure)
-        return problem(fmt::format("cannot read all of the folder of submissions '{}': {}", folder.string(),
-                                   failure.message()));
+        return problem(fmt::format("cannot read all of the folder of submissions '{}': {}",
+                                   folder.generic_string(), failure.message()));
     std::ranges::sort(entries);
     Collector collector(folder, options);
     for (const fs::directory_entry& one : entries) {
         collector.add(one);
         if (collector.count() > kMostSubmissions)
             return problem(
-                fmt::format("'{}' has more than {} submissions", folder.string(), kMostSubmissions));
+                fmt::format("'{}' has more than {} submissions", folder.generic_string(), kMostSubmissions));
     }
     Submissions found = collector.take();
     if (found.all.empty())
         return problem(
             fmt::format("'{}' has no submissions: expected a folder, a zip file or a .glib file per student",
-                        folder.string()));
+                        folder.generic_string()));
     return found;
 }
 

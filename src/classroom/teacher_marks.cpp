@@ -108,9 +108,10 @@ Result<TeacherMarks> readTeacherMarks(const fs::path& site) {
     std::error_code failure;
     if (!fs::exists(fs::symlink_status(site / kMarksFile, failure))) return TeacherMarks{};
     const auto text = base::textIn(base::openBeneath(site, kMarksFile), kLargestMarks);
-    if (!text) return diagnose("suite-E27", fmt::format("cannot read '{}'", (site / kMarksFile).string()));
+    if (!text)
+        return diagnose("suite-E27", fmt::format("cannot read '{}'", (site / kMarksFile).generic_string()));
     Result<TeacherMarks> marks = parseTeacherMarks(*text);
-    for (Diagnostic& each : marks.diagnostics) each.place = {(site / kMarksFile).string(), 1, 1};
+    for (Diagnostic& each : marks.diagnostics) each.place = {(site / kMarksFile).generic_string(), 1, 1};
     return marks;
 }
 

@@ -32,7 +32,7 @@ Diagnostics makeFolder(const fs::path& site, const char* name) {
     const fs::path folder = site / name;
     const auto fail = [&](const std::string& why) {
         return Diagnostics{
-            diagnose("file-E10", fmt::format("cannot write into '{}': {}", folder.string(), why))};
+            diagnose("file-E10", fmt::format("cannot write into '{}': {}", folder.generic_string(), why))};
     };
     std::error_code failure;
     const fs::file_type type = fs::symlink_status(folder, failure).type();
@@ -58,12 +58,12 @@ void empty(const fs::path& folder) {
 /// Copies an ordinary file by reading and writing alone, which is all that a sandbox allows.
 std::string copy(const fs::path& from, const fs::path& to, UnpackLimits& limits) {
     const auto bytes = base::bytesIn(base::openBeneath(from.parent_path(), from.filename()), limits.bytes);
-    if (!bytes) return fmt::format("cannot read '{}', or it is too large", from.filename().string());
+    if (!bytes) return fmt::format("cannot read '{}', or it is too large", from.filename().generic_string());
     limits.bytes -= bytes->size();
     std::ofstream out(to, std::ios::binary | std::ios::trunc);
     out << base::asText(*bytes);
     out.close();
-    return out ? std::string() : fmt::format("cannot write '{}'", to.string());
+    return out ? std::string() : fmt::format("cannot write '{}'", to.generic_string());
 }
 
 std::string unpack(const Submission& submission, const UnpackLimits& allowed) {
@@ -75,7 +75,7 @@ std::string unpack(const Submission& submission, const UnpackLimits& allowed) {
             continue;
         }
         const fs::path name = fs::path(each.name).filename();
-        if (name.empty() || name.string().front() == '.') continue;
+        if (name.empty() || name.generic_string().front() == '.') continue;
         if (std::string why = copy(each.file, submission.folder / name, limits); !why.empty()) return why;
     }
     return {};
@@ -114,7 +114,8 @@ Result<fs::path> unpackExport(const fs::path& archive, const UnpackOptions& opti
         [](std::size_t, const std::string&) {});
     if (!why.empty()) empty(folder);
     if (!why.empty())
-        return withoutId(Severity::error, fmt::format("cannot unpack '{}': {}", archive.string(), why));
+        return withoutId(Severity::error,
+                         fmt::format("cannot unpack '{}': {}", archive.generic_string(), why));
     return descended(folder);
 }
 

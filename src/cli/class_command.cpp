@@ -39,9 +39,9 @@ namespace fs = std::filesystem;
 /// its own, because the file look-up refuses the others.
 system::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
     std::vector<std::string> scenes;
-    if (!plan.reference.empty()) scenes.push_back(plan.reference.string());
+    if (!plan.reference.empty()) scenes.push_back(plan.reference.generic_string());
     for (const classroom::Submission& each : plan.submissions.all)
-        if (!each.scene.empty()) scenes.push_back(each.scene.string());
+        if (!each.scene.empty()) scenes.push_back(each.scene.generic_string());
     system::Sandbox sandbox = sandboxOf(scenes, plan.moments.front().shot.options, driver);
     sandbox.readable.push_back(plan.folder);
     sandbox.readable.emplace_back(plan.site, fs::path(classroom::kUnpacked));
@@ -101,7 +101,7 @@ classroom::ImportOptions importOptions(const ClassArguments& arguments, const Cl
     import.book = arguments.book != classroom::GradeBook::none ? arguments.book : input.find.names.book();
     std::error_code failed;
     import.assignment = arguments.assignment.empty()
-                            ? fs::weakly_canonical(input.plan.folder, failed).filename().string()
+                            ? fs::weakly_canonical(input.plan.folder, failed).filename().generic_string()
                             : arguments.assignment;
     import.roster = input.roster ? &*input.roster : nullptr;
     import.handed = input.handed;
@@ -138,12 +138,12 @@ void reportMissing(const classroom::Classroom& room) {
         if (const std::string file = missingFile(each); !file.empty()) ++users[file];
     for (const auto& [file, count] : users) {
         if (count < 2) continue;
-        const std::string ending = fs::path(file).extension().string();
+        const std::string ending = fs::path(file).extension().generic_string();
         const bool isShader = ending == ".vert" || ending == ".frag" || ending == ".geom" ||
                               ending == ".tcs" || ending == ".tes" || ending == ".comp" || ending == ".glsl";
         printLine(base::printableText(fmt::format(
             "glibra: note: {} submissions miss '{}'; if it was given to all, put it into '{}'", count, file,
-            (fs::path(room.folder) / (isShader ? "shaders" : "textures")).string())));
+            (fs::path(room.folder) / (isShader ? "shaders" : "textures")).generic_string())));
     }
 }
 
@@ -190,7 +190,7 @@ void report(const classroom::Classroom& room, const fs::path& site) {
             break;
         }
     printLine(classroom::summary(room));
-    printLine("page: " + (site / "index.html").string());
+    printLine("page: " + (site / "index.html").generic_string());
 }
 
 int runClassCommand(const ClassArguments& arguments, const std::string& command) {

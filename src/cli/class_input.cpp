@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 std::optional<std::vector<classroom::Moment>> momentsOf(const ClassArguments& arguments,
                                                         fs::path& reference) {
     const suite::Shot& picture = arguments.made.picture;
-    const bool isSuite = glib::sameWord(fs::path(arguments.reference).extension().string(), ".toml");
+    const bool isSuite = glib::sameWord(fs::path(arguments.reference).extension().generic_string(), ".toml");
     if (isSuite && (!arguments.times.empty() || !arguments.sweeps.empty() || !picture.options.set.empty() ||
                     picture.options.width > 0)) {
         printError("--time, --set, --sweep and --size belong into the suite that --reference names");
@@ -183,7 +183,7 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
     plan.given.assign(arguments.templates.begin(), arguments.templates.end());
     for (const fs::path& each : plan.given)
         if (std::error_code failure; !fs::exists(each, failure))
-            return refuse(fmt::format("there is no template '{}'", each.string()));
+            return refuse(fmt::format("there is no template '{}'", each.generic_string()));
     if (std::error_code failure; fs::equivalent(plan.site, plan.folder, failure))
         return refuse(fmt::format(
             "-o {}: this is the folder of the submissions, among which the page would count; name "
@@ -357,7 +357,7 @@ int serveClass(const ClassService& service) {
     for (const classroom::Entry& each : service.room.entries) addPictures(each);
     server.post("marks", [&](const WebRequest& request) { return takeMarks(service, request); });
     printLine("points and comments: " + server.address());
-    printLine("they are kept in " + (service.site / classroom::kMarksFile).string() +
+    printLine("they are kept in " + (service.site / classroom::kMarksFile).generic_string() +
               "; Ctrl-C ends the server");
     server.run(service.stop);
     return kDone;

@@ -201,15 +201,15 @@ class Comparer {
 std::set<std::string> picturesBelow(const fs::path& folder, Diagnostics& problems) {
     std::set<std::string> names;
     const auto report = [&](const fs::path& path, const std::string& why) {
-        problems.push_back(diagnose(
-            "suite-E22",
-            fmt::format("cannot look at all of '{}': {}; pictures would be left out", path.string(), why),
-            {folder.string(), 1, 1}));
+        problems.push_back(diagnose("suite-E22",
+                                    fmt::format("cannot look at all of '{}': {}; pictures would be left out",
+                                                path.generic_string(), why),
+                                    {folder.generic_string(), 1, 1}));
     };
     std::error_code failure;
     fs::recursive_directory_iterator each(folder, failure);
     for (const fs::recursive_directory_iterator end; !failure && each != end; each.increment(failure)) {
-        if (each->path().filename().string().starts_with('.') ||
+        if (each->path().filename().generic_string().starts_with('.') ||
             image::formatOfSuffix(each->path()) == image::Format::unknown)
             continue;
         std::error_code unknown;
@@ -255,8 +255,9 @@ int compareFolders(const CompareArguments& arguments, Comparer& comparer) {
             of = comparer.missing(name, expected.contains(name) ? arguments.second : arguments.first);
         else
             of = comparer.compare(
-                {(fs::path(arguments.first) / name).string(), (fs::path(arguments.second) / name).string(),
-                 name, arguments.heatMap.empty() ? "" : (fs::path(arguments.heatMap) / name).string()});
+                {(fs::path(arguments.first) / name).generic_string(),
+                 (fs::path(arguments.second) / name).generic_string(), name,
+                 arguments.heatMap.empty() ? "" : (fs::path(arguments.heatMap) / name).generic_string()});
         same += of == kDone ? 1 : 0;
         status = std::max(status, of);
     }

@@ -70,7 +70,8 @@ int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
     plan.folder = arguments.folder;
     plan.site = arguments.made.site;
     plan.scenes = scenesOf(arguments, named.scenes);
-    plan.title = !arguments.title.empty() ? arguments.title : whole(arguments.folder).filename().string();
+    plan.title =
+        !arguments.title.empty() ? arguments.title : whole(arguments.folder).filename().generic_string();
     constexpr int kWidth = 400, kHeight = 300;
     const RenderOptions& picture = arguments.made.picture.options;
     plan.width = picture.width > 0 ? picture.width : kWidth;
@@ -103,7 +104,7 @@ int runGalleryCommand(const GalleryArguments& arguments) {
     Confinement confined;
     if (arguments.made.untrusted) {
         std::vector<std::string> scenes;
-        for (const fs::path& each : plan.scenes) scenes.push_back(each.string());
+        for (const fs::path& each : plan.scenes) scenes.push_back(each.generic_string());
         RenderOptions options;
         options.libraryRoots = plan.libraryRoots;
         system::Sandbox drawing = sandboxOf(scenes, options, arguments.made.driver);
@@ -134,7 +135,7 @@ int runGalleryCommand(const GalleryArguments& arguments) {
     }
     if (end.stopped || hasError(end.diagnostics)) return kSceneIsWrong;
     reportScenes(end.gallery, plan.folder);
-    printLine("page: " + (plan.site / "index.html").string());
+    printLine("page: " + (plan.site / "index.html").generic_string());
     const std::vector<gallery::GalleryScene>& all = end.gallery.scenes;
     return std::all_of(all.begin(), all.end(), gallery::isDrawn) ? kDone : kSceneIsWrong;
 }

@@ -35,8 +35,9 @@ Diagnostics libraryHint(const fs::path& scene, const Diagnostics& diagnostics, c
         if (found.path.empty() && other.empty()) continue;
         const std::string as = found.path.empty() ? fmt::format(" as '{}'", other) : "";
         const char* const finds = as.empty() ? "finds it" : "finds it by that name";
-        return {withoutId(Severity::note, fmt::format("the library of glibra has '{}'{}; --library {} {}",
-                                                      name, as, suite::shellWord(library.string()), finds))};
+        return {
+            withoutId(Severity::note, fmt::format("the library of glibra has '{}'{}; --library {} {}", name,
+                                                  as, suite::shellWord(library.generic_string()), finds))};
     }
     return {};
 }

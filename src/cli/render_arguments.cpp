@@ -69,7 +69,7 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     for (const std::string& scene : arguments.scenes) {
         names.push_back(scene == kStandardInput ? "stdin.png"
                                                 : fs::path(scene).filename().replace_extension(".png"));
-        distinct.insert(names.back().string());
+        distinct.insert(names.back().generic_string());
     }
     if (distinct.size() < names.size()) {
         fs::path common = absolutePath(arguments.scenes.front()).parent_path();
@@ -106,7 +106,7 @@ namespace fs = std::filesystem;
 /// Reads a frame with the PNG reader alone, since a worker that a scene has taken over may have written
 /// something else.
 Result<image::Image> readFrame(const fs::path& file) {
-    const image::FileLabel label{file.filename().string(), {}};
+    const image::FileLabel label{file.filename().generic_string(), {}};
     const auto bytes = image::readFile(file, label);
     if (!bytes) return bytes.diagnostics;
     return image::decodePng(*bytes, label);
@@ -232,7 +232,8 @@ class JobRunner {
             job.saves.push_back(std::move(save));
         }
         job.named = namedBy(arguments_);
-        job.options = optionsFor(job.scene.string(), arguments_.standardInput, arguments_.picture.options);
+        job.options =
+            optionsFor(job.scene.generic_string(), arguments_.standardInput, arguments_.picture.options);
         job.written = written_[piece];
         job.part = static_cast<int>(piece % parts_);
         job.parts = static_cast<int>(parts_);
@@ -399,7 +400,8 @@ class SceneBatch {
                 std::error_code failure;
                 if (seen.insert(way).second && fs::is_symlink(fs::symlink_status(way, failure)))
                     problems.push_back(image::cannotWrite(
-                        each, fmt::format("the folder '{}' is a link; name it with -o", way.string())));
+                        each,
+                        fmt::format("the folder '{}' is a link; name it with -o", way.generic_string())));
             }
         }
         return problems;

@@ -62,7 +62,7 @@ Diagnostics resolveScenes(const std::vector<std::string>& words, SceneArguments&
                                                   : "the folder has too many files to search for scenes",
                                             {each, 1, 1}));
             else
-                for (const fs::path& scene : *found) to.scenes.push_back(scene.string());
+                for (const fs::path& scene : *found) to.scenes.push_back(scene.generic_string());
         } else {
             to.scenes.push_back(each);
         }

@@ -77,11 +77,11 @@ int settleOrphans(const std::vector<suite::Suite>& suites,
             std::string text =
                 fmt::format("{} of no shot of '{}' {} removed:", base::counted(left.size(), "golden"),
                             suites[i].name, left.size() == 1 ? "was" : "were");
-            for (const fs::path& each : left) text += " " + each.string();
+            for (const fs::path& each : left) text += " " + each.generic_string();
             print({withoutId(Severity::note, text)});
             continue;
         }
-        for (const fs::path& each : left) run.orphans.push_back({suites[i].name, each.string()});
+        for (const fs::path& each : left) run.orphans.push_back({suites[i].name, each.generic_string()});
     }
     std::ranges::sort(run.orphans);
     return status;
@@ -182,7 +182,7 @@ Diagnostics overwrittenBy(const TestArguments& arguments, const Selection& selec
                 fmt::format(
                     "--update: '{}' is a golden of the suites '{}' and '{}'; give each suite a folder "
                     "of its own, or its shots other names",
-                    golden.string(), selection.suites[known->second].name, suite.name),
+                    golden.generic_string(), selection.suites[known->second].name, suite.name),
                 shot.place));
     }
     for (const auto& [golden, suite] : goldens) read.add(golden, "it is a golden of this run");
@@ -226,7 +226,8 @@ std::string lineOf(const suite::ShotResult& shot) {
 /// The names of all shots to judge.
 std::vector<suite::PlannedShots> planOf(const Selection& selection) {
     std::vector<suite::PlannedShots> plan;
-    for (const suite::Suite& each : selection.suites) plan.push_back({each.name, {}, each.file.string()});
+    for (const suite::Suite& each : selection.suites)
+        plan.push_back({each.name, {}, each.file.generic_string()});
     for (const suite::ShotReference& each : selection.shots)
         plan[each.suite].shots.push_back(selection.suites[each.suite].shots[each.shot].name);
     return plan;
@@ -288,7 +289,7 @@ void moveGolden(suite::ShotResult& shot, const Selection& selection, const suite
     }
     const bool isSame = !shot.renamedFrom.empty() || shot.judgement.same;
     shot.verdict = isSame ? suite::Verdict::updated : suite::Verdict::failed;
-    shot.reason = fmt::format("the golden '{}' was renamed{}", from.string(),
+    shot.reason = fmt::format("the golden '{}' was renamed{}", from.generic_string(),
                               isSame ? "" : "; the picture is another one: " + shot.judgement.reason);
 }
 

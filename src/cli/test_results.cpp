@@ -35,7 +35,7 @@ bool hasMark(const fs::path& file, std::string_view mark) {
     constexpr std::size_t kSearched = 4096;
     std::error_code failure;
     if (!fs::is_regular_file(file, failure)) return false;
-    const auto bytes = image::readFile(file, {file.string(), {}}, kLargest);
+    const auto bytes = image::readFile(file, {file.generic_string(), {}}, kLargest);
     if (!bytes) return false;
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     return text.substr(0, kSearched).find(mark) != std::string_view::npos;
@@ -54,7 +54,8 @@ void markResults(const fs::path& folder) {
     const std::uintmax_t size = fs::file_size(file, failure);
     if (!failure && size > cut) fs::resize_file(file, size - cut, failure);
     if (failure)
-        print({diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), failure.message()))});
+        print({diagnose("file-E10",
+                        fmt::format("cannot write '{}': {}", file.generic_string(), failure.message()))});
 }
 
 /// Prints why a file could not be written, and removes the old one then.
@@ -96,7 +97,8 @@ bool writeReports(const suite::RunResult& run, const ReportRequest& request, con
     Diagnostics problems;
     if (!request.report.empty()) {
         append(problems, suite::writeHtmlReport(run, results, request.report, roots));
-        if (!hasError(problems)) printLine("report: " + (fs::path(request.report) / "index.html").string());
+        if (!hasError(problems))
+            printLine("report: " + (fs::path(request.report) / "index.html").generic_string());
     }
     if (!request.junit.empty()) append(problems, writeText(request.junit, suite::toJunit(run)));
     if (!request.summary.empty())
@@ -112,7 +114,8 @@ namespace fs = std::filesystem;
 
 /// True for names that only a run gives to its pictures: "SHOT.got.png".
 bool isOfRun(const fs::path& file) {
-    const std::string what = file.stem().extension().string(), ending = file.extension().string();
+    const std::string what = file.stem().extension().generic_string(),
+                      ending = file.extension().generic_string();
     return (ending == ".png" || ending == ".exr") &&
            (what == ".got" || what == ".expected" || what == ".difference" || what == ".again" ||
             what == ".partner");
@@ -149,7 +152,7 @@ std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::Ru
             suite::ResultsWriter::open(folder, run, resume ? Start::resumed : Start::anew);
         if (!writer && isLocked(writer.diagnostics) && !stop()) {
             if (!reported)
-                printLine("another run is writing to '" + folder.string() +
+                printLine("another run is writing to '" + folder.generic_string() +
                           "'; waiting for it (or choose another folder with --results)");
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
             continue;

@@ -166,10 +166,10 @@ std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driv
                 withoutId(Severity::error,
                           link ? fmt::format("--untrusted: the {} '{}' is reached through a link, which "
                                              "is not followed",
-                                             what, path.string())
+                                             what, path.generic_string())
                                : fmt::format("--untrusted: the {} '{}' must be below the suite's folder or "
                                              "the current one",
-                                             what, path.string()),
+                                             what, path.generic_string()),
                           place));
         return std::optional<system::Reach>();
     };
@@ -191,7 +191,7 @@ std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driv
         if (!goldens.empty())
             readable.add({goldens, each.name});
         else if (std::optional<system::Reach> way =
-                     wayTo(each, "folder of goldens", each.goldens, {each.file.string(), 1, 1}))
+                     wayTo(each, "folder of goldens", each.goldens, {each.file.generic_string(), 1, 1}))
             readable.add(std::move(*way));
     }
     for (const system::Reach& folder : folders) {
@@ -204,7 +204,7 @@ std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driv
                 problems.push_back(withoutId(
                     Severity::error,
                     fmt::format("--untrusted: the folder '{}', which is written to, must not contain '{}'",
-                                folder.whole().string(), each.whole().string())));
+                                folder.whole().generic_string(), each.whole().generic_string())));
     }
     print(problems);
     if (!problems.empty()) return std::nullopt;
@@ -255,7 +255,8 @@ std::optional<fs::path> StagingFolder::find(std::size_t piece, const fs::path& t
 Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target, image::NamedBy named) const {
     const fs::path file = path_ / std::to_string(piece) / target.filename();
     const auto refuse = [&](const std::string& why) {
-        return Diagnostics{diagnose("file-E10", fmt::format("cannot write '{}': {}", target.string(), why))};
+        return Diagnostics{
+            diagnose("file-E10", fmt::format("cannot write '{}': {}", target.generic_string(), why))};
     };
     const FileKind made = system::kindOf(file, Links::not_followed);
     if (made == FileKind::missing) return {};

@@ -22,7 +22,7 @@ constexpr SisterProgram kWindow{"glibra-view", "`glibra render SCENE` makes a pi
 constexpr std::size_t kMostTabs = 64;
 
 bool isNamedAsScene(const std::string& word) {
-    return glib::sameWord(fs::path(word).extension().string(), ".glib");
+    return glib::sameWord(fs::path(word).extension().generic_string(), ".glib");
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ std::string whyNoScene(const std::string& scene) {
     scene::FolderListings listings;
     const fs::path folder = fs::path(scene).has_parent_path() ? fs::path(scene).parent_path() : ".";
     const auto near =
-        scene::nearestFiles(fs::path(scene).filename().string(), std::span(&folder, 1), listings);
+        scene::nearestFiles(fs::path(scene).filename().generic_string(), std::span(&folder, 1), listings);
     return fmt::format("there is no file '{}'{}", scene,
                        near.empty() ? "" : fmt::format("; did you mean '{}'?", near.front()));
 }

@@ -31,7 +31,7 @@ void ReadFiles::add(const Selection& selection, const suite::ShotInputs& inputs)
         const fs::path& script = selection.suites[shot.suite].shots[shot.shot].script;
         for (const fs::path& each : read.files)
             add(each, each == script ? std::string("it is a scene of this run")
-                                     : fmt::format("the scene '{}' reads it", script.string()));
+                                     : fmt::format("the scene '{}' reads it", script.generic_string()));
     }
 }
 
@@ -43,7 +43,7 @@ Diagnostics ReadFiles::overwrittenBy(const fs::path& file, std::string_view opti
         found = files_.find(target);
     if (found == files_.end()) return {};
     return {diagnose("file-E13", fmt::format("{}: '{}' is not written over, because {}; choose another name",
-                                             option, file.string(), found->second))};
+                                             option, file.generic_string(), found->second))};
 }
 
 ReadFiles filesReadBy(std::span<const std::string> scenes, const std::optional<std::string>& standardInput,

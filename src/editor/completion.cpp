@@ -195,9 +195,10 @@ std::optional<glsl::Stage> stageOfFile(const std::filesystem::path& file) {
         {Stage::tessEvaluation, ".tese", ".tes"}, {Stage::geometry, ".geom", ".gs"},
         {Stage::fragment, ".frag", ".fs"},        {Stage::compute, ".comp", ".cs"}};
     std::filesystem::path suffix = file.extension();
-    if (glib::sameWord(suffix.string(), ".glsl")) suffix = file.stem().extension();  // "a.frag.glsl"
+    if (glib::sameWord(suffix.generic_string(), ".glsl")) suffix = file.stem().extension();  // "a.frag.glsl"
     for (const Suffixes& each : kSuffixes)
-        if (glib::sameWord(suffix.string(), each.usual) || glib::sameWord(suffix.string(), each.brief))
+        if (glib::sameWord(suffix.generic_string(), each.usual) ||
+            glib::sameWord(suffix.generic_string(), each.brief))
             return each.stage;
     return std::nullopt;
 }

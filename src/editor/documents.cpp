@@ -27,7 +27,8 @@ int hexDigit(char c) {
 CodeLanguage languageOf(const std::filesystem::path& file, const std::string& id) {
     if (id == "glib") return CodeLanguage::glib;
     if (id == "glsl") return CodeLanguage::glsl;
-    return glib::sameWord(file.extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
+    return glib::sameWord(file.extension().generic_string(), ".glib") ? CodeLanguage::glib
+                                                                      : CodeLanguage::glsl;
 }
 
 }  // namespace
@@ -59,7 +60,7 @@ std::string uriOf(const std::filesystem::path& file) {
     std::string uri(kFileScheme);
     std::error_code failure;
     const std::filesystem::path whole = std::filesystem::absolute(file, failure);
-    for (const char c : whole.lexically_normal().string()) {
+    for (const char c : whole.lexically_normal().generic_string()) {
         if (glib::isLetter(c) || glib::isDigit(c) || kPlain.find(c) != std::string_view::npos)
             uri += c;
         else
@@ -118,7 +119,7 @@ const Document* Documents::findFile(const std::filesystem::path& file) const {
 
 std::string Documents::textOf(const std::filesystem::path& file) const {
     if (const Document* open = findFile(file)) return open->text;
-    const auto bytes = image::readFile(file, {file.string(), {}}, glib::kLargestFile);
+    const auto bytes = image::readFile(file, {file.generic_string(), {}}, glib::kLargestFile);
     return bytes ? std::string(base::asText(*bytes)) : std::string();
 }
 

@@ -124,13 +124,20 @@ std::filesystem::path LanguageServer::found(const Document& from, const std::str
     if (from.language == CodeLanguage::glsl) {
         for (const auto& [scene, check] : checks_)
             if (check.uses(from.file))
-                return scene::findInclude(name, from.file.string(), scene.string(), options, listings).path;
-        return scene::findInclude(name, from.file.string(), from.file.string(), options, listings).path;
+                return scene::findInclude(name, from.file.generic_string(), scene.generic_string(), options,
+                                          listings)
+                    .path;
+        return scene::findInclude(name, from.file.generic_string(), from.file.generic_string(), options,
+                                  listings)
+            .path;
     }
     const scene::SearchFolders folders = scene::searchFolders(from.file, options);
-    std::filesystem::path path = scene::findFile(name, {from.file.string(), 1, 1}, folders, listings).path;
+    std::filesystem::path path =
+        scene::findFile(name, {from.file.generic_string(), 1, 1}, folders, listings).path;
     if (path.empty())  // perhaps of a shader in the scene
-        path = scene::findInclude(name, from.file.string(), from.file.string(), options, listings).path;
+        path = scene::findInclude(name, from.file.generic_string(), from.file.generic_string(), options,
+                                  listings)
+                   .path;
     return path;
 }
 
@@ -176,7 +183,7 @@ json LanguageServer::definition(const json& parameters) {
         if (scene == document.file || check.uses(document.file))
             others.insert(others.end(), check.files.begin(), check.files.end());
     for (const std::filesystem::path& file : others) {
-        if (file == document.file || glib::sameWord(file.extension().string(), ".glib")) continue;
+        if (file == document.file || glib::sameWord(file.extension().generic_string(), ".glib")) continue;
         const std::string other = documents_.textOf(file);
         const std::vector<DeclaredName> all = declaredNames(other);
         const auto declared = std::ranges::find_if(all, [&](const DeclaredName& each) {

@@ -260,7 +260,7 @@ void LanguageServer::findScenesOf(const Document& shader) {
     if (root == root.root_path()) return;
     const Result<std::vector<std::filesystem::path>> scenes = suite::scenesBelow(root);
     if (!scenes) return;
-    const std::string name = shader.file.filename().string();
+    const std::string name = shader.file.filename().generic_string();
     std::size_t count = 0;
     for (const std::filesystem::path& each : *scenes) {
         if (count >= kMostScenes) return;
@@ -284,10 +284,10 @@ void LanguageServer::work() {
     if (!checked.failure.empty()) {
         // Its last messages and names are better than none.
         if (const auto last = checks_.find(scene); last != checks_.end()) checked.check = last->second;
-        send(
-            {{"jsonrpc", "2.0"},
-             {"method", "window/logMessage"},
-             {"params", {{"type", 2}, {"message", fmt::format("{}: {}", scene.string(), checked.failure)}}}});
+        send({{"jsonrpc", "2.0"},
+              {"method", "window/logMessage"},
+              {"params",
+               {{"type", 2}, {"message", fmt::format("{}: {}", scene.generic_string(), checked.failure)}}}});
     }
     report(scene, checked.check);
 }

@@ -188,11 +188,11 @@ json toJson(const SceneCheck& check) {
     for (const Diagnostic& each : check.diagnostics)
         answer["messages"].push_back({static_cast<int>(each.severity), each.id, each.text, each.place.file,
                                       each.place.line, each.place.column});
-    for (const std::filesystem::path& each : check.files) answer["files"].push_back(each.string());
+    for (const std::filesystem::path& each : check.files) answer["files"].push_back(each.generic_string());
     for (const SceneProgram& each : check.names.programs) {
         json stages = json::array();
         for (const SceneProgram::Stage& stage : each.stages)
-            stages.push_back({static_cast<int>(stage.stage), stage.file.string()});
+            stages.push_back({static_cast<int>(stage.stage), stage.file.generic_string()});
         answer["programs"].push_back({each.name, each.file, each.line, stages});
     }
     for (const KnownName& each : check.names.values)
@@ -269,7 +269,7 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
                     context.names.push_back(
                         {name.name,
                          name.type,
-                         fmt::format("{} in {}", name.declaration, each.file.filename().string()),
+                         fmt::format("{} in {}", name.declaration, each.file.filename().generic_string()),
                          {},
                          context.language});
         }
@@ -286,7 +286,7 @@ SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions
             diagnose("glib-E15",
                      fmt::format("the scene has more than {} bytes",
                                  base::groupedText(static_cast<long long>(glib::kLargestFile))),
-                     {scene.string(), 1, 1}));
+                     {scene.generic_string(), 1, 1}));
         return check;
     }
     render::Stats stats;
@@ -297,7 +297,7 @@ SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions
         check.names = namesOf(interpreted->scene);
         if (interpreted->source)
             for (const glib::Script* each : interpreted->source->scripts())
-                if (each->path != scene.string()) check.files.emplace_back(each->path);
+                if (each->path != scene.generic_string()) check.files.emplace_back(each->path);
         for (const scene::FileReference& each : interpreted->scene.files)
             append(check.diagnostics, each.remarks);
         for (const scene::Buffer& each : interpreted->scene.buffers)
@@ -329,7 +329,7 @@ std::string sceneAround(const std::filesystem::path& shader, glsl::Stage stage) 
         "TessEvaluation inline\n" + version +
         "layout(triangles) in;\nvoid main() { gl_Position = vec4(0.); }\nEndTessEvaluation\n";
     const auto own = [&](const char* word) {
-        return fmt::format("{} \"{}\"\n", word, shader.filename().string());
+        return fmt::format("{} \"{}\"\n", word, shader.filename().generic_string());
     };
     const std::string end = "Let glibra_alone 1\nProgram Alone\n";  // a modern scene, which has buffers
     switch (stage) {

@@ -48,7 +48,7 @@ class Texts {
 
     /// Reads a file and adds it. Returns its text, or an empty one.
     std::string add(const fs::path& file, const std::string& role) {
-        if (!seen_.insert(whole(file).string()).second) return {};
+        if (!seen_.insert(whole(file).generic_string()).second) return {};
         const std::optional<std::string> text = base::textIn(readable_.open(file), kLargestText);
         if (!text || text->find('\0') != std::string::npos || to_.sources.size() >= kMostSources ||
             size_ + text->size() > kMostText)
@@ -72,7 +72,7 @@ class Texts {
             open.pop_back();
             for (const std::string& each : classroom::includedNames(text)) {
                 const fs::path found =
-                    scene::findInclude(each, path.string(), scene.path, options, listings_).path;
+                    scene::findInclude(each, path.generic_string(), scene.path, options, listings_).path;
                 if (found.empty()) continue;
                 if (std::string included = add(found, "included"); !included.empty())
                     open.emplace_back(found, std::move(included));
@@ -85,7 +85,7 @@ class Texts {
         if (std::optional<std::string> inside = below(task_.folder, file)) return *inside;
         for (const fs::path& root : task_.options.libraryRoots)
             if (std::optional<std::string> inside = below(root, file)) return *inside;
-        return file.filename().string();
+        return file.filename().generic_string();
     }
 
     const DescribeTask& task_;

@@ -59,7 +59,7 @@ std::string tileHtml(const GalleryScene& scene) {
         "<a class=\"tile\" href=\"{}\" data-text=\"{}\"><span class=\"frame{}\">{}</span><b>{}</b>"
         "<small>{}</small></a>\n",
         pageOf(scene), escapeXml(searchText(scene)), scene.film.empty() ? "" : " moves", frame,
-        nameHtml(fs::path(scene.path).stem().string()), nameHtml(scene.description.head.summary));
+        nameHtml(fs::path(scene.path).stem().generic_string()), nameHtml(scene.description.head.summary));
 }
 
 using Sections = std::vector<std::pair<std::string, std::vector<const GalleryScene*>>>;

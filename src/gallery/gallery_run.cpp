@@ -60,7 +60,7 @@ class GalleryRun {
         : plan_(plan), workers_(workers), events_(events) {
         Gallery& gallery = end_.gallery;
         gallery.title = plan.title;
-        gallery.folder = plan.folder.string();
+        gallery.folder = plan.folder.generic_string();
         for (const fs::path& each : plan.scenes)
             gallery.scenes.emplace_back().path = each.lexically_relative(plan.folder).generic_string();
         suite_.name = "gallery";
@@ -140,7 +140,7 @@ class GalleryRun {
         }
         suite::RunEvents events;
         events.begins = [&](const ShotReference& each) {
-            if (events_.begins) events_.begins(suite_.shots[each.shot].script.string());
+            if (events_.begins) events_.begins(suite_.shots[each.shot].script.generic_string());
         };
         events.done = [&](const suite::ShotResult& result) {
             if (const auto found = numbers.find(result.shot); found != numbers.end())
@@ -220,7 +220,8 @@ class GalleryRun {
             if (!bytes) return;
             // With the PNG reader alone, since a worker that a scene has taken over may have written
             // something else.
-            const Result<image::Image> picture = image::decodePng(*bytes, {name.string(), {}}, limits);
+            const Result<image::Image> picture =
+                image::decodePng(*bytes, {name.generic_string(), {}}, limits);
             if (!picture) return;
             if (frame > 0 && (picture->width != width || picture->height != height)) return;
             width = picture->width;

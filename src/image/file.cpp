@@ -100,7 +100,7 @@ Result<std::vector<std::byte>> readFile(const base::FileSource& source, const Fi
 }
 
 Diagnostic cannotWrite(const fs::path& path, const std::string& why) {
-    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.string(), why));
+    return diagnose("file-E10", fmt::format("cannot write '{}': {}", path.generic_string(), why));
 }
 
 TemporaryFile::TemporaryFile(const fs::path& target, NamedBy named)
@@ -114,8 +114,8 @@ TemporaryFile::TemporaryFile(const fs::path& target, NamedBy named)
     constexpr int kAttempts = 1000;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         // Not the full name of the target: with the suffix, it might exceed the longest file name.
-        const std::string name =
-            fmt::format(".glibra-{}-{}.tmp{}", system::ownNumber(), attempt, target_.extension().string());
+        const std::string name = fmt::format(".glibra-{}-{}.tmp{}", system::ownNumber(), attempt,
+                                             target_.extension().generic_string());
         path_ = target_.parent_path() / name;
         file_ = system::makeNewFile(path_);
         if (file_) return;
@@ -146,7 +146,8 @@ Diagnostics TemporaryFile::commit() {
 
 Diagnostics moveIntoPlace(const fs::path& from, const fs::path& target, NamedBy named) {
     if (mustStay(target, named)) {
-        const auto bytes = readFile(from, {target.string(), {}}, std::numeric_limits<std::uint64_t>::max());
+        const auto bytes =
+            readFile(from, {target.generic_string(), {}}, std::numeric_limits<std::uint64_t>::max());
         if (!bytes) return {cannotWrite(target, bytes.diagnostics.front().text)};
         const int failed = system::writeOver(target, *bytes);
         std::error_code ignored;
@@ -165,7 +166,7 @@ void removeTemporaryFiles(const fs::path& folder, int process) {
     std::error_code failure;
     for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
          each.increment(failure))
-        if (each->path().filename().string().starts_with(begin)) {
+        if (each->path().filename().generic_string().starts_with(begin)) {
             std::error_code ignored;
             fs::remove(each->path(), ignored);
         }
@@ -177,7 +178,7 @@ void removeAbandonedFiles(const fs::path& folder) {
     std::error_code failure;
     for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
          each.increment(failure)) {
-        const std::string name = each->path().filename().string();
+        const std::string name = each->path().filename().generic_string();
         if (!name.starts_with(kBegin)) continue;
         int process = 0;
         const char* const last = name.data() + name.size();

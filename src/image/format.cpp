@@ -157,7 +157,7 @@ Format formatOf(std::span<const std::byte> bytes) {
 }
 
 Format formatOfSuffix(const std::filesystem::path& path) {
-    const std::string suffix = base::lower(path.extension().string()) + ' ';
+    const std::string suffix = base::lower(path.extension().generic_string()) + ' ';
     if (suffix.size() < 3) return Format::unknown;
     for (const Row& row : kFormatRows)
         if (row.suffixes.find(suffix) != std::string_view::npos) return row.format;

@@ -38,7 +38,8 @@ std::variant<Module, std::string> loadModule(std::span<const fs::path> folders) 
         std::error_code failed;
         if (!fs::exists(file, failed)) continue;
         std::string problem;
-        const auto library = system::Library::open(file.string(), system::Library::When::all_now, problem);
+        const auto library =
+            system::Library::open(file.generic_string(), system::Library::When::all_now, problem);
         if (!library) {
             if (why.empty()) why = fmt::format("cannot be loaded: {}", problem);
             continue;
@@ -49,7 +50,7 @@ std::variant<Module, std::string> loadModule(std::span<const fs::path> folders) 
         if (version != nullptr && version() == kGlibraModuleVersion && module.read != nullptr &&
             module.write != nullptr)
             return module;
-        if (why.empty()) why = fmt::format("is of another version of glibra: {}", file.string());
+        if (why.empty()) why = fmt::format("is of another version of glibra: {}", file.generic_string());
     }
     return why.empty() ? "is not installed" : why;
 }
@@ -264,7 +265,7 @@ fs::path librariesOfPackage(const fs::path& folder) {
     const fs::path packages = folder.parent_path(), python = packages.parent_path();
     const bool isPackage =
         (packages.filename() == "site-packages" || packages.filename() == "dist-packages") &&
-        python.filename().string().starts_with("python");
+        python.filename().generic_string().starts_with("python");
     return isPackage ? python.parent_path() : fs::path();
 }
 

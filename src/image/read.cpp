@@ -209,7 +209,7 @@ Result<Image> decode(ByteSpan file, Format format, const fs::path& path, const F
 
 Result<Image> decodeImage(std::span<const std::byte> file, const fs::path& path, const Place& place,
                           const ReadOptions& options) {
-    const FileLabel label{path.filename().string(), place};
+    const FileLabel label{path.filename().generic_string(), place};
     const Format format = formatOf(file), promised = formatOfSuffix(path);
     Result<Image> result;
     try {
@@ -224,7 +224,7 @@ Result<Image> decodeImage(std::span<const std::byte> file, const fs::path& path,
 }
 
 Result<Image> readImage(const base::FileSource& source, const Place& place, const ReadOptions& options) {
-    auto file = readFile(source, {source.path.filename().string(), place}, options.limits.fileBytes);
+    auto file = readFile(source, {source.path.filename().generic_string(), place}, options.limits.fileBytes);
     if (!file) return std::move(file.diagnostics);
     return decodeImage(*file, source.path, place, options);
 }

@@ -215,7 +215,7 @@ TexelBlock withBlockType(TexelBlock block, Component type) {
 Result<TexelBlock> readTexture(const base::FileSource& source, int dimensions, const Place& place,
                                const ReadOptions& options) {
     const fs::path& path = source.path;
-    const FileLabel label{path.filename().string(), place};
+    const FileLabel label{path.filename().generic_string(), place};
     auto file = readFile(source, label, options.limits.fileBytes);
     if (!file) return std::move(file.diagnostics);
     try {
@@ -255,11 +255,11 @@ Pictures readPictures(std::span<const base::FileSource> files, int dimensions, c
         if (!block) continue;
         const TexelBlock& first = all.blocks.empty() ? *block : all.blocks.front();
         if (const std::string problem = problemOf(*block, first); !problem.empty()) {
-            all.remarks.push_back(
-                diagnose("file-E06",
-                         fmt::format("{}: '{}' is {} x {}, {}", command, source.path.filename().string(),
-                                     block->width, block->height, problem),
-                         place));
+            all.remarks.push_back(diagnose(
+                "file-E06",
+                fmt::format("{}: '{}' is {} x {}, {}", command, source.path.filename().generic_string(),
+                            block->width, block->height, problem),
+                place));
             return all;
         }
         all.type = std::max(all.type, block->type);
@@ -455,7 +455,7 @@ Result<TexelBlock> readCubePicture(const base::FileSource& source, const Place& 
     read.diagnostics.push_back(diagnose(
         "file-E06",
         fmt::format("CubeMap: '{}' is {} x {}; one picture must be a panorama (2:1) or a cross (4:3)",
-                    source.path.filename().string(), picture.width, picture.height),
+                    source.path.filename().generic_string(), picture.width, picture.height),
         place));
     return std::move(read.diagnostics);
 }

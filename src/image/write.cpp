@@ -64,7 +64,7 @@ Diagnostics writeOther(const Image& image, Format format, const fs::path& path, 
         return {cannotWrite(path, "it is a folder")};
     TemporaryFile temporary(path, options.named);
     if (temporary.path().empty()) return {temporary.failure()};
-    Diagnostics problems = writeByModule(image, format, temporary.path(), {path.string(), {}},
+    Diagnostics problems = writeByModule(image, format, temporary.path(), {path.generic_string(), {}},
                                          options.comment, options.moduleFolders);
     if (hasError(problems)) return problems;
     return temporary.commit();
@@ -76,7 +76,7 @@ Diagnostics remarksOn(const Image& image, Format format, const fs::path& path) {
     return {diagnose("file-W14",
                      fmt::format("'{}' has no alpha, so the transparency of the picture is lost; .png "
                                  "and .tif keep it",
-                                 path.string()))};
+                                 path.generic_string()))};
 }
 
 Diagnostics writeAs(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
@@ -101,7 +101,7 @@ Diagnostics writeImage(const Image& image, const fs::path& path, const WriteOpti
         if (format == Format::unknown || format == Format::rawTexture)
             return {
                 cannotWrite(path, fmt::format("the suffix '{}' is not that of a picture format; .png is one",
-                                              path.extension().string()))};
+                                              path.extension().generic_string()))};
         Diagnostics problems = writeAs(image, format, path, options);
         if (!hasError(problems)) append(problems, remarksOn(image, format, path));
         return problems;

@@ -191,7 +191,7 @@ Result<Picture> pictureIn(const Picture& picture) {
     return picture;
 }
 Result<Picture> pictureIn(const std::filesystem::path& file) {
-    Result<image::Image> read = image::readImage(file, {file.string(), 1, 1});
+    Result<image::Image> read = image::readImage(file, {file.generic_string(), 1, 1});
     if (!read) return std::move(read.diagnostics);
     return pictureOf(std::move(*read));
 }
@@ -228,10 +228,11 @@ Result<void> Picture::save(const std::filesystem::path& file) const {
     if (!isOfOnes(*this)) return image::writeImage(imageOf(*this), file);
     const image::Format format = image::formatOfSuffix(file);
     if (format != image::Format::openExr && format != image::Format::pfm)
-        return diagnose("library-E06",
-                        fmt::format("whole numbers {} are written by .exr and .pfm, not by {}",
-                                    isSigned ? "with a sign" : "of 32 bits", file.extension().string()),
-                        {file.string(), 1, 1});
+        return diagnose(
+            "library-E06",
+            fmt::format("whole numbers {} are written by .exr and .pfm, not by {}",
+                        isSigned ? "with a sign" : "of 32 bits", file.extension().generic_string()),
+            {file.generic_string(), 1, 1});
     Result<image::Image> floats = asFloats(*this);
     if (!floats) return std::move(floats.diagnostics);
     return image::writeImage(*floats, file);

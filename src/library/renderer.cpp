@@ -164,7 +164,7 @@ Diagnostics identified(Diagnostics messages, const std::string& id, const std::f
     for (Diagnostic& each : messages) {
         if (each.severity != Severity::error || !each.id.empty()) continue;
         each.id = id;
-        if (each.place.file.empty()) each.place = {scene.string(), 1, 1};
+        if (each.place.file.empty()) each.place = {scene.generic_string(), 1, 1};
     }
     return messages;
 }
@@ -292,7 +292,7 @@ Result<Picture> Renderer::render(const std::filesystem::path& scene, const Rende
         return drawn;
     } catch (const base::DeviceLost& lost) {
         state_->lose();
-        return base::diagnosticOf(lost, scene.string());
+        return base::diagnosticOf(lost, scene.generic_string());
     }
 }
 
@@ -322,7 +322,7 @@ Result<Scene> Renderer::load(const std::filesystem::path& scene, const RenderOpt
         return {Scene(std::move(state)), std::move(remarks)};
     } catch (const base::DeviceLost& lost) {
         state_->lose();
-        return base::diagnosticOf(lost, scene.string());
+        return base::diagnosticOf(lost, scene.generic_string());
     }
 }
 

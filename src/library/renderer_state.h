@@ -120,7 +120,7 @@ Result<T> Scene::State::guarded(State* scene, const Work& work) {
         return work();
     } catch (const base::DeviceLost& lost) {
         scene->renderer->lose();
-        return base::diagnosticOf(lost, scene->path.string());
+        return base::diagnosticOf(lost, scene->path.generic_string());
     }
 }
 

@@ -268,7 +268,7 @@ Result<Picture> Scene::State::textureNamed(std::string_view name) {
         return diagnose("library-E02",
                         fmt::format("'{}': '{}' has {}", name, texture.name,
                                     base::counted(*layers, isCube ? "face" : "layer")),
-                        {path.string(), 1, 1});
+                        {path.generic_string(), 1, 1});
     if (device.live->texture(view->texture) != nullptr) return pictureIn(device.live->numbersOf(*view));
     return drawnFor<Picture>(
         name, [&](render::SceneRenderer& drawn) { return pictureIn(drawn.textureNumbers(*view)); });
@@ -300,7 +300,7 @@ Result<BufferContent> Scene::State::bufferNamed(std::string_view name) {
     }
     return diagnose("library-E02",
                     fmt::format("the scene has no buffer '{}'{}", name, base::suggestion(name, names)),
-                    {path.string(), 1, 1});
+                    {path.generic_string(), 1, 1});
 }
 
 Result<BufferContent> Scene::buffer(std::string_view name) {

@@ -165,7 +165,7 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
         for (const render::Knob& each : all) names.push_back(each.tag);
         return diagnose("library-E02",
                         fmt::format("the scene has no value '{}'{}", name, base::suggestion(name, names)),
-                        {path.string(), 1, 1});
+                        {path.generic_string(), 1, 1});
     }
     std::vector<double> read(values.begin(), values.end());
     if (values.empty()) {
@@ -180,7 +180,7 @@ Result<void> Scene::State::set(std::string_view name, std::span<const double> va
                                 words.empty() ? fmt::format("'{}': expected numbers, found '{}'", tag, text)
                                               : fmt::format("'{}': expected one of {}, found '{}'", tag,
                                                             fmt::join(words, ", "), text),
-                                {path.string(), 1, 1});
+                                {path.generic_string(), 1, 1});
             read = parsed->values;
         }
     }

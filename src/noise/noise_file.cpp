@@ -37,7 +37,7 @@ bool usesColors(const NoiseFile& noise, const std::filesystem::path& file) {
 }  // namespace
 
 std::string endingOf(const std::filesystem::path& file) {
-    return base::lower(file.extension().string());
+    return base::lower(file.extension().generic_string());
 }
 
 Diagnostics writeNoise(const NoiseFile& noise, const std::filesystem::path& file) {

@@ -172,7 +172,7 @@ std::string placeOf(const ProgramInterface& interface, const ActiveUniform& unif
     const auto declared = interface.facts.uniforms.find(std::string(rootName(uniform.name)));
     if (declared == interface.facts.uniforms.end() || declared->second.place.file.empty()) return {};
     const Place& place = declared->second.place;
-    return fmt::format(" ({}:{})", std::filesystem::path(place.file).filename().string(), place.line);
+    return fmt::format(" ({}:{})", std::filesystem::path(place.file).filename().generic_string(), place.line);
 }
 
 /// Why an image of the format `declared` cannot see texels of `format`; empty if it can. GL reinterprets

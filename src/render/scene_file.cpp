@@ -14,12 +14,12 @@ namespace {
 /// The scene's text. Errors have the ids glib-E14 and glib-E15 in place of those for files that a scene
 /// names.
 Result<std::string> readScene(const std::filesystem::path& path) {
-    const Place place{path.string(), 1, 1};
+    const Place place{path.generic_string(), 1, 1};
     std::error_code failure;
     // Messages about a scene quote it. A folder of scenes may come from somebody else, with a link to a file
     // that is none.
     const auto isNamedAsScene = [](const std::filesystem::path& file) {
-        return glib::sameWord(file.extension().string(), ".glib");
+        return glib::sameWord(file.extension().generic_string(), ".glib");
     };
     if (isNamedAsScene(path) && std::filesystem::is_symlink(path, failure) &&
         !isNamedAsScene(std::filesystem::canonical(path, failure)) && !failure)
@@ -29,7 +29,7 @@ Result<std::string> readScene(const std::filesystem::path& path) {
     // An empty scene is valid, unlike every other empty file.
     if (std::filesystem::is_regular_file(path, failure) && std::filesystem::is_empty(path, failure))
         return std::string();
-    const auto bytes = image::readFile(path, {path.string(), place}, glib::kLargestFile);
+    const auto bytes = image::readFile(path, {path.generic_string(), place}, glib::kLargestFile);
     if (bytes) return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     const Diagnostic& why = bytes.diagnostics.front();
     return diagnose(why.id == "file-E09" ? "glib-E15" : "glib-E14", "cannot read the scene: " + why.text,
@@ -68,7 +68,7 @@ Result<InterpretedScene> interpretFile(const std::filesystem::path& path, const 
     glib::Script script;
     {
         const StageTimer timer(stats, "parse");
-        script = glib::parse(*text, path.string());
+        script = glib::parse(*text, path.generic_string());
     }
     const StageTimer timer(stats, "interpret");
     Diagnostics diagnostics = std::move(script.diagnostics);

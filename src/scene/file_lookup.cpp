@@ -135,7 +135,8 @@ class FolderSearch {
         if (found.empty()) return false;
         reference_.path = found.front();
         const auto shown = [&](const fs::path& path) {
-            return folder.empty() || folder == "/" ? path.string() : path.lexically_relative(folder).string();
+            return folder.empty() || folder == "/" ? path.generic_string()
+                                                   : path.lexically_relative(folder).generic_string();
         };
         if (found.size() == 1) {
             reference_.remarks.push_back(
@@ -210,7 +211,7 @@ class LibrarySearch {
         for (const std::string& each : listings_.namesWithoutCase(folder, name)) {
             if (found_.size() == kMostPlaces || !listings_.spend(FolderListings::kPathWork)) return;
             if (isOrdinaryFile(folder / each) && folders_.mayRead(folder / each))
-                found_.push_back((folder / each).lexically_relative(root_).string());
+                found_.push_back((folder / each).lexically_relative(root_).generic_string());
         }
         if (depth == kDeepestFolder) return;
         for (const std::string& each : listings_.names(folder)) {
@@ -341,10 +342,10 @@ static FileReference lookUp(std::string_view written, const Place& place, const 
         if (FolderSearch(beside, folders, listings).find(folders.beside, {name.last})) {
             reference.path = beside.path;
             reference.content = beside.content;
-            reference.remarks.push_back(diagnose(
-                "file-W02",
-                fmt::format("'{}' found as '{}' beside the scene", written, beside.path.filename().string()),
-                place));
+            reference.remarks.push_back(diagnose("file-W02",
+                                                 fmt::format("'{}' found as '{}' beside the scene", written,
+                                                             beside.path.filename().generic_string()),
+                                                 place));
             return reference;
         }
     }

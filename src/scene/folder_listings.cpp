@@ -26,16 +26,16 @@ bool FolderListings::spend(std::size_t work) {
 }
 
 FolderListings::Listing& FolderListings::listing(const fs::path& folder) {
-    const auto known = listings_.find(folder.string());
+    const auto known = listings_.find(folder.generic_string());
     if (known != listings_.end()) return known->second;
     if (!spend(kPathWork)) return nothing_;
-    Listing& listing = listings_[folder.string()];
+    Listing& listing = listings_[folder.generic_string()];
     std::error_code failure;
     fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure);
     for (; !failure && each != fs::directory_iterator() && listing.names.size() < kLargestFolder;
          each.increment(failure)) {
         if (!spend(kEntryWork)) break;
-        listing.names.push_back(each->path().filename().string());
+        listing.names.push_back(each->path().filename().generic_string());
     }
     std::ranges::sort(listing.names);
     return listing;
@@ -87,7 +87,7 @@ std::vector<std::string> nearestFiles(std::string_view name, std::span<const fs:
                              [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
     std::vector<std::string> names;
     for (const Candidate& each : candidates) {
-        std::string text = each.path.filename().string();
+        std::string text = each.path.filename().generic_string();
         if (std::ranges::find(names, text) != names.end() || !isOrdinaryFile(each.path)) continue;
         names.push_back(std::move(text));
         if (names.size() == kMostNames) break;

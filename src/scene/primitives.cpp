@@ -72,7 +72,8 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, const std:
     auto bytes = image::readFile(file.source(), {file.name, file.place}, geo::kLargestModelFile);
     append(diagnostics, bytes.diagnostics);
     if (!bytes) return diagnostics;
-    Result<Mesh> mesh = parseModel(shape.command, std::move(*bytes), file.path.string(), withTangents);
+    Result<Mesh> mesh =
+        parseModel(shape.command, std::move(*bytes), file.path.generic_string(), withTangents);
     if (!mesh.diagnostics.empty() && !file.content &&
         !shownRoots(searchFolders(scenePath)).contains(file.path))
         hideTexts(mesh.diagnostics, file.name);

@@ -1,8 +1,9 @@
 #pragma once
 // The processes of base::runInWorkers, each with a pipe for requests and one for answers. Where the system
 // copies processes, a worker is a copy that goes on with `serve`. Where it does not, a worker is this program
-// started again with its arguments, which comes to the same, n-th, call of runInWorkers and serves there:
-// endsOfThisWorker().
+// started again with its arguments, which comes to the same call of runInWorkers and serves there. On its way
+// it has no standard streams, and the functions of this room that change files, locks and other programs do
+// nothing and report success: its parent has done that.
 
 #include <cstdint>
 #include <functional>
@@ -20,6 +21,7 @@ struct WorkerEnds {
     File requests{};           ///< it reads
     File answers{};            ///< it writes
     std::uint64_t memory = 0;  ///< bytes that it may take for good, as it was started
+    std::uint64_t call = 0;    ///< that it serves, as startWorker() was told
 };
 /// Does not return.
 using Serve = std::function<void(const WorkerEnds& ends)>;
@@ -31,19 +33,21 @@ struct Worker {
     File answers{};   ///< we read
 };
 
-/// The ends of this process, if it was started to be a worker of this call. To be asked once at the beginning
-/// of each call of runInWorkers. Never where workers are copies.
+bool workersAreCopies();
+/// The ends of this process, if it was started to be a worker. Only where workers are no copies; asked once.
 std::optional<WorkerEnds> endsOfThisWorker();
 
 /// In a worker, before its first piece: it ends with its parent, is the first to end when memory runs out,
-/// and leaves Ctrl+C and the like to its parent.
+/// leaves Ctrl+C and the like to its parent, and from now on prints errors and changes files.
 void becomeWorker();
 /// Writes out what the worker has printed and ends it, without the destructors of its parent's objects.
 [[noreturn]] void endWorker(int status);
 
 /// Starts a worker. None of the pipes of `others` stays open in it: they would hide from the parent that a
 /// worker died. Nothing if the system has no process or no pipe left.
-std::optional<Worker> startWorker(std::span<Worker* const> others, std::uint64_t memory, const Serve& serve);
+/// `serve`: of a copy; `call`: of another process.
+std::optional<Worker> startWorker(std::span<Worker* const> others, std::uint64_t memory, std::uint64_t call,
+                                  const Serve& serve);
 
 /// Waits until one of the workers has sent something or ended, at most that long; -1: for ever. `ready` tells
 /// for each whether that is so. False if the wait was interrupted.

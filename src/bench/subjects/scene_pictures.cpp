@@ -140,7 +140,10 @@ std::vector<ShippedScene> shippedScenes() {
             if (failure) break;
             const fs::path& path = at->path();
             if (path.extension() != ".glib") continue;
-            ShippedScene scene{path.parent_path().filename().string() + "/" + path.stem().string(), path, {}};
+            ShippedScene scene{
+                path.parent_path().filename().generic_string() + "/" + path.stem().generic_string(),
+                path,
+                {}};
             if (const auto finest = finestLevels().find(scene.name); finest != finestLevels().end())
                 scene.finest = finest->second;
             scenes.push_back(std::move(scene));
@@ -274,7 +277,7 @@ int displacement(const image::Image& a, const image::Image& b, int most) {
 }
 
 std::vector<Figure> measureSweep(Bench& bench, const SceneSweep& sweep) {
-    Curve curve{.name = sweep.curve.empty() ? sweep.scene.filename().string() : sweep.curve};
+    Curve curve{.name = sweep.curve.empty() ? sweep.scene.filename().generic_string() : sweep.curve};
     std::vector<image::Image> pictures;
     for (const double value : sweep.values) {
         RenderOptions options = sweep.options;
@@ -303,7 +306,7 @@ std::vector<Figure> measureSweep(Bench& bench, const SceneSweep& sweep) {
     if (!sweep.reference) fitted.points.pop_back();  // the finest is the reference itself
     Figure figure{
         .name = "sweep",
-        .title = fmt::format("{}: {}", sweep.scene.filename().string(), sweep.name),
+        .title = fmt::format("{}: {}", sweep.scene.filename().generic_string(), sweep.name),
         .settingName = sweep.name,
         .errorName = "root mean square of the difference",
         .errorUnit = "1/255",

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string suffixOf(const fs::path& file) {
-    return base::lower(file.extension().string());
+    return base::lower(file.extension().generic_string());
 }
 
 /// The words of the command. The options before "-i" describe the pixels that ffmpeg reads.
@@ -49,7 +49,7 @@ std::vector<std::string> commandOf(const fs::path& file, int width, int height, 
                                    "pipe:0"};
     words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-metadata",
                                "comment=" + comment});
-    words.push_back("file:" + file.string());  // a name with a colon is not a protocol
+    words.push_back("file:" + file.generic_string());  // a name with a colon is not a protocol
     return words;
 }
 
@@ -101,7 +101,7 @@ struct VideoFile::State {
     std::variant<std::monostate, AnimatedPng, AnimatedGif> frames;  ///< of a file that needs no process
 
     [[nodiscard]] Diagnostics bad(const std::string& why) const {
-        return {diagnose("file-E10", fmt::format("cannot write '{}': {}", file.string(), why))};
+        return {diagnose("file-E10", fmt::format("cannot write '{}': {}", file.generic_string(), why))};
     }
 
     void start(const std::vector<std::string>& command) {

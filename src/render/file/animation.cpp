@@ -36,7 +36,7 @@ class TimerSearch {
     }
 
     bool search(const std::filesystem::path& file) {
-        const auto bytes = image::readFile(file, {file.string(), {}}, kLargestSource);
+        const auto bytes = image::readFile(file, {file.generic_string(), {}}, kLargestSource);
         if (!bytes) return false;
         const std::string_view text = base::asText(*bytes);
         return text.find("Timer") != std::string_view::npos ||

@@ -143,7 +143,7 @@ std::string npyOf(const std::vector<BufferField>& fields, const Records& records
 }
 
 std::string suffixOf(const std::filesystem::path& file) {
-    return glib::lower(file.extension().string());
+    return glib::lower(file.extension().generic_string());
 }
 
 }  // namespace

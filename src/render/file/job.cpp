@@ -63,7 +63,7 @@ bool isOfPixels(const Diagnostic& remark) {
 Diagnostics remarksOn(const image::Image& picture, const std::filesystem::path& scene,
                       const std::string& whyNothing, bool isSearched) {
     Diagnostics remarks;
-    const Place place{scene.string(), 1, 1};
+    const Place place{scene.generic_string(), 1, 1};
     if (image::isOneColor(picture))
         remarks.push_back(diagnose("draw-N02", "the picture has only one colour" + whyNothing, place));
     const image::NonFinite bad = image::countNonFinite(picture);
@@ -87,8 +87,8 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
     if (frames <= 1) return output;
     const std::size_t digits = std::max<std::size_t>(4, std::to_string(frames - 1).size());
     std::filesystem::path file = output;
-    file.replace_filename(
-        fmt::format("{}_{:0{}}{}", output.stem().string(), index, digits, output.extension().string()));
+    file.replace_filename(fmt::format("{}_{:0{}}{}", output.stem().generic_string(), index, digits,
+                                      output.extension().generic_string()));
     return file;
 }
 
@@ -169,10 +169,10 @@ class JobRun {
         explainTiles();
         countCalls();
         if (gpuTimes_ && gpuTimes_->measures()) stats_.gpu = gpuTimes_->finish();
-        if (job_.explain) result_.explanation = job_.scene.string() + "\n" + toText(stats_);
+        if (job_.explain) result_.explanation = job_.scene.generic_string() + "\n" + toText(stats_);
         result_.explanation += trace_;
         if (job_.stats)
-            result_.statsJson = toJson(stats_, job_.scene.string(), loaded->width(), loaded->height(),
+            result_.statsJson = toJson(stats_, job_.scene.generic_string(), loaded->width(), loaded->height(),
                                        context_.capabilities().renderer);
         return std::move(result_);
     }
@@ -402,7 +402,7 @@ class JobRun {
                                              job_.frames)
                                : fmt::format("{} of {} are copies of earlier frames with the same Timer",
                                              copies, job_.frames),
-                    {job_.scene.string(), 1, 1});
+                    {job_.scene.generic_string(), 1, 1});
     }
 
     void copySaves(int from, int to) {
@@ -415,7 +415,7 @@ class JobRun {
         for (const Stats::Count& each : stats_.counts)
             if (each.name == kDrawsOutOfTheirTile)
                 stats_.skip("draws", fmt::format("{} lie outside their tile", each.value),
-                            {job_.scene.string(), 1, 1});
+                            {job_.scene.generic_string(), 1, 1});
     }
 
     void countCalls() {

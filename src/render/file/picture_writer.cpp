@@ -15,7 +15,7 @@
 namespace glibra::render {
 
 Diagnostics copyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
-    const auto bytes = image::readFile(from, {from.string(), {from.string(), 1, 1}});
+    const auto bytes = image::readFile(from, {from.generic_string(), {from.generic_string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
     return image::writeFileAtomically(to, *bytes, image::NamedBy::program);
 }
@@ -119,7 +119,7 @@ void PictureWriter::run() {
                                : copyFile(std::get<std::filesystem::path>(item.content), item.file);
         } catch (const std::bad_alloc&) {
             problems.push_back(
-                diagnose("file-E10", "cannot write '" + item.file.string() + "': not enough memory"));
+                diagnose("file-E10", "cannot write '" + item.file.generic_string() + "': not enough memory"));
         }
         if (!done(item, std::move(problems))) return;
     }

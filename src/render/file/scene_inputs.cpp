@@ -86,7 +86,7 @@ std::vector<fs::path> includedFiles(std::string_view text, const fs::path& file,
         const std::size_t end = rest.find_first_of("\">", begin + 1);
         if (end == std::string_view::npos) continue;
         scene::FileReference found =
-            scene::findInclude(rest.substr(begin + 1, end - begin - 1), file.string(), scene.path,
+            scene::findInclude(rest.substr(begin + 1, end - begin - 1), file.generic_string(), scene.path,
                                {options.libraryRoots, options.within}, listings);
         if (!found.path.empty()) files.push_back(std::move(found.path));
     }
@@ -110,7 +110,7 @@ ReadByScene filesReadBy(const fs::path& path, const RenderOptions& options) {
     std::vector<std::pair<fs::path, std::string>> open;  // shaders whose text is to be searched
     const auto addShader = [&](const fs::path& file) {
         if (file.empty() || !files.insert(file).second) return;
-        const auto bytes = image::readFile(file, {file.string(), {}}, kLargestSource);
+        const auto bytes = image::readFile(file, {file.generic_string(), {}}, kLargestSource);
         if (bytes) open.emplace_back(file, base::asText(*bytes));
     };
     for (const scene::Program& program : scene.programs)

@@ -45,7 +45,7 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         loading.scene.reset(new LiveScene(std::move(state)));
         loading.isPreviousLost = false;
     } catch (const std::bad_alloc&) {
-        loading.diagnostics.push_back(diagnose("draw-E05", "out of memory", {path.string(), 1, 1}));
+        loading.diagnostics.push_back(diagnose("draw-E05", "out of memory", {path.generic_string(), 1, 1}));
     }
     return loading;
 }

@@ -90,7 +90,7 @@ std::string LiveState::sourceOfSteps() const {
     const auto addFile = [&](scene::FileIndex index) {
         if (!index) return;
         const auto time = fileTimes.find(scene.files[index].path);
-        text += fmt::format("{} {}\n", scene.files[index].path.string(),
+        text += fmt::format("{} {}\n", scene.files[index].path.generic_string(),
                             time == fileTimes.end() ? 0 : time->second.time_since_epoch().count());
     };
     for (const scene::Shape& each : scene.shapes) addFile(each.file);

@@ -81,7 +81,7 @@ void ProgramSources::hideTexts(scene::ProgramIndex program, Diagnostics& diagnos
     };
     for (const auto& [index, source] : sources_)
         if (source.text) add(source.path, *source.text);
-    for (const auto& [path, text] : included_) add(path.string(), text);
+    for (const auto& [path, text] : included_) add(path.generic_string(), text);
     const std::string why = fmt::format(
         "'{}', which lies outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
         hidden);
@@ -102,7 +102,7 @@ const ProgramSources::SourceFile& ProgramSources::file(scene::FileIndex index) {
     if (!isNew) return source;
     const scene::FileReference& reference = scene_.files[index];
     source.diagnostics = reference.remarks;
-    source.path = reference.path.string();
+    source.path = reference.path.generic_string();
     if (reference.text) source.text = reference.text;
     if (reference.path.empty() || reference.text) return source;
     stats_.add("files read", 1);
@@ -164,8 +164,8 @@ glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant
     request.include = [this, program = variant.program](
                           std::string_view name, std::string_view from) -> std::optional<glsl::IncludedFile> {
         if (const auto given = scene_.glslTexts.find(name); given != scene_.glslTexts.end()) {
-            noteIfHidden(program, given->second.path.string());
-            return glsl::IncludedFile{given->second.path.string(), *given->second.text,
+            noteIfHidden(program, given->second.path.generic_string());
+            return glsl::IncludedFile{given->second.path.generic_string(), *given->second.text,
                                       fmt::format("Glsl {} (line {})", name, given->second.place.line)};
         }
         const scene::FileReference found = scene::findInclude(name, from, scene_.path, search_, listings_);
@@ -176,12 +176,12 @@ glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant
             return std::nullopt;
         }
         stats_.add("files read", 1);
-        noteIfHidden(program, found.path.string());
+        noteIfHidden(program, found.path.generic_string());
         const auto bytes = image::readFile(found.source(), {found.name, found.place}, kLargestSource);
         std::string& text = included_[found.path];
         if (!bytes) return std::nullopt;
         text = asText(*bytes);
-        return glsl::IncludedFile{found.path.string(), text};
+        return glsl::IncludedFile{found.path.generic_string(), text};
     };
     request.samplerKindsOfTag = [this, program = variant.program](std::string_view tag) {
         return samplerKinds(program, tag);

@@ -17,12 +17,12 @@ std::string stampOf(const scene::Scene& scene, scene::FileIndex file) {
     const std::filesystem::path& path = scene.files[file].path;
     if (const auto& content = scene.files[file].content) {
         const base::Hash hash = base::hashOf({std::as_bytes(std::span(*content))});
-        return fmt::format("|{}|{:x}{:016x}", path.string(), hash.high, hash.low);
+        return fmt::format("|{}|{:x}{:016x}", path.generic_string(), hash.high, hash.low);
     }
     std::error_code failure;
     const auto size = std::filesystem::file_size(path, failure);
     const auto changed = std::filesystem::last_write_time(path, failure).time_since_epoch().count();
-    return fmt::format("|{}|{}|{}", path.string(), failure ? 0 : size, failure ? 0 : changed);
+    return fmt::format("|{}|{}|{}", path.generic_string(), failure ? 0 : size, failure ? 0 : changed);
 }
 
 }  // namespace

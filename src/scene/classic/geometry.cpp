@@ -92,7 +92,7 @@ ShapeIndex shareShape(Interpreter& in, Shape shape) {
     std::string file;
     if (shape.file) {
         const FileReference& reference = in.scene.files[shape.file];
-        file = reference.path.empty() ? "\n" + reference.name : reference.path.string();
+        file = reference.path.empty() ? "\n" + reference.name : reference.path.generic_string();
     }
     if (shape.bare)
         file = fmt::format("\nvertices {} {}", static_cast<int>(*shape.bare),

@@ -194,7 +194,7 @@ void finishNoise(Interpreter& in) {
         noise.isSizeGiven = in.noise.areGiven[index.position()];
         FileReference file = noiseFileBeside(in.folders, noise.dimensions, noise.size, texture.place);
         noise.remarks = std::move(file.remarks);
-        const std::string key = "\n" + file.path.string();
+        const std::string key = "\n" + file.path.generic_string();
         if (!file.path.empty()) noise.file = fileNamed(in, key, [&] { return std::move(file); });
         texture.source = std::move(noise);
     }

@@ -412,7 +412,7 @@ const MeshContent* meshOf(Interpreter& in, const Command& command, Shape shape) 
     for (const double each : shape.numbers) key += fmt::format(" {}", each);
     if (shape.file) {
         const FileReference& file = in.scene.files[shape.file];
-        key += "\n" + (file.path.empty() ? file.name : file.path.string());
+        key += "\n" + (file.path.empty() ? file.name : file.path.generic_string());
     }
     const auto [known, isNew] = in.shared->computed.meshes.try_emplace(std::move(key));
     if (isNew) {

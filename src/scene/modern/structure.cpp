@@ -312,7 +312,7 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
         for (const Diagnostic& each : reference.remarks) in.report(each);
         return nullptr;
     }
-    const std::string path = reference.path.string();
+    const std::string path = reference.path.generic_string();
     std::unique_ptr<const glib::Script>& script = in.shared->files.included[path];
     if (script) return script.get();
     const auto bytes = image::readFile(reference.source(), {name, in.place(command)}, glib::kLargestFile);

@@ -65,7 +65,7 @@ bool isExercise(std::string_view text) {
 }
 
 Result<Exercise> readExerciseText(std::string_view text, const fs::path& file) {
-    TomlReader reader(file.string(), text);
+    TomlReader reader(file.generic_string(), text);
     const TomlTable* table = reader.root();
     if (!table) return reader.take();
     Exercise exercise;
@@ -90,7 +90,7 @@ Result<Exercise> readExerciseText(std::string_view text, const fs::path& file) {
 Result<Exercise> readExercise(const fs::path& file) {
     std::error_code failure;
     if (!fs::is_regular_file(file, failure)) return Diagnostics{};
-    const auto bytes = image::readFile(file, {file.string(), {}}, kLargestExercise);
+    const auto bytes = image::readFile(file, {file.generic_string(), {}}, kLargestExercise);
     if (!bytes) return bytes.diagnostics;
     const std::string_view text = base::asText(*bytes);
     return isExercise(text) ? readExerciseText(text, file) : Diagnostics{};

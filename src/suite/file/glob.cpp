@@ -73,7 +73,7 @@ class Walk {
         for (const fs::directory_iterator end; !failure && each != end && !isTooMuch();
              each.increment(failure)) {
             ++seen_;
-            const std::string name = each->path().filename().string();
+            const std::string name = each->path().filename().generic_string();
             if (name.starts_with('.') && !part.starts_with('.')) continue;
             if (part == "**" || fits(part, name)) found.push_back(folder / name);
         }
@@ -85,13 +85,13 @@ class Walk {
         std::error_code failure;
         const fs::file_type type = fs::status(path, failure).type();
         const bool isDanglingLink = type == fs::file_type::not_found && fs::is_symlink(path, failure) &&
-                                    glib::sameWord(path.extension().string(), ".glib");
+                                    glib::sameWord(path.extension().generic_string(), ".glib");
         if (type == fs::file_type::none || isDanglingLink)
             problems_.push_back(diagnose(
                 "suite-E22",
-                fmt::format("cannot look at '{}': {}; it would be left out", path.string(),
+                fmt::format("cannot look at '{}': {}; it would be left out", path.generic_string(),
                             isDanglingLink ? "the target of the link is missing" : failure.message()),
-                {path.string(), 1, 1}));
+                {path.generic_string(), 1, 1}));
         return type == fs::file_type::regular;
     }
     [[nodiscard]] bool isFolder(const fs::path& path) {
@@ -132,8 +132,8 @@ class Walk {
         problems_.push_back(
             diagnose("suite-E22",
                      fmt::format("cannot list the folder '{}': {}; its scenes would be left out",
-                                 folder.string(), failure.message()),
-                     {folder.string(), 1, 1}));
+                                 folder.generic_string(), failure.message()),
+                     {folder.generic_string(), 1, 1}));
     }
 
     fs::file_type typeOf(const fs::path& path, bool followsLinks) {

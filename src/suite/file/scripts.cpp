@@ -37,10 +37,11 @@ class ScriptFinder {
             if (isFile(folder_ / each.text) && !isScene(folder_ / each.text))
                 reader_.report("suite-E10",
                                fmt::format("script: {} is not a scene; the name of a scene ends with '.glib'",
-                                           glib::inQuotes((folder_ / each.text).string())),
+                                           glib::inQuotes((folder_ / each.text).generic_string())),
                                each.place);
             else if (isFile(folder_ / each.text))
-                add(folder_ / each.text, fs::path(each.text).filename().string(), shot_.isList, each.place);
+                add(folder_ / each.text, fs::path(each.text).filename().generic_string(), shot_.isList,
+                    each.place);
             else if (isPattern(each.text))
                 addFitting(each);
             else
@@ -58,7 +59,9 @@ class ScriptFinder {
     }
 
     /// Messages about a scene quote it, so that a suite may name only files that are scenes by their names.
-    static bool isScene(const fs::path& path) { return glib::sameWord(path.extension().string(), ".glib"); }
+    static bool isScene(const fs::path& path) {
+        return glib::sameWord(path.extension().generic_string(), ".glib");
+    }
 
     /// The files that match a pattern, or nothing if it was reported that there are none.
     std::vector<fs::path> fitting(std::string_view key, const PlacedText& pattern) {
@@ -94,13 +97,13 @@ class ScriptFinder {
 
     /// The pattern with the most similar ending that matches a file, or empty.
     std::string nearEnding(const std::string& pattern) {
-        const std::string ending = fs::path(pattern).extension().string();
+        const std::string ending = fs::path(pattern).extension().generic_string();
         if (ending.empty() || isPattern(ending)) return {};
         const std::string stem = pattern.substr(0, pattern.size() - ending.size());
         const Result<std::vector<fs::path>> files = filesThatFit(folder_, stem + ".*");
         if (!files) return {};
         std::set<std::string> endings;
-        for (const fs::path& each : *files) endings.insert(each.extension().string());
+        for (const fs::path& each : *files) endings.insert(each.extension().generic_string());
         const std::vector<std::string_view> names(endings.begin(), endings.end());
         const std::string near = base::nearestName(ending, names);
         return near.empty() ? "" : stem + near;
@@ -125,10 +128,10 @@ class ScriptFinder {
         if (isOneOfSeveral && shot_.name) name += '/';
         if (isOneOfSeveral || !shot_.name) name += nameOfScene(relative);
         if (const std::string why = whyNotAName(name); !why.empty())
-            reader_.report(
-                "suite-E05",
-                fmt::format("shot {} of {} {}", glib::inQuotes(name), glib::inQuotes(script.string()), why),
-                place);
+            reader_.report("suite-E05",
+                           fmt::format("shot {} of {} {}", glib::inQuotes(name),
+                                       glib::inQuotes(script.generic_string()), why),
+                           place);
         else
             found_.push_back({script, std::move(name), place});
     }
@@ -141,8 +144,9 @@ class ScriptFinder {
             hint = fmt::format("; it is a folder, write \"{}/*.glib\"", script.text);
         } else {
             const fs::path parent = path.parent_path();
-            const auto near = scene::nearestFiles(path.filename().string(), std::span(&parent, 1), listings_);
-            const std::string withEnding = path.filename().string() + ".glib";
+            const auto near =
+                scene::nearestFiles(path.filename().generic_string(), std::span(&parent, 1), listings_);
+            const std::string withEnding = path.filename().generic_string() + ".glib";
             if (isFile(parent / withEnding))
                 hint = fmt::format("; did you mean '{}'?", withEnding);
             else if (!near.empty())
@@ -153,7 +157,7 @@ class ScriptFinder {
                 hint = "; " + why;
         }
         reader_.report("suite-E10",
-                       fmt::format("script: cannot find {}{}", glib::inQuotes(path.string()), hint),
+                       fmt::format("script: cannot find {}{}", glib::inQuotes(path.generic_string()), hint),
                        script.place);
     }
 

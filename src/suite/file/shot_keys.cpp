@@ -35,7 +35,7 @@ std::vector<std::string> foldersIn(const fs::path& folder) {
     for (; !failure && each != fs::directory_iterator() && names.size() < kMostEntries;
          each.increment(failure)) {
         std::error_code ignored;
-        if (each->is_directory(ignored)) names.push_back(each->path().filename().string());
+        if (each->is_directory(ignored)) names.push_back(each->path().filename().generic_string());
     }
     std::ranges::sort(names);
     return names;
@@ -54,8 +54,8 @@ std::string whyNoFolder(const fs::path& folder) {
         }
         const std::vector<std::string> beside = foldersIn(known.empty() ? "." : known);
         const std::vector<std::string_view> names(beside.begin(), beside.end());
-        return fmt::format("there is no folder {}{}", glib::inQuotes(next.string()),
-                           base::suggestion(part.string(), names));
+        return fmt::format("there is no folder {}{}", glib::inQuotes(next.generic_string()),
+                           base::suggestion(part.generic_string(), names));
     }
     return {};
 }
@@ -236,7 +236,8 @@ void OptionReader::operator()(const FoldersValue& folders) const {
         std::error_code failure;
         if (std::filesystem::is_regular_file(path, failure))
             reader.report("suite-E10",
-                          fmt::format("{}: {} is not a folder", key, glib::inQuotes(path.string())), value);
+                          fmt::format("{}: {} is not a folder", key, glib::inQuotes(path.generic_string())),
+                          value);
         else if (const std::string why = whyNoFolder(path); !why.empty())
             reader.report("suite-E10", fmt::format("{}: {}", key, why), value);
         all.push_back(path);

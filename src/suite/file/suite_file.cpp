@@ -384,10 +384,10 @@ Result<Suite> readFolder(const fs::path& folder) {
     suite.file = folder;
     std::error_code failed;
     const fs::path whole = fs::absolute(folder, failed).lexically_normal();
-    suite.name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    suite.name = (whole.has_filename() ? whole : whole.parent_path()).filename().generic_string();
     suite.goldens = folder / "golden";
 
-    const Place place{folder.string(), 1, 1};
+    const Place place{folder.generic_string(), 1, 1};
     const Result<std::vector<fs::path>> scenes = scenesBelow(folder);
     if (!scenes.diagnostics.empty()) return scenes.diagnostics;
     if (!scenes || scenes->size() > kMostShots)
@@ -406,15 +406,15 @@ Result<Suite> readFolder(const fs::path& folder) {
         shot.name = nameOfScene(script.lexically_relative(folder).generic_string());
         shot.script = script;
         shot.place = place;
-        const auto [old, isNew] = byName.emplace(shot.name, script.string());
+        const auto [old, isNew] = byName.emplace(shot.name, script.generic_string());
         const std::string why = whyNotAName(shot.name);
         if (!isNew)
-            report("suite-E06",
-                   fmt::format("{} and {} would both be the shot '{}'; rename one",
-                               glib::inQuotes(old->second), glib::inQuotes(script.string()), shot.name));
+            report("suite-E06", fmt::format("{} and {} would both be the shot '{}'; rename one",
+                                            glib::inQuotes(old->second),
+                                            glib::inQuotes(script.generic_string()), shot.name));
         else if (!why.empty())
             report("suite-E05", fmt::format("shot {} of {} {}", glib::inQuotes(shot.name),
-                                            glib::inQuotes(script.string()), why));
+                                            glib::inQuotes(script.generic_string()), why));
         else
             suite.shots.push_back(std::move(shot));
     }
@@ -422,7 +422,7 @@ Result<Suite> readFolder(const fs::path& folder) {
         if (const auto other = byName.find(std::string(shotOfVariant(shot.name))); other != byName.end())
             report("suite-E06",
                    fmt::format("the golden of {} would be a variant of that of {}; rename one",
-                               glib::inQuotes(shot.script.string()), glib::inQuotes(other->second)));
+                               glib::inQuotes(shot.script.generic_string()), glib::inQuotes(other->second)));
     std::vector<std::string> names;
     for (const Shot& shot : suite.shots) names.push_back(shot.name);
     for (const auto& [name, other] : sharedOnSomeDisk(names)) report("suite-E23", shareText(name, other));
@@ -434,7 +434,7 @@ Result<Suite> readFolder(const fs::path& folder) {
 std::string nearestFile(const fs::path& file) {
     const fs::path folder = file.parent_path();
     scene::FolderListings listings;
-    const auto near = scene::nearestFiles(file.filename().string(), std::span(&folder, 1), listings);
+    const auto near = scene::nearestFiles(file.filename().generic_string(), std::span(&folder, 1), listings);
     return near.empty() ? "" : near.front();
 }
 
@@ -443,11 +443,11 @@ std::string nearestFile(const fs::path& file) {
 Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
     Suite suite;
     suite.file = file;
-    suite.name = file.stem().string();
+    suite.name = file.stem().generic_string();
     const fs::path folder = file.parent_path();
     suite.goldens = folder / "golden" / suite.name;
 
-    TomlReader reader(file.string(), text);
+    TomlReader reader(file.generic_string(), text);
     const TomlTable* root = reader.root();
     if (!root) return reader.take();
     ShotTemplate defaults;
@@ -461,19 +461,19 @@ Result<Suite> readSuiteText(std::string_view text, const fs::path& file) {
                 reader.wrongType(each, "shot", "a table under [[shot]]");
         }
     if ((!shots || shots->empty()) && !reader.hasErrors())
-        reader.report("suite-E14", "the suite has no [[shot]]", Place{file.string(), 1, 1});
+        reader.report("suite-E14", "the suite has no [[shot]]", Place{file.generic_string(), 1, 1});
     if (!reader.hasErrors()) builder.finish();
     if (reader.hasErrors()) return reader.take();
     return suite;
 }
 
 Result<Suite> readSuite(const fs::path& fileOrFolder) {
-    const Place place{fileOrFolder.string(), 1, 1};
+    const Place place{fileOrFolder.generic_string(), 1, 1};
     std::error_code failure;
     if (fs::is_directory(fileOrFolder, failure)) return readFolder(fileOrFolder);
-    if (glib::sameWord(fileOrFolder.extension().string(), ".glib"))
+    if (glib::sameWord(fileOrFolder.extension().generic_string(), ".glib"))
         return diagnose("suite-E13", "this is a scene; a suite is a .toml file or a folder of scenes", place);
-    auto bytes = image::readFile(fileOrFolder, {fileOrFolder.string(), place}, kLargestSuiteFile);
+    auto bytes = image::readFile(fileOrFolder, {fileOrFolder.generic_string(), place}, kLargestSuiteFile);
     if (!bytes) {
         if (const std::string near = nearestFile(fileOrFolder);
             !near.empty() && !fs::exists(fileOrFolder, failure))

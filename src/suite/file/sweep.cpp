@@ -305,7 +305,7 @@ Result<std::vector<Moment>> momentsOf(const Exercise& exercise, const std::files
     picture.options = options;
     Result<std::vector<Moment>> moments = momentsOf(picture, exercise.times, exercise.sweeps);
     for (Diagnostic& each : moments.diagnostics)
-        if (each.place.file == "--sweep") each.place = {file.string(), 1, 1};
+        if (each.place.file == "--sweep") each.place = {file.generic_string(), 1, 1};
     if (moments)
         for (Moment& each : *moments) each.has = exercise.has;
     return moments;

@@ -37,7 +37,8 @@ Hash identityOf(std::span<const std::byte> bytes, const Shot& shot) {
 }
 
 Result<Golden> readGolden(const Shot& shot, const fs::path& file, std::string variant) {
-    Result<std::vector<std::byte>> bytes = image::readFile(file, {file.string(), {file.string(), 1, 1}});
+    Result<std::vector<std::byte>> bytes =
+        image::readFile(file, {file.generic_string(), {file.generic_string(), 1, 1}});
     if (!bytes) return std::move(bytes.diagnostics);
     const Hash identity = identityOf(*bytes, shot);
     return Golden{file, std::move(variant), std::move(*bytes), identity};
@@ -46,8 +47,8 @@ Result<Golden> readGolden(const Shot& shot, const fs::path& file, std::string va
 /// The same diagnostics, with the name of the file that was to be made.
 Diagnostics refuseAs(Diagnostics problems, const fs::path& written, const fs::path& meant) {
     for (Diagnostic& each : problems)
-        if (const std::size_t at = each.text.find(written.string()); at != std::string::npos)
-            each.text.replace(at, written.string().size(), meant.string());
+        if (const std::size_t at = each.text.find(written.generic_string()); at != std::string::npos)
+            each.text.replace(at, written.generic_string().size(), meant.generic_string());
     return problems;
 }
 
@@ -99,7 +100,7 @@ bool hasGolden(const fs::path& folder, const Shot& shot) {
     if (fs::exists(golden, failure)) return true;
     return std::ranges::any_of(base::entriesOf(golden.parent_path()), [&](const fs::directory_entry& each) {
         return each.path().extension() == golden.extension() &&
-               shotOfVariant(each.path().stem().string()) == golden.stem().string();
+               shotOfVariant(each.path().stem().generic_string()) == golden.stem().generic_string();
     });
 }
 
@@ -109,8 +110,8 @@ Diagnostics checkGoldenFolder(const Suite& suite) {
         "suite-E20",
         fmt::format("goldens: '{}' is outside of the suite's folder '{}'; --allow-outside lets --update "
                     "write there",
-                    suite.goldens.string(), folderOf(suite).string()),
-        {suite.file.string(), 1, 1})};
+                    suite.goldens.generic_string(), folderOf(suite).generic_string()),
+        {suite.file.generic_string(), 1, 1})};
 }
 
 Result<GoldenStore> GoldenStore::open(const Suite& suite, const fs::path& folder, bool allowOutside) {
@@ -150,8 +151,8 @@ Result<Golden> GoldenStore::read(const Shot& shot, std::string variant) const {
             "file-E14",
             fmt::format("cannot read '{0}': it is a link to a place outside of the golden folder; "
                         "--allow-outside follows it",
-                        path.string()),
-            {path.string(), 1, 1});
+                        path.generic_string()),
+            {path.generic_string(), 1, 1});
     return readGolden(shot, path, std::move(variant));
 }
 
@@ -220,8 +221,8 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
     fs::create_directories(path.parent_path(), ignored);
     if (const std::string why = whyNotWritten(path); !why.empty()) return image::cannotWrite(path, why);
     // The new golden is on the disk before it takes the place of the old one.
-    const fs::path whole = path.parent_path() /
-                           fmt::format(".glibra-{}-golden{}", system::ownNumber(), path.extension().string());
+    const fs::path whole = path.parent_path() / fmt::format(".glibra-{}-golden{}", system::ownNumber(),
+                                                            path.extension().generic_string());
     image::WriteOptions options;
     options.png.level = kCompression;
     options.named = image::NamedBy::program;
@@ -257,7 +258,8 @@ Diagnostics GoldenStore::rename(const fs::path& orphan, const Shot& shot,
     for (const fs::path& each : orphans) {
         const std::string name = nameOf(each);
         if (name != former && shotOfVariant(name) != former) continue;
-        const fs::path to = folder_ / (shot.name + name.substr(former.size()) + each.extension().string());
+        const fs::path to =
+            folder_ / (shot.name + name.substr(former.size()) + each.extension().generic_string());
         std::error_code failure;
         fs::create_directories(to.parent_path(), failure);
         if (const std::string why = whyNotWritten(to); !why.empty()) return {image::cannotWrite(to, why)};
@@ -278,7 +280,7 @@ std::string GoldenStore::whyNotWritten(const fs::path& path) const {
 }
 
 Result<image::Image> decode(const Golden& golden) {
-    const Place place{golden.file.string(), 1, 1};
+    const Place place{golden.file.generic_string(), 1, 1};
     Result<image::Image> picture = image::decodeImage(golden.bytes, golden.file, place);
     if (picture)
         if (std::optional<Diagnostic> why = shownOtherwise("golden", golden.file, golden.bytes, place))

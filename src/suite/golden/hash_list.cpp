@@ -130,8 +130,8 @@ Result<HashList> HashList::read(const fs::path& file) {
     // All lines may have been deleted.
     if (type == fs::file_type::not_found || (type == fs::file_type::regular && fs::is_empty(file, failure)))
         return list;
-    const Place place{file.string(), 1, 1};
-    const auto bytes = image::readFile(file, {file.string(), place}, kLargestHashList);
+    const Place place{file.generic_string(), 1, 1};
+    const auto bytes = image::readFile(file, {file.generic_string(), place}, kLargestHashList);
     if (!bytes) {
         for (Diagnostic each : bytes.diagnostics) {
             each.severity = Severity::warning;
@@ -146,7 +146,7 @@ Result<HashList> HashList::read(const fs::path& file) {
         rest.remove_prefix(std::min(line.size() + 1, rest.size()));
         if (line.ends_with('\r')) line.remove_suffix(1);
         if (line.empty() || line.front() == '#') continue;
-        Result<AcceptedHash> parsed = parseLine(line, {file.string(), number, 1});
+        Result<AcceptedHash> parsed = parseLine(line, {file.generic_string(), number, 1});
         append(list.diagnostics, std::move(parsed.diagnostics));
         if (parsed) list->ofShot_[parsed->shot].push_back(std::move(*parsed));
     }

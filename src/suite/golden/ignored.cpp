@@ -28,7 +28,7 @@ std::optional<Diagnostic> shownOtherwise(std::string_view what, const std::files
     return diagnose(
         "suite-E32",
         fmt::format("the {} '{}' may be shown as another picture than the one that is compared: {}", what,
-                    file.filename().string(), why),
+                    file.filename().generic_string(), why),
         place);
 }
 
@@ -58,7 +58,7 @@ std::optional<Diagnostic> reachesOut(const IgnoredRegion& region, int width, int
 }
 
 Result<image::Image> readMask(const Shot& shot, int width, int height) {
-    const auto bytes = image::readFile(shot.mask, {shot.mask.filename().string(), shot.maskPlace});
+    const auto bytes = image::readFile(shot.mask, {shot.mask.filename().generic_string(), shot.maskPlace});
     if (!bytes) return bytes.diagnostics;
     Result<image::Image> mask = image::decodeImage(*bytes, shot.mask, shot.maskPlace);
     if (mask)
@@ -66,8 +66,8 @@ Result<image::Image> readMask(const Shot& shot, int width, int height) {
             return *std::move(why);
     if (mask && (mask->width != width || mask->height != height))
         return diagnose("suite-E29",
-                        fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}", shot.mask.string(),
-                                    mask->width, mask->height, width, height),
+                        fmt::format("mask: '{}' has {} x {} pixels, the picture {} x {}",
+                                    shot.mask.generic_string(), mask->width, mask->height, width, height),
                         shot.maskPlace);
     return mask;
 }

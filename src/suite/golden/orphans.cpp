@@ -81,7 +81,7 @@ std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder,
     for (fs::recursive_directory_iterator each(root, failure), end; !failure && each != end;
          each.increment(failure)) {
         const fs::path& file = each->path();
-        if (file.filename().string().starts_with('.') || each->is_symlink(failure) ||
+        if (file.filename().generic_string().starts_with('.') || each->is_symlink(failure) ||
             !each->is_regular_file(failure))
             continue;
         if (file.extension() == ".hashes") {
@@ -202,7 +202,7 @@ Diagnostics removeOrphans(const std::vector<fs::path>& orphans) {
         std::error_code failure;
         if (!fs::remove(each, failure) || failure) {
             problems.push_back(diagnose(
-                "file-E10", fmt::format("cannot remove '{}': {}", each.string(), failure.message())));
+                "file-E10", fmt::format("cannot remove '{}': {}", each.generic_string(), failure.message())));
             continue;
         }
         // Fails for a folder that is not empty, and so never removes the golden folder of a suite with

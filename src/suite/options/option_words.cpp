@@ -161,7 +161,8 @@ struct TextWriter {
     }
     Texts operator()(const FoldersValue& folders) const {
         Texts all;
-        for (const std::filesystem::path& each : folders.member.get(shot)) all.push_back(each.string());
+        for (const std::filesystem::path& each : folders.member.get(shot))
+            all.push_back(each.generic_string());
         return all;
     }
 };

@@ -130,7 +130,7 @@ nlohmann::ordered_json toJson(const ShotResult& shot, const ShownShot& shown) {
         if (!value.empty()) json[key] = value;
     };
     add("reason", reasonOf(shot));
-    add("script", shot.script.string());
+    add("script", shot.script.generic_string());
     add("expected", shown.expected);
     add("got", shown.got);
     add("difference", shown.difference);

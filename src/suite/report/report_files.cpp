@@ -130,7 +130,7 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
     Copy copy;
     const bool isPng = image::formatOf(*bytes) == image::Format::png;
     if (isPng && !image::pngChunks(*bytes)) {
-        remark(shown, shot, fmt::format("'{}' is a damaged PNG picture", picture.string()));
+        remark(shown, shot, fmt::format("'{}' is a damaged PNG picture", picture.generic_string()));
         return {};
     }
     // The page shows what was compared.
@@ -171,7 +171,7 @@ std::string ReportFiles::addPixels(const Copy& expected, const Copy& got, std::s
 }
 
 void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
-    const std::string file = path.string();
+    const std::string file = path.generic_string();
     if (file.empty()) return;
     auto known = sourceOf_.find(file);
     if (known == sourceOf_.end()) {
@@ -213,7 +213,7 @@ ShownShot ReportFiles::add(const ShotResult& shot, std::size_t number) {
 void ReportFiles::removeOthers() const {
     for (const char* folder : kFolders) {
         for (const fs::directory_entry& each : base::entriesOf(reportFolder_ / folder)) {
-            const std::string name = each.path().filename().string();
+            const std::string name = each.path().filename().generic_string();
             std::error_code ignored;  // a file that stays does no harm
             if (isOurs(name) && !written_.contains(std::string(folder) + "/" + name))
                 fs::remove(each.path(), ignored);

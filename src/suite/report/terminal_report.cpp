@@ -96,7 +96,7 @@ class Text {
         std::error_code failure;
         const std::filesystem::path inside = options_.resultsFolder / picture;
         const bool isInside = !picture.empty() && std::filesystem::exists(inside, failure);
-        return (isInside ? inside : picture).string();
+        return (isInside ? inside : picture).generic_string();
     }
     void pair(std::string_view title, std::string_view value) {
         if (!value.empty()) line(fmt::format("    {:<15} {}", title, base::printableText(value)));
@@ -258,12 +258,12 @@ std::string details(const ShotResult& shot) {
     const auto add = [&](std::string_view title, const std::string& value) {
         if (!value.empty()) text += fmt::format("{}: {}\n", title, value);
     };
-    add("script", shot.script.string());
+    add("script", shot.script.generic_string());
     add("golden variant", shot.goldenVariant);
     add("drawn by", shot.driver);
-    add(titlesOf(shot).got, shot.got.string());
-    add(titlesOf(shot).expected, shot.expected.string());
-    add("difference", shot.difference.string());
+    add(titlesOf(shot).got, shot.got.generic_string());
+    add(titlesOf(shot).expected, shot.expected.generic_string());
+    add("difference", shot.difference.generic_string());
     add("reproduce", shot.reproduce);
     add("accept", shot.accept);
     return text;

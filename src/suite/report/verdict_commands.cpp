@@ -9,7 +9,7 @@
 namespace glibra::suite {
 
 std::string reproduceCommand(const Shot& shot) {
-    std::string command = "glibra render " + shellWord(shot.script.string()) + optionArguments(shot);
+    std::string command = "glibra render " + shellWord(shot.script.generic_string()) + optionArguments(shot);
     if (shot.expectedError) return command;
     std::string file = shot.name;
     std::ranges::replace(file, '/', '_');
@@ -22,16 +22,16 @@ std::string checkCommand(const Shot& shot) {
                !optionWords(row, shot).empty();
     };
     if (std::ranges::any_of(optionTable(), isUnknown)) return {};
-    return "glibra check --run " + shellWord(shot.script.string()) + optionArguments(shot);
+    return "glibra check --run " + shellWord(shot.script.generic_string()) + optionArguments(shot);
 }
 
 std::string renameCommand(const Suite& suite, const Shot& shot) {
-    return fmt::format("glibra test {} --only {} --rename", shellWord(suite.file.string()),
+    return fmt::format("glibra test {} --only {} --rename", shellWord(suite.file.generic_string()),
                        shellWord(shot.name));
 }
 
 std::string acceptCommand(const Suite& suite, const Shot& shot) {
-    return fmt::format("glibra test {} --only {} --update", shellWord(suite.file.string()),
+    return fmt::format("glibra test {} --only {} --update", shellWord(suite.file.generic_string()),
                        shellWord(shot.name));
 }
 

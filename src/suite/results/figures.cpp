@@ -116,7 +116,7 @@ std::string decision(const ShotResult& shot) {
 }
 
 PictureTitles titlesOf(const ShotResult& shot) {
-    const std::string what = shot.expected.stem().extension().string();
+    const std::string what = shot.expected.stem().extension().generic_string();
     if (what == ".again") return {"second drawing", "first drawing"};
     if (what == ".partner") return {"the other shot", "this shot"};
     return {"expected", "got"};

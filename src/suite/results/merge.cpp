@@ -95,14 +95,14 @@ Diagnostics checkSettings(std::span<const MergedRun> runs) {
             problems.push_back(diagnose(
                 "result-E06", fmt::format("results in '{}': the file does not say what the whole run was to "
                                           "judge; run the suite again with this glibra",
-                                          run.folder.string())));
+                                          run.folder.generic_string())));
         else if (!runs.front().results.plan.empty() && run.results.plan != runs.front().results.plan)
             problems.push_back(diagnose(
                 "result-E06",
                 fmt::format(
                     "'{}' and '{}' are not parts of one run: their shots or settings differ; run both "
                     "with the same suites and options",
-                    runs.front().folder.string(), run.folder.string())));
+                    runs.front().folder.generic_string(), run.folder.generic_string())));
     }
     return problems;
 }
@@ -118,7 +118,7 @@ Diagnostics checkPlans(const std::vector<MergedRun>& runs) {
     Diagnostics problems;
     const auto report = [&](const MergedRun& run, const std::string& why) {
         problems.push_back(
-            diagnose("result-E03", fmt::format("results in '{}': {}", run.folder.string(), why)));
+            diagnose("result-E03", fmt::format("results in '{}': {}", run.folder.generic_string(), why)));
     };
     for (const MergedRun& run : runs) {
         if (!run.results.planned) {
@@ -183,8 +183,8 @@ Diagnostics choose(std::vector<MergedRun>& runs, std::map<ShotKey, ShotSource>& 
                 remarks.push_back(diagnose(
                     "result-W01",
                     fmt::format("'{}/{}' is {} in '{}' and {} in '{}'; it counts as {}", shot.suite,
-                                shot.shot, name(before), old.run->folder.string(), name(shot.verdict),
-                                run.folder.string(), name(takes ? shot.verdict : before))));
+                                shot.shot, name(before), old.run->folder.generic_string(), name(shot.verdict),
+                                run.folder.generic_string(), name(takes ? shot.verdict : before))));
             if (takes) old = {&shot, &run};
         }
     return remarks;
@@ -207,7 +207,8 @@ class PictureCopier {
         if (const int problem = base::readAll(file, kLargestShownPicture, bytes); problem != 0)
             return drop(picture, cannotShow(picture, problem).text);
         const char* ending = endingOf(bytes);
-        if (ending == nullptr) return drop(picture, fmt::format("'{}' is not a picture", picture.string()));
+        if (ending == nullptr)
+            return drop(picture, fmt::format("'{}' is not a picture", picture.generic_string()));
         const fs::path name = fs::path("pictures") / (toText(hashOf(bytes)) + ending);
         if (written_.insert(name).second)
             if (const int problem = base::writeBeneath(into_, name, bytes); problem != 0)

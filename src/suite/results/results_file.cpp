@@ -53,7 +53,7 @@ fs::path resultsFile(const fs::path& folder) {
 }
 
 Diagnostic cannotShow(const fs::path& path, int problem) {
-    const std::string name = path.string();
+    const std::string name = path.generic_string();
     switch (problem) {
         case ENOENT:
         case ENOTDIR:
@@ -101,7 +101,7 @@ Diagnostics writeResults(const RunResult& run, const fs::path& folder) {
 }
 
 Result<RunResult> readResults(const fs::path& folder) {
-    const std::string file = resultsFile(folder).string();
+    const std::string file = resultsFile(folder).generic_string();
     std::error_code ignored;
     if (fs::is_symlink(file, ignored)) return cannotShow(file, ELOOP);
     const Result<std::vector<std::byte>> bytes = image::readFile(file, {file, {}}, kLargestResults);
@@ -164,7 +164,7 @@ Result<ResultsLock> lockResults(const fs::path& folder) {
         return diagnose(
             "result-E02",
             fmt::format("another run is writing its results to '{}'; give each run a folder of its own",
-                        folder.string()));
+                        folder.generic_string()));
     return lock;
 }
 
@@ -235,7 +235,7 @@ Json written(const std::string& text) {
     return {{"bytes", characters}};
 }
 Json written(const std::filesystem::path& path) {
-    return written(path.string());
+    return written(path.generic_string());
 }
 Json written(bool value) {
     return value;

@@ -57,7 +57,7 @@ std::string whyOtherColors(const ColorShare& has, const image::Image& own) {
 Diagnostics unsolved(const fs::path& scene, const std::string& label, const std::string& why) {
     return {diagnose("check-E04",
                      "the exercise is not solved yet: " + (label.empty() ? why : "at " + label + " " + why),
-                     {scene.string(), 1, 1})};
+                     {scene.generic_string(), 1, 1})};
 }
 
 Diagnostics errorsOf(Diagnostics diagnostics) {
@@ -113,7 +113,7 @@ Diagnostics checkExercise(gpu::Context& context, const fs::path& scene, const Re
                      moments->size() == 1
                          ? std::string("the exercise is solved")
                          : fmt::format("the exercise is solved, with {} sets of values", moments->size()),
-                     {scene.string(), 1, 1})};
+                     {scene.generic_string(), 1, 1})};
 }
 
 }  // namespace glibra::suite

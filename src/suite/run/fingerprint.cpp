@@ -81,10 +81,10 @@ namespace fs = std::filesystem;
 /// What the files of a scene may follow from, without the time.
 std::string sourceOf(const SceneQuery& query) {
     const RenderOptions& options = query.options;
-    std::string key = query.scene.string();
+    std::string key = query.scene.generic_string();
     const auto add = [&](const std::string& word) { (key += '\0') += word; };
-    add(fmt::format("{} {} {}", options.width, options.height, options.within.string()));
-    for (const fs::path& each : options.libraryRoots) add(each.string());
+    add(fmt::format("{} {} {}", options.width, options.height, options.within.generic_string()));
+    for (const fs::path& each : options.libraryRoots) add(each.generic_string());
     for (const std::string& each : options.set) add("=" + each);
     return key;
 }
@@ -101,8 +101,8 @@ class InputReader {
         for (const fs::path& each : read.files) {
             const auto [known, isNew] = contents_.try_emplace(each);
             if (isNew) known->second = contentOf(each);
-            (names += '\0') += each.string();
-            (((contents += each.string()) += '\0') += known->second) += '\0';
+            (names += '\0') += each.generic_string();
+            (((contents += each.generic_string()) += '\0') += known->second) += '\0';
         }
         answer_ = (read.isWhole ? toText(hashOf(std::as_bytes(std::span(contents)))) : "") + names;
         if (!read.changesWithTime) source_ = std::move(source);
@@ -129,7 +129,7 @@ SceneInputs unpacked(std::string_view answer) {
 }  // namespace
 
 std::string contentOf(const fs::path& file) {
-    const auto bytes = image::readFile(file, {file.string(), {}});
+    const auto bytes = image::readFile(file, {file.generic_string(), {}});
     return bytes ? toText(hashOf(*bytes)) : bytes.diagnostics.front().id;
 }
 
@@ -210,7 +210,7 @@ std::vector<ShotReference> partnersOf(std::span<const Suite> suites, const ShotR
 
 std::string settingsOf(const Shot& shot) {
     std::string text =
-        fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", shot.script.string(), optionArguments(shot),
+        fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", shot.script.generic_string(), optionArguments(shot),
                     optionLines(shot, "."), shot.golden, shot.match, shot.differ, toText(shot.tolerance));
     text += judgedBy(shot);
     if (shot.expectedError)
@@ -225,10 +225,10 @@ class GoldenNames {
     /// Names and contents of the golden and its variants.
     std::string contentsFor(const fs::path& golden) {
         const std::set<std::string>& names = in(golden.parent_path());
-        const std::string stem = golden.stem().string() + ".";
+        const std::string stem = golden.stem().generic_string() + ".";
         std::string text;
         for (auto each = names.lower_bound(stem); each != names.end() && each->starts_with(stem); ++each)
-            if (each->ends_with(golden.extension().string()))
+            if (each->ends_with(golden.extension().generic_string()))
                 text += fmt::format("\n{} {}", *each, contentOf(golden.parent_path() / *each));
         return text;
     }
@@ -238,7 +238,7 @@ class GoldenNames {
         const auto [known, isNew] = folders_.try_emplace(folder);
         if (isNew)
             for (const fs::directory_entry& each : base::entriesOf(folder))
-                known->second.insert(each.path().filename().string());
+                known->second.insert(each.path().filename().generic_string());
         return known->second;
     }
 

@@ -390,7 +390,7 @@ class Run {
                                                outcome.signal, system::signalReason(outcome.signal))
                                  : "the process that drew it ended by itself";
         if (outcome.nearMemoryLimit) reason += ", perhaps because it reached its limit of memory (--memory)";
-        const std::string script = plan_.shotOf(blamed).script.string();
+        const std::string script = plan_.shotOf(blamed).script.generic_string();
         Diagnostic problem = diagnose(late ? "draw-E07" : "draw-E06", reason, {script, 1, 1});
         if (outcome.end == End::deviceLost) problem = base::diagnosticOf(outcome.lost, script);
         ShotResult result = ShotJudge::broken(plan_.suites[blamed.suite], plan_.shotOf(blamed),

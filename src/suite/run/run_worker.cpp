@@ -144,7 +144,7 @@ std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const At
     const auto fail = [&](const char* id, const std::string& text) {
         Judged judged{ShotJudge::broken(plan_.suites[reference.suite], *drawn.shot, Verdict::failed, text),
                       std::nullopt};
-        judged.result.diagnostics.push_back(diagnose(id, text, {drawn.shot->script.string(), 1, 1}));
+        judged.result.diagnostics.push_back(diagnose(id, text, {drawn.shot->script.generic_string(), 1, 1}));
         return judged;
     };
     try {

@@ -142,7 +142,7 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
     const auto fail = [&](const char* id, const char* text) {
         forget();
         rendering = {};
-        rendering.diagnostics.push_back(diagnose(id, text, {shot.script.string(), 1, 1}));
+        rendering.diagnostics.push_back(diagnose(id, text, {shot.script.generic_string(), 1, 1}));
     };
     try {
         rendering = tryRender(shot, coming);

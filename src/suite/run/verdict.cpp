@@ -91,7 +91,7 @@ ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string
       options_(std::move(options)),
       suiteHasGoldens_(goldens.hasAny(suite)) {
     if (goldens.folder() != suite.goldens)
-        acceptOptions_ = " --goldens " + shellWord(goldens.folder().parent_path().string());
+        acceptOptions_ = " --goldens " + shellWord(goldens.folder().parent_path().generic_string());
     else if (hasError(checkGoldenFolder(suite)))
         acceptOptions_ = " --allow-outside";
     for (const Shot& each : suite.shots)
@@ -372,19 +372,19 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
         result.reason = found.judgement.reason;
     } else {
         result.verdict = Verdict::missing;
-        result.reason = fmt::format("there is no golden '{}'", goldens_.file(shot, "").string());
+        result.reason = fmt::format("there is no golden '{}'", goldens_.file(shot, "").generic_string());
         if (options_.orphans) result.renamedFrom = options_.orphans->find(got);
         if (!result.renamedFrom.empty()) {
             result.reason += fmt::format(
                 "; the picture equals '{}', which belongs to no shot: if it was "
                 "renamed, --rename moves the golden",
-                result.renamedFrom.string());
+                result.renamedFrom.generic_string());
             result.accept = renameCommand(suite_, shot) + acceptOptions_;
         } else if (!found.lost.empty())
             result.reason = fmt::format(
                 "there is no golden '{}', though '{}' names it; restore it, or write golden = false if the "
                 "Expect statements suffice",
-                found.lost.string(), goldens_.hashFile().string());
+                found.lost.generic_string(), goldens_.hashFile().generic_string());
         else if (!showNear(shot, got, result) && attempt.own.hasChecks)
             result.reason +=
                 ", though the suite has goldens; write golden = false if the Expect statements suffice";
@@ -403,7 +403,7 @@ bool ShotJudge::showNear(const Shot& shot, const image::Image& got, ShotResult& 
     result.reason += fmt::format(
         "; '{}' belongs to no shot and may be that of this one before it was renamed and changed ({}): '{}' "
         "moves it, and the picture is compared with it",
-        near.string(), result.judgement.reason, renameCommand(suite_, shot));
+        near.generic_string(), result.judgement.reason, renameCommand(suite_, shot));
     return true;
 }
 
@@ -483,7 +483,7 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
                                     : fmt::format("golden made: {} x {} pixels", got.width, got.height);
     if (!result.renamedFrom.empty())
         result.reason +=
-            fmt::format(", equal to '{}', which belongs to no shot", result.renamedFrom.string());
+            fmt::format(", equal to '{}', which belongs to no shot", result.renamedFrom.generic_string());
     judged.accepted = AcceptedHash{shot.name, variant, golden->identity, hashOf(got), key_};
 }
 

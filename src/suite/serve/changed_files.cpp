@@ -20,7 +20,8 @@ struct CloseFile {
 /// What git prints, cut at its zero bytes or line ends; nothing if it fails or is not installed.
 std::vector<std::string> git(const fs::path& folder, std::vector<std::string> arguments) {
     // Nothing that the settings of a repository name is started.
-    std::vector<std::string> words{"git", "-C", folder.string(), "-c", "core.fsmonitor=false", "--no-pager"};
+    std::vector<std::string> words{"git",       "-C", folder.generic_string(), "-c", "core.fsmonitor=false",
+                                   "--no-pager"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const std::unique_ptr<std::FILE, CloseFile> output(std::tmpfile());
     if (!output) return {};
@@ -70,7 +71,7 @@ const ChangedFiles::Folder& ChangedFiles::folder(const fs::path& path) {
 }
 
 const std::set<std::string>& ChangedFiles::changedSince(const fs::path& top, const std::string& commit) {
-    const auto [at, isNew] = changed_.try_emplace(top.string() + "\n" + commit);
+    const auto [at, isNew] = changed_.try_emplace(top.generic_string() + "\n" + commit);
     if (isNew) {
         std::vector<std::string> names =
             git(top, {"diff", "-z", "--name-only", "--no-renames", "--no-ext-diff", "--no-textconv", commit});
@@ -82,7 +83,7 @@ const std::set<std::string>& ChangedFiles::changedSince(const fs::path& top, con
 std::vector<fs::path> ChangedFiles::since(const fs::path& golden, std::span<const fs::path> files) {
     const fs::path whole = absolutePath(golden);
     const Folder& known = folder(whole.parent_path());
-    const auto commit = known.commits.find(whole.filename().string());
+    const auto commit = known.commits.find(whole.filename().generic_string());
     std::vector<fs::path> changed(files.begin(), files.end());
     if (commit != known.commits.end()) {
         const std::set<std::string>& names = changedSince(known.top, commit->second);

@@ -45,14 +45,15 @@ Result<ServerModule> loadServerModule(const std::vector<fs::path>& folders) {
         std::error_code failed;
         if (!fs::exists(file, failed)) continue;
         std::string problem;
-        const auto library = system::Library::open(file.string(), system::Library::When::all_now, problem);
+        const auto library =
+            system::Library::open(file.generic_string(), system::Library::When::all_now, problem);
         if (!library) {
             why = fmt::format("cannot be loaded: {}", problem);
             continue;
         }
         const auto version = library.find<GlibraServerVersion>("glibraServerVersion");
         if (version == nullptr || version() != kGlibraServerVersion) {
-            why = fmt::format("is of another version of glibra: {}", file.string());
+            why = fmt::format("is of another version of glibra: {}", file.generic_string());
             continue;
         }
         return ServerModule{library.find<GlibraServerOpen>("glibraServerOpen"),

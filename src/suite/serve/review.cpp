@@ -116,10 +116,11 @@ std::string kindOf(const ShotResult& shot) {
 std::set<std::string> sharedFilesOf(const ShotResult& shot, const fs::path& script) {
     std::set<std::string> read;
     for (const fs::path& each : shot.reads)
-        if (each != shot.script) read.insert(each.string());
+        if (each != shot.script) read.insert(each.generic_string());
     if (!read.empty()) return read;
     constexpr std::size_t kMostBytes = std::size_t{1} << 20;
-    const auto bytes = image::readFile(script, {script.string(), {script.string(), 1, 1}}, kMostBytes);
+    const auto bytes =
+        image::readFile(script, {script.generic_string(), {script.generic_string(), 1, 1}}, kMostBytes);
     if (!bytes) return {};
     std::set<std::string> shaders;
     std::istringstream words{std::string(base::asText(*bytes))};
@@ -127,9 +128,9 @@ std::set<std::string> sharedFilesOf(const ShotResult& shot, const fs::path& scri
         std::istringstream rest(line.substr(0, line.find('#')));
         for (std::string word; rest >> word;) {
             std::erase(word, '"');
-            const std::string ending = fs::path(word).extension().string();
+            const std::string ending = fs::path(word).extension().generic_string();
             for (const char* each : {".vert", ".frag", ".geom", ".tesc", ".tese", ".tcs", ".tes", ".comp"})
-                if (ending == each) shaders.insert(fs::path(word).filename().string());
+                if (ending == each) shaders.insert(fs::path(word).filename().generic_string());
         }
     }
     return shaders;
@@ -200,7 +201,7 @@ std::string whyKept(const GoldenStore& store, const Shot& shot, const std::strin
 std::optional<std::vector<std::byte>> bytesOf(const fs::path& golden) {
     std::error_code failure;
     if (!fs::exists(golden, failure)) return std::nullopt;
-    auto bytes = image::readFile(golden, {golden.string(), {golden.string(), 1, 1}});
+    auto bytes = image::readFile(golden, {golden.generic_string(), {golden.generic_string(), 1, 1}});
     return std::move(bytes.value);
 }
 
@@ -229,7 +230,7 @@ std::vector<ReviewGroup> Review::findGroups() const {
                            *GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside));
         const fs::path golden = stores.at(known.suite).file(*known.shot, shots_[i].goldenVariant);
         for (const fs::path& each : changed.since(golden, shots_[i].reads))
-            candidates[i].insert(each.string());
+            candidates[i].insert(each.generic_string());
         if (candidates[i].empty()) {
             const auto [at, isNew] = shaders.try_emplace(known.shot->script);
             if (isNew) at->second = sharedFilesOf(shots_[i], known.shot->script);
@@ -244,7 +245,7 @@ std::vector<ReviewGroup> Review::findGroups() const {
         std::vector<std::string> causes;
         for (const std::string& each : candidates[index])
             if (scenesOf[each].size() == most) causes.push_back(each);
-        if (causes.empty()) causes.push_back(shots_[index].script.string());
+        if (causes.empty()) causes.push_back(shots_[index].script.generic_string());
         return causes;
     };
     std::vector<ReviewGroup> groups;
@@ -255,7 +256,7 @@ std::vector<ReviewGroup> Review::findGroups() const {
         const std::string kind = kindOf(shots_[i]);
         std::string names;
         for (std::size_t each = 0; each < std::min(causes.size(), kMostNames); ++each)
-            names += (each > 0 ? ", " : "") + fs::path(causes[each]).filename().string();
+            names += (each > 0 ? ", " : "") + fs::path(causes[each]).filename().generic_string();
         if (causes.size() > kMostNames) names += fmt::format(" and {} more", causes.size() - kMostNames);
         const auto [at, isNew] =
             known.emplace(fmt::format("{}\n{}", fmt::join(causes, "\n"), kind), groups.size());
@@ -520,7 +521,7 @@ void Review::readDecisions() {
             problem != 0 ? std::generic_category().message(problem) : "it is not what a review has written";
         problems_.push_back(
             diagnose("result-W02", fmt::format("cannot read '{}': {}; earlier decisions are not known",
-                                               (options_.results / kReviewFile).string(), why)));
+                                               (options_.results / kReviewFile).generic_string(), why)));
         return;
     }
     for (std::size_t i = 0; i < shots_.size(); ++i) {

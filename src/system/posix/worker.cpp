@@ -15,6 +15,10 @@
 
 namespace glibra::system {
 
+bool workersAreCopies() {
+    return true;
+}
+
 std::optional<WorkerEnds> endsOfThisWorker() {
     return std::nullopt;
 }
@@ -31,7 +35,8 @@ void endWorker(int status) {
     ::_exit(status);
 }
 
-std::optional<Worker> startWorker(std::span<Worker* const> others, std::uint64_t memory, const Serve& serve) {
+std::optional<Worker> startWorker(std::span<Worker* const> others, std::uint64_t memory,
+                                  std::uint64_t /*call*/, const Serve& serve) {
     WorkerEnds ends{.memory = memory};
     Worker worker;
     if (makePipe(ends.requests, worker.requests) != 0) return std::nullopt;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 bool endsWithOneOf(const fs::path& file, std::string_view endings) {
-    const std::string own = file.extension().string();
+    const std::string own = file.extension().generic_string();
     return endings.empty() || std::ranges::any_of(std::views::split(endings, ' '), [&](const auto& each) {
                return glib::sameWord(own, std::string_view(each.begin(), each.end()));
            });
@@ -38,7 +38,7 @@ FolderList listFolder(const fs::path& folder, std::string_view endings) {
         return list;
     }
     for (const fs::directory_iterator end; !failure && each != end; each.increment(failure)) {
-        const std::string name = each->path().filename().string();
+        const std::string name = each->path().filename().generic_string();
         std::error_code unknown;
         if (name.starts_with('.')) continue;
         if (each->is_directory(unknown))
@@ -75,9 +75,10 @@ std::vector<ExampleScene> exampleScenes(const fs::path& root) {
          !failure && each != end; each.increment(failure)) {
         const fs::path& file = each->path();
         std::error_code unknown;
-        if (!glib::sameWord(file.extension().string(), ".glib") || !each->is_regular_file(unknown)) continue;
+        if (!glib::sameWord(file.extension().generic_string(), ".glib") || !each->is_regular_file(unknown))
+            continue;
         const fs::path topic = file.parent_path().lexically_relative(folder);
-        scenes.push_back({file, topic == "." ? "" : topic.string(), file.stem().string(),
+        scenes.push_back({file, topic == "." ? "" : topic.generic_string(), file.stem().generic_string(),
                           source::headOf(textOf(file)).summary,
                           sources[file.lexically_relative(folder).generic_string()]});
     }

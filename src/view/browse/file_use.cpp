@@ -25,7 +25,8 @@ bool isEquivalent(const fs::path& a, const fs::path& b) {
 
 FileUse useOf(const render::LiveScene& live, const fs::path& file) {
     for (const SourceFile& each : sourceFiles(live))
-        if (isEquivalent(each.path, file)) return {FileUse::Kind::text, {}, {each.path.string(), 1, 1}};
+        if (isEquivalent(each.path, file))
+            return {FileUse::Kind::text, {}, {each.path.generic_string(), 1, 1}};
     const scene::Scene& scene = live.scene();
     FileUse use;
     for (const scene::FileIndex i : scene.files.indices()) {

@@ -34,12 +34,12 @@ constexpr std::uint64_t kLargestRecord = 1ULL << 20;
 /// The cache file for a scene, named after its absolute path.
 fs::path entryFile(const fs::path& folder, const fs::path& scene, const char* ending) {
     std::error_code failure;
-    const std::string path = fs::absolute(scene, failure).lexically_normal().string();
+    const std::string path = fs::absolute(scene, failure).lexically_normal().generic_string();
     return folder / (suite::toText(suite::hashOf(std::as_bytes(std::span(path)))) + ending);
 }
 
 std::string contentHash(const fs::path& file) {
-    const auto bytes = image::readFile(file, {file.string(), {}});
+    const auto bytes = image::readFile(file, {file.generic_string(), {}});
     return bytes ? suite::toText(suite::hashOf(*bytes)) : std::string();
 }
 
@@ -51,7 +51,7 @@ std::int64_t timeOf(const fs::path& file) {
 Json recordOf(const fs::path& file) {
     std::error_code failure;
     const fs::path whole = fs::absolute(file, failure).lexically_normal();
-    return {{"file", whole.string()},
+    return {{"file", whole.generic_string()},
             {"bytes", fs::file_size(whole, failure)},
             {"time", timeOf(whole)},
             {"hash", contentHash(whole)}};
@@ -68,7 +68,7 @@ bool isUnchanged(const Json& record) {
 
 void writeRecord(const fs::path& folder, const fs::path& scene, const std::vector<fs::path>& files,
                  const std::string& problem) {
-    Json json{{"version", kVersion}, {"scene", scene.string()}, {"problem", problem}};
+    Json json{{"version", kVersion}, {"scene", scene.generic_string()}, {"problem", problem}};
     json["files"] = Json::array();
     for (const fs::path& each : files) json["files"].push_back(recordOf(each));
     const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -84,7 +84,7 @@ fs::path thumbnailFolder() {
 
 Thumbnail findThumbnail(const fs::path& folder, const fs::path& scene) {
     const fs::path record = entryFile(folder, scene, ".json");
-    const auto bytes = image::readFile(record, {record.string(), {}}, kLargestRecord);
+    const auto bytes = image::readFile(record, {record.generic_string(), {}}, kLargestRecord);
     if (!bytes) return {};
     const Json json = Json::parse(base::asText(*bytes), nullptr, false);
     try {
@@ -183,8 +183,8 @@ void ThumbnailMaker::finish(std::size_t scene) {
 }
 
 std::size_t ThumbnailMaker::runProcess(std::size_t first, const char*& why) {
-    std::vector<std::string> words{"glibra-view", "--thumbnails", folder_.string()};
-    for (std::size_t i = first; i < scenes_.size(); ++i) words.push_back(scenes_[i].string());
+    std::vector<std::string> words{"glibra-view", "--thumbnails", folder_.generic_string()};
+    for (std::size_t i = first; i < scenes_.size(); ++i) words.push_back(scenes_[i].generic_string());
     system::File reading, writing;
     if (makePipe(reading, writing) != 0) return scenes_.size();
     using To = system::Stream::To;

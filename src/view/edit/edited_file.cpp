@@ -180,7 +180,7 @@ void EditedFile::revert() {
 }
 
 bool EditedFile::readBytes(std::string& bytes) {
-    const auto read = image::readFile(path_, {path_.string(), {}}, kLargestFile);
+    const auto read = image::readFile(path_, {path_.generic_string(), {}}, kLargestFile);
     if (read) {
         bytes = base::asText(*read);
         return true;
@@ -269,7 +269,7 @@ void EditedFile::takeDisk() {
 
 Diagnostics EditedFile::changeFile(const std::string& bytes) {
     const auto refuse = [&](const char* why) {
-        return Diagnostics{diagnose("view-E01", why, {path_.string(), 1, 1})};
+        return Diagnostics{diagnose("view-E01", why, {path_.generic_string(), 1, 1})};
     };
     std::string onDisk;
     if (!readBytes(onDisk)) return refuse("the file cannot be read");

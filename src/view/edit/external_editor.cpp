@@ -26,7 +26,7 @@ std::vector<std::string> words(const std::string& text) {
 }
 
 std::string editorName(const std::string& program) {
-    return std::filesystem::path(program).filename().string();
+    return std::filesystem::path(program).filename().generic_string();
 }
 
 /// Adds the file and the line in the form that the editor expects.

@@ -44,7 +44,7 @@ std::vector<std::string> filesLike(const fs::path& folder, const fs::path& endin
     constexpr std::size_t kMost = 2000;
     for (fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure), end;
          !failure && each != end && names.size() < kMost; each.increment(failure))
-        if (each->path().extension() == ending) names.push_back(each->path().filename().string());
+        if (each->path().extension() == ending) names.push_back(each->path().filename().generic_string());
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -54,14 +54,14 @@ void addFileFixes(const Diagnostic& message, const fs::path& scene, std::vector<
     const auto stub = std::ranges::find(kStubs, name.extension(), &Stub::ending);
     const bool isInside = name.is_relative() && std::ranges::find(name, fs::path("..")) == name.end();
     if (stub != kStubs.end() && isInside)
-        fixes.push_back({.label = "Create " + name.string(),
+        fixes.push_back({.label = "Create " + name.generic_string(),
                          .file = fs::path(message.place.file).parent_path() / name,
                          .made = std::string(stub->text)});
     std::string other = message.suggestion;
     if (other.empty()) {
         const std::vector<std::string> names = filesLike(scene.parent_path(), name.extension());
         const std::vector<std::string_view> views(names.begin(), names.end());
-        other = base::nearestName(name.filename().string(), views);
+        other = base::nearestName(name.filename().generic_string(), views);
         // A shader for the same stage is better than nothing if it is the only one.
         if (other.empty() && names.size() == 1 && stub != kStubs.end()) other = names.front();
     }
@@ -140,7 +140,7 @@ std::string searchedFor(const Diagnostic& message, const render::LiveScene& live
     std::error_code failure;
     const auto add = [&](const fs::path& folder) {
         text += (text.empty() ? "Looked for in " : ", ") +
-                fs::absolute(folder, failure).lexically_normal().string();
+                fs::absolute(folder, failure).lexically_normal().generic_string();
     };
     for (const fs::path& each : folders.beside) add(each.empty() ? fs::path(".") : each);
     for (const fs::path& each : folders.library) add(each);

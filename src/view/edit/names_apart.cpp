@@ -26,7 +26,7 @@ std::vector<std::string> namesApart(std::span<const fs::path> files) {
             return other != file && tailOf(other, count) == tailOf(file, count);
         };
         while (tailOf(file, count) != file && std::any_of(files.begin(), files.end(), isTaken)) ++count;
-        names.push_back(tailOf(file, count).string());
+        names.push_back(tailOf(file, count).generic_string());
     }
     return names;
 }

@@ -27,7 +27,7 @@ constexpr std::uint64_t kLargestKept = 8ULL << 20;
 /// Names the copies of a file, after its absolute path.
 std::string nameOf(const fs::path& file) {
     std::error_code failure;
-    const std::string path = fs::absolute(file, failure).lexically_normal().string();
+    const std::string path = fs::absolute(file, failure).lexically_normal().generic_string();
     return suite::toText(suite::hashOf(std::as_bytes(std::span(path))));
 }
 
@@ -42,7 +42,7 @@ fs::path lockOf(const fs::path& folder, const std::string& owner) {
 }
 
 std::optional<RecoveredText> readCopy(const fs::path& copy) {
-    const auto bytes = image::readFile(copy, {copy.string(), {}}, kLargestKept);
+    const auto bytes = image::readFile(copy, {copy.generic_string(), {}}, kLargestKept);
     if (!bytes) return std::nullopt;
     const nlohmann::json json = nlohmann::json::parse(base::asText(*bytes), nullptr, false);
     const auto word = [&](const char* key) {
@@ -97,7 +97,7 @@ void SafetyCopies::keep(const fs::path& file, const std::string& text) {
     std::error_code failure;
     fs::create_directories(folder_ / "unsaved", failure);
     const nlohmann::ordered_json json{
-        {"file", fs::absolute(file, failure).string()}, {"when", timeNow()}, {"text", text}};
+        {"file", fs::absolute(file, failure).generic_string()}, {"when", timeNow()}, {"text", text}};
     const std::string bytes = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
     const fs::path copy = copyOf(file);
     image::writeFileAtomically(copy, std::as_bytes(std::span(bytes)));
@@ -135,7 +135,7 @@ SafetyCopies::Others SafetyCopies::othersOf(const fs::path& file) const {
         // NAME.OWNER.json, or NAME.json of earlier versions
         const fs::path path = each->path();
         if (path.extension() != ".json" || !path.filename().native().starts_with(name)) continue;
-        const std::string rest = path.stem().string().substr(name.size());
+        const std::string rest = path.stem().generic_string().substr(name.size());
         if (!rest.empty() && rest.front() != '.') continue;
         const std::string owner = rest.empty() ? rest : rest.substr(1);
         if (!owner_.empty() && owner == owner_) continue;

@@ -175,7 +175,7 @@ std::optional<ChosenFile> chosenFile(std::string_view text, const Place& place,
     const auto before = lines.begin() + static_cast<std::ptrdiff_t>(index);
     return ChosenFile{std::string(lines[index]),
                       static_cast<int>(std::count(lines.begin(), before, lines[index])),
-                      (isBelow ? near : whole(file)).string()};
+                      (isBelow ? near : whole(file)).generic_string()};
 }
 
 std::string withFiles(std::string_view text, std::span<const ChosenFile> files) {
@@ -204,8 +204,8 @@ Diagnostics saveValues(const std::filesystem::path& scene, std::span<const rende
                        std::span<const ChosenFile> files, EditedFile* edited) {
     if (isExample(scene))
         return {diagnose("view-E03", "this scene is an example of glibra; save a copy to keep your values",
-                         {scene.string(), 1, 1})};
-    const auto bytes = image::readFile(scene, {scene.string(), {scene.string(), 1, 1}});
+                         {scene.generic_string(), 1, 1})};
+    const auto bytes = image::readFile(scene, {scene.generic_string(), {scene.generic_string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
     const Result<std::string> text = withValues(withFiles(base::asText(*bytes), files), knobs);
     if (!text) return text.diagnostics;

@@ -61,7 +61,7 @@ bool isFound(const scene::Scene& scene, const fs::path& file, const scene::Searc
 Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
     std::error_code failure;
     if (fs::is_regular_file(file, failure) && fs::is_empty(file, failure)) return std::vector<std::byte>();
-    return image::readFile(file, {file.string(), {}});
+    return image::readFile(file, {file.generic_string(), {}});
 }
 
 }  // namespace

@@ -36,8 +36,9 @@ std::string renderCommand(const Session& session, const Hardcopy& wanted) {
     shot.options = session.renderOptions(wanted.width, wanted.height);
     if (!session.live().isAnimated()) shot.options.time = 0;
     if (wanted.samples > 1) shot.options.samples = wanted.samples;
-    std::string text = fmt::format("glibra render {} -o {}", suite::shellWord(session.path().string()),
-                                   suite::shellWord(wanted.file.string()));
+    std::string text =
+        fmt::format("glibra render {} -o {}", suite::shellWord(session.path().generic_string()),
+                    suite::shellWord(wanted.file.generic_string()));
     if (wanted.frames > 1)
         text += fmt::format(" --frames {} --fps {}", wanted.frames, wanted.framesPerSecond);
     return text + suite::optionArguments(shot);
@@ -58,7 +59,7 @@ bool replacesFile(const Hardcopy& wanted) {
 
 fs::path freeName(Hardcopy wanted) {
     if (!replacesFile(wanted)) return wanted.file;
-    std::string stem = wanted.file.stem().string();
+    std::string stem = wanted.file.stem().generic_string();
     int number = 1;
     // The largest number that is counted on: longer ones are dates and the like.
     constexpr std::size_t kMostDigits = 4;
@@ -68,7 +69,7 @@ fs::path freeName(Hardcopy wanted) {
         std::from_chars(stem.data() + dash + 1, stem.data() + stem.size(), number);
         stem.resize(dash);
     }
-    const std::string ending = wanted.file.extension().string();
+    const std::string ending = wanted.file.extension().generic_string();
     do wanted.file.replace_filename(fmt::format("{}-{}{}", stem, ++number, ending));
     while (replacesFile(wanted));
     return wanted.file;
@@ -187,15 +188,15 @@ std::string HardcopyJob::filesWritten() const {
     if (count == 0 || (state_->film && count < wanted.frames)) return {};
     std::error_code failure;
     const auto whole = [&](const std::filesystem::path& file) {
-        return std::filesystem::absolute(file, failure).lexically_normal().string();
+        return std::filesystem::absolute(file, failure).lexically_normal().generic_string();
     };
     const std::string size = fmt::format("{} x {} pixels", state_->options.width, state_->options.height);
     if (state_->film) return fmt::format("{}: {} frames of {}", whole(wanted.file), count, size);
     const std::string first = whole(firstFile(wanted));
     if (count == 1) return fmt::format("{}: {}", first, size);
     return fmt::format("{} to {}: {} files of {}", first,
-                       render::frameFile(wanted.file, count - 1, wanted.frames).filename().string(), count,
-                       size);
+                       render::frameFile(wanted.file, count - 1, wanted.frames).filename().generic_string(),
+                       count, size);
 }
 const Hardcopy& HardcopyJob::wanted() const {
     return state_->wanted;

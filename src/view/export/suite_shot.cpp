@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string fileText(const fs::path& file) {
-    const auto bytes = image::readFile(file, {file.string(), {}});
+    const auto bytes = image::readFile(file, {file.generic_string(), {}});
     return bytes ? std::string(base::asText(*bytes)) : std::string();
 }
 
@@ -45,7 +45,7 @@ Diagnostics appendShot(const fs::path& suite, const std::string& name, const Ses
 }
 
 std::string freeShotName(const fs::path& suite, const Session& session) {
-    std::string name = suite::nameOfScene(session.path().filename().string());
+    std::string name = suite::nameOfScene(session.path().filename().generic_string());
     const Result<suite::Suite> read = suite::readSuiteText(fileText(suite), suite);
     const auto isTaken = [&](const std::string& wanted) {
         return read && std::ranges::find(read->shots, wanted, &suite::Shot::name) != read->shots.end();

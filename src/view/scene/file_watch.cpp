@@ -94,7 +94,7 @@ void FileWatch::findWay(const fs::path& file, std::set<fs::path>& folders) {
             continue;
         }
         if (type == fs::file_type::not_found && rest.empty())
-            missing_[base::lower(path.string())].files.insert(file);
+            missing_[base::lower(path.generic_string())].files.insert(file);
         if (type != fs::file_type::directory) return;
         folder = path;
     }
@@ -180,7 +180,7 @@ FileWatch::Seen FileWatch::readEvent(const system::FolderEvent& event) {
     if (event.what == What::folder_gone) return Seen::moved;
     const fs::path path = folder->second / event.name;
     const auto known = names_.find(path);
-    const auto similar = missing_.find(base::lower(path.string()));
+    const auto similar = missing_.find(base::lower(path.generic_string()));
     if (known == names_.end() && similar == missing_.end()) return Seen::nothing;
     const Name& meant = known == names_.end() ? similar->second : known->second;
     if (meant.isPassed && event.what != What::written) return Seen::moved;

@@ -35,7 +35,7 @@ std::string withSolution(std::string_view text, const fs::path& solution) {
         if (const std::size_t first = line.find_first_not_of(" \t\"'");
             first != std::string_view::npos && line.substr(first).starts_with("solution"))
             // JSON's strings are such of TOML.
-            changed += "solution = " + nlohmann::json(solution.string())
+            changed += "solution = " + nlohmann::json(solution.generic_string())
                                            .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
         else
             changed += line;
@@ -50,7 +50,7 @@ std::string withSolution(std::string_view text, const fs::path& solution) {
 std::string Comparison::open(const fs::path& scene) {
     forgetPictures();
     if (other_.open(scene)) return {};
-    return fmt::format("'{}' cannot be read", scene.string());
+    return fmt::format("'{}' cannot be read", scene.generic_string());
 }
 
 bool Comparison::follow(const Session& own) {
@@ -93,7 +93,7 @@ Diagnostics copyExercise(const fs::path& scene, const fs::path& copy) {
     const Result<suite::Exercise> exercise = suite::readExercise(from);
     std::error_code failure;
     if (!exercise || fs::exists(fs::symlink_status(to, failure))) return {};
-    const auto bytes = image::readFile(from, {from.string(), {}});
+    const auto bytes = image::readFile(from, {from.generic_string(), {}});
     if (!bytes) return bytes.diagnostics;
     const std::string text =
         withSolution(base::asText(*bytes), fs::absolute(exercise->solution, failure).lexically_normal());

@@ -266,22 +266,29 @@ class Drawing {
 
 std::string orderText(const DrawnState& state) {
     Order texts = Order::array(), knobs = Order::array(), roots = Order::array();
-    for (const auto& [path, text] : state.options.texts) texts.push_back({path.string(), text});
-    for (const std::filesystem::path& each : state.options.libraryRoots) roots.push_back(each.string());
+    for (const auto& [path, text] : state.options.texts) texts.push_back({path.generic_string(), text});
+    for (const std::filesystem::path& each : state.options.libraryRoots)
+        roots.push_back(each.generic_string());
     for (const render::Knob& each : state.knobs) knobs.push_back({each.title, each.tag, each.current});
     Order options{{"glman", state.options.view == ViewPolicy::glman},
                   {"shim", state.options.shim},
                   {"roots", roots},
                   {"texts", texts}};
     if (state.options.sceneText) options["text"] = *state.options.sceneText;
-    const Order order{
-        {"path", state.scene.string()}, {"loading", state.loading},
-        {"options", options},           {"knobs", knobs},
-        {"view", jsonOf(state.view)},   {"camera", state.camera},
-        {"time", state.time},           {"axes", state.axes},
-        {"wireframe", state.wireframe}, {"mouse", {state.mouseX, state.mouseY, state.isMouseDown}},
-        {"width", state.width},         {"height", state.height},
-        {"samples", state.samples},     {"watchesLoops", state.watchesLoops}};
+    const Order order{{"path", state.scene.generic_string()},
+                      {"loading", state.loading},
+                      {"options", options},
+                      {"knobs", knobs},
+                      {"view", jsonOf(state.view)},
+                      {"camera", state.camera},
+                      {"time", state.time},
+                      {"axes", state.axes},
+                      {"wireframe", state.wireframe},
+                      {"mouse", {state.mouseX, state.mouseY, state.isMouseDown}},
+                      {"width", state.width},
+                      {"height", state.height},
+                      {"samples", state.samples},
+                      {"watchesLoops", state.watchesLoops}};
     return order.dump(-1, ' ', false, Order::error_handler_t::replace);
 }
 

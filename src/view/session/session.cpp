@@ -34,7 +34,7 @@ Session::Session(gpu::Context& context, RenderOptions options)
 /// The scene's text with the files that the user has chosen. Nothing if there are none, or if the scene
 /// cannot be read.
 std::optional<std::string> Session::textWithFiles() const {
-    const auto bytes = image::readFile(path_, {path_.string(), {}});
+    const auto bytes = image::readFile(path_, {path_.generic_string(), {}});
     if (!bytes) return std::nullopt;
     return withFiles(base::asText(*bytes), chosenFiles_);
 }
@@ -49,7 +49,7 @@ RenderOptions Session::loadOptions() const {
 }
 
 std::string Session::chooseFile(const Place& place, const std::filesystem::path& file) {
-    const auto bytes = image::readFile(path_, {path_.string(), {}});
+    const auto bytes = image::readFile(path_, {path_.generic_string(), {}});
     if (!bytes) return toString(bytes.diagnostics.front());
     auto chosen = chosenFile(base::asText(*bytes), place, file);
     if (!chosen) return "the scene has changed meanwhile; choose the file again";
@@ -137,11 +137,11 @@ void Session::restoreDevice() {
 void Session::stop(const base::DeviceLost& lost) {
     if (path_.empty()) return;
     isStopped_ = true;
-    diagnostics_.push_back(diagnose("view-E04",
-                                    "stopped, because the graphics driver reset the device" +
-                                        base::whileDrawn(lost) +
-                                        "; change a value or the text, or reload the scene, to draw it again",
-                                    lost.place.file.empty() ? Place{path_.string(), 1, 1} : lost.place));
+    diagnostics_.push_back(
+        diagnose("view-E04",
+                 "stopped, because the graphics driver reset the device" + base::whileDrawn(lost) +
+                     "; change a value or the text, or reload the scene, to draw it again",
+                 lost.place.file.empty() ? Place{path_.generic_string(), 1, 1} : lost.place));
 }
 
 void Session::take(render::LiveScene::Loading loading, bool sameScene) {

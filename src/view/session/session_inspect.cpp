@@ -26,7 +26,7 @@ ProbedPixel Session::probeDraw(scene::StepIndex step, const TargetPixel& at) {
 
 std::string Session::readText(const std::filesystem::path& file) const {
     if (const auto typed = options_.texts.find(file); typed != options_.texts.end()) return typed->second;
-    const auto bytes = image::readFile(file, {file.string(), {}});
+    const auto bytes = image::readFile(file, {file.generic_string(), {}});
     return bytes ? std::string(base::asText(*bytes)) : std::string();
 }
 

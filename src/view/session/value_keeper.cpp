@@ -66,7 +66,7 @@ nlohmann::ordered_json stateOf(const Session& session) {
                             {"file", each.place.file},
                             {"line", each.place.line},
                             {"column", each.place.column}});
-    Json json{{"scene", session.path().string()},
+    Json json{{"scene", session.path().generic_string()},
               {"framesDrawn", session.framesDrawn()},
               {"time", session.clock().time()},
               {"playing", session.clock().isPlaying()},
@@ -109,7 +109,7 @@ constexpr std::uint64_t kLargestKept = 8ULL << 20;
 
 fs::path fileOf(const fs::path& folder, const fs::path& scene) {
     std::error_code failure;
-    const std::string path = fs::absolute(scene, failure).lexically_normal().string();
+    const std::string path = fs::absolute(scene, failure).lexically_normal().generic_string();
     return folder / (suite::toText(suite::hashOf(std::as_bytes(std::span(path)))) + ".json");
 }
 
@@ -144,7 +144,7 @@ bool ValueKeeper::restore(Session& session) {
     bool isRestored = false;
     if (!folder_.empty() && session.hasScene()) {
         const fs::path file = fileOf(folder_, session.path());
-        if (const auto bytes = image::readFile(file, {file.string(), {}}, kLargestKept))
+        if (const auto bytes = image::readFile(file, {file.generic_string(), {}}, kLargestKept))
             isRestored = session.setKeptValues(render::KeptValues::ofText(base::asText(*bytes)));
     }
     see(session);

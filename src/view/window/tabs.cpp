@@ -157,7 +157,7 @@ void Tabs::updateTitles() {
         const std::vector<std::string> names = namesApart(paths);
         for (std::size_t i = 0; i < tabs_.size(); ++i) {
             shared_.tabs[i].label = tabs_[i]->session.hasScene() ? names[i] : "empty";
-            shared_.tabs[i].path = tabs_[i]->session.path().string();
+            shared_.tabs[i].path = tabs_[i]->session.path().generic_string();
         }
     }
     shared_.shownTab = shown_;

@@ -55,15 +55,17 @@ std::string showUse(Ui& ui, const FileUse& use, const std::string& name) {
 /// uses it (the shown tab is tried first), a texture in the inspector, and a model at the line that names it.
 /// A folder opens the file dialog in that folder. Any other file only gives a message.
 Dropped takeDroppedFile(Tabs& tabs, const fs::path& file) {
-    const std::string name = file.filename().string();
+    const std::string name = file.filename().generic_string();
     std::error_code failure;
     if (fs::is_directory(file, failure)) {
         tabs.shown().ui.wanted.file = FileRequest{std::nullopt, true, file};
         return {};
     }
-    if (!fs::exists(file, failure)) return {false, {}, fmt::format("{}: no such file", file.string())};
-    if (!std::ifstream(file)) return {false, {}, fmt::format("{}: cannot read this file", file.string())};
-    if (glib::sameWord(file.extension().string(), ".glib")) {
+    if (!fs::exists(file, failure))
+        return {false, {}, fmt::format("{}: no such file", file.generic_string())};
+    if (!std::ifstream(file))
+        return {false, {}, fmt::format("{}: cannot read this file", file.generic_string())};
+    if (glib::sameWord(file.extension().generic_string(), ".glib")) {
         if (tabs.find(file) == tabs.shownIndex()) return {false, {}, fmt::format("{} is already open", name)};
         return {true, {}, {}};
     }
@@ -136,7 +138,7 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
 
 /// Updates the title and the watched files after another scene is shown.
 void Window::updateForShownScene() {
-    const std::string name = session().hasScene() ? session().path().filename().string() : "";
+    const std::string name = session().hasScene() ? session().path().filename().generic_string() : "";
     display_.setTitle(name.empty() ? "glibra" : name + " - glibra");
     tabs_.watch(watch_);
     keepTabs();
@@ -148,7 +150,7 @@ void Window::showScene(const std::filesystem::path& path) {
     if (session().open(path)) {
         shared_.settings.addRecent(path);
         std::error_code failure;
-        std::erase(earlierTabs_, std::filesystem::absolute(path, failure).string());
+        std::erase(earlierTabs_, std::filesystem::absolute(path, failure).generic_string());
         if (tabs_.shown().values.restore(session()))
             ui().notice = "with the values of the last time; Ctrl+R takes those of the scene";
         ui().history.clear();
@@ -241,7 +243,7 @@ void Window::keepTabs() {
         if (!tabs_.at(i).session.hasScene()) continue;
         if (i == tabs_.shownIndex()) shown = static_cast<int>(files.size());
         std::error_code failure;
-        files.push_back(std::filesystem::absolute(tabs_.at(i).session.path(), failure).string());
+        files.push_back(std::filesystem::absolute(tabs_.at(i).session.path(), failure).generic_string());
     }
     files.insert(files.end(), earlierTabs_.begin(), earlierTabs_.end());
     if (files == shared_.settings.tabs && shown == shared_.settings.shownTab) return;
@@ -307,7 +309,8 @@ void Window::reloadIfNeeded() {
 
 /// Opens each dropped scene in a tab. Other files are shown where an open scene uses them.
 void Window::handleDropped() {
-    for (const std::filesystem::path& each : display_.takeDropped()) dropped_.push_back(each.string());
+    for (const std::filesystem::path& each : display_.takeDropped())
+        dropped_.push_back(each.generic_string());
     std::string notice;
     for (const std::string& each : dropped_) {
         const Dropped dropped = takeDroppedFile(tabs_, each);
@@ -453,8 +456,9 @@ Diagnostics Window::recover(const base::DeviceLost& lost) {
     Session& drawn = tabs_.at(std::min(drawn_, tabs_.count() - 1)).session;
     const bool isGuilty = lost.cause != base::ResetCause::other && drawn.hasScene();
     if (isGuilty) drawn.stop(lost);
-    const std::string who = isGuilty ? "'" + drawn.path().filename().string() + "', which is stopped now,"
-                                     : std::string("another program");
+    const std::string who = isGuilty
+                                ? "'" + drawn.path().filename().generic_string() + "', which is stopped now,"
+                                : std::string("another program");
     ui().notice = {who + " made the graphics driver reset the device; everything else goes on", true};
     tabs_.watch(watch_);
     framesWanted_ = kFramesAfterEvent;

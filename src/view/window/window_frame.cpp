@@ -186,7 +186,7 @@ void Window::showLoading(const std::filesystem::path& scene) {
     if (width < 1 || height < 1) return;
     ImGui_ImplOpenGL3_NewFrame();  // makes the font's texture at first
     paint();
-    const std::string text = "loading " + scene.filename().string() + " ...";
+    const std::string text = "loading " + scene.filename().generic_string() + " ...";
     ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
     const float size = font->FontSize, pad = size / 2;
     const float wide = font->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;

@@ -26,8 +26,8 @@ constexpr double kHoverSeconds = .35;   ///< before the text about a name is sho
 
 CodeContext contextOf(const Ui& ui, const EditedFile& file) {
     CodeContext context;
-    context.language =
-        glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
+    context.language = glib::sameWord(file.path().extension().generic_string(), ".glib") ? CodeLanguage::glib
+                                                                                         : CodeLanguage::glsl;
     for (const render::Knob& each : ui.session.knobs()) {
         std::string value;
         for (const double number : each.current)
@@ -231,7 +231,7 @@ void hover(Ui& ui, CodeAssist& state, const EditedFile& file, const CodeView& vi
     Severity worst = Severity::warning;
     for (const Diagnostic& each : ui.session.diagnostics())
         if (each.severity != Severity::note && each.place.line == *view.hoveredLine &&
-            each.place.file == file.path().string()) {
+            each.place.file == file.path().generic_string()) {
             messages += (messages.empty() ? "" : "\n") + each.text;
             worst = std::max(worst, each.severity);
         }

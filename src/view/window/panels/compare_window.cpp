@@ -97,7 +97,7 @@ class ComparePanel final : public Panel {
         if (!isOpen || !window_.comparison || !ui.session.hasScene()) return;
         placeFloating(ui, 30, 60, 760, 400);
         const std::string title =
-            "Compare with " + window_.comparison->path().filename().string() + "###compare";
+            "Compare with " + window_.comparison->path().filename().generic_string() + "###compare";
         if (ImGui::Begin(title.c_str(), &isOpen, ImGuiWindowFlags_NoCollapse)) {
             if (window_.problem.empty())
                 sideBySide(ui, window_);
@@ -115,7 +115,7 @@ class ComparePanel final : public Panel {
     [[nodiscard]] bool needsFrames() const override { return window_.isNew || window_.isChecking; }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
         if (!isOpen || !window_.comparison) return;
-        nlohmann::ordered_json json = {{"scene", window_.comparison->path().string()},
+        nlohmann::ordered_json json = {{"scene", window_.comparison->path().generic_string()},
                                        {"problem", window_.problem}};
         if (const std::optional<Comparison::Score> score = window_.comparison->known())
             json["score"] = {score->flip, score->structure};

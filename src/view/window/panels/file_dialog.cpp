@@ -65,7 +65,7 @@ void answer(Ui& ui, FileDialog& dialog, const fs::path& path) {
     if (!dialog.question) return openAndClose(ui, dialog, path);
     std::error_code failure;
     if (kindOf(dialog) == FileQuestion::Kind::save && fs::exists(path, failure) && dialog.existing != path) {
-        dialog.existing = path.string();
+        dialog.existing = path.generic_string();
         dialog.problem.clear();
         return;
     }
@@ -258,7 +258,7 @@ class FileDialogPanel final : public Panel {
     }
     void show(Ui& ui) override { fileDialog(ui, dialog_); }
     void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
-        state["folder"] = dialog_.list.folder.string();
+        state["folder"] = dialog_.list.folder.generic_string();
         state["dialog"] = dialog_.question ? dialog_.question->title : std::string();
     }
 

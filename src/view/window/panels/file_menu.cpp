@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void openMade(Ui& ui, const fs::path& scene) {
-    ui.notice = "made " + scene.string();
+    ui.notice = "made " + scene.generic_string();
     toolWindow(ui, "examples").isOpen = false;  // it would stand in front of the new scene
     ui.requests.open = scene;
     ui.requests.inNewTab = true;
@@ -39,8 +39,8 @@ std::string copyTemplate(Ui& ui, const fs::path& from, fs::path target) {
     if (!target.has_extension()) target += ".glib";
     if (const Diagnostics problems = writingProblem(target); !problems.empty()) return problems.front().text;
     Session session(ui.context, ui.session.renderOptions());
-    const auto bytes = image::readFile(from, {from.string(), {}});
-    if (!bytes || !session.open(from)) return "cannot read " + from.string();
+    const auto bytes = image::readFile(from, {from.generic_string(), {}});
+    if (!bytes || !session.open(from)) return "cannot read " + from.generic_string();
     const std::vector<CopiedFile> files =
         filesOfCopy(session.live(), target, true, session.renderOptions().libraryRoots);
     const Diagnostics problems =

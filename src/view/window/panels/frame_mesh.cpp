@@ -181,7 +181,7 @@ void askExport(Ui& ui, const MeshStage& stage) {
     const auto write = [text = csvOf(stage)](Ui& in, const std::filesystem::path& file) {
         const Diagnostics problems = image::writeFileAtomically(file, std::as_bytes(std::span(text)));
         if (!problems.empty()) return problems.front().text;
-        in.notice = "wrote " + file.string();
+        in.notice = "wrote " + file.generic_string();
         return std::string();
     };
     askForFile(ui,

@@ -143,7 +143,7 @@ void watch(Ui& ui, FrameWindow& window) {
         window.problem = "no frame has been drawn";
         return;
     }
-    const std::string scene = fmt::format("{} {}", session.path().string(), session.timesLoaded());
+    const std::string scene = fmt::format("{} {}", session.path().generic_string(), session.timesLoaded());
     const std::string frame =
         fmt::format("{} {} {} {}", scene, session.framesDrawn(), session.width(), session.height());
     const bool isOther = !window.listedFor.starts_with(scene);

@@ -109,7 +109,7 @@ Hardcopy wanted(const Ui& ui, const HardcopyEntries& entries) {
 /// Puts the path of a free name into the entry: the name alone if it is in the folder of hardcopies.
 void proposeFile(Ui& ui, HardcopyEntries& entries, const fs::path& file) {
     const bool isHere = file.parent_path() == folderOf(ui.settings);
-    entries.proposed = isHere ? file.filename().string() : file.string();
+    entries.proposed = isHere ? file.filename().generic_string() : file.generic_string();
     setField(entries.file, entries.proposed);
 }
 
@@ -123,9 +123,9 @@ void proposeIfNeeded(Ui& ui, HardcopyEntries& entries) {
         const fs::path ending =
             entries.proposed.empty() ? fs::path(".png") : fs::path(entries.proposed).extension();
         entries.scene = ui.session.path();
-        entries.stem = ui.session.path().stem().string();
+        entries.stem = ui.session.path().stem().generic_string();
         Hardcopy first = wanted(ui, entries);
-        first.file = folderOf(ui.settings) / (entries.stem + ending.string());
+        first.file = folderOf(ui.settings) / (entries.stem + ending.generic_string());
         return proposeFile(ui, entries, freeName(first));
     }
     if (entries.proposed != entries.file.data() || entries.job) return;
@@ -140,7 +140,8 @@ void endHardcopy(Ui& ui, HardcopyEntries& entries, const Diagnostics& problems, 
     if (entries.job && !entries.job->filesWritten().empty()) entries.last = firstFile(entries.job->wanted());
     entries.job.reset();
     ui.notice = {entries.message, entries.failed};
-    if (entries.proposed != entries.file.data()) entries.stem = fs::path(entries.file.data()).stem().string();
+    if (entries.proposed != entries.file.data())
+        entries.stem = fs::path(entries.file.data()).stem().generic_string();
     proposeFile(ui, entries, freeName(wanted(ui, entries)));
 }
 
@@ -205,7 +206,7 @@ void fileEntry(Ui& ui, HardcopyEntries& entries) {
                              ImGuiInputTextFlags_AutoSelectAll);
     mark(ui, "hardcopy/file");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui, entries).file.c_str());
-    const std::string ending = fs::path(entries.file.data()).extension().string();
+    const std::string ending = fs::path(entries.file.data()).extension().generic_string();
     const auto* known = std::ranges::find(kEndings, ending, [](const auto& each) { return each.first; });
     fieldLabel("Format");
     if (ImGui::BeginCombo("##format", known == kEndings.end() ? ending.c_str() : known->second)) {
@@ -226,7 +227,7 @@ void fileEntry(Ui& ui, HardcopyEntries& entries) {
                         [](Ui& in, const fs::path& chosen) {
                             std::error_code failure;
                             fs::create_directories(chosen, failure);
-                            in.settings.hardcopyFolder = chosen.string();
+                            in.settings.hardcopyFolder = chosen.generic_string();
                             return std::string();
                         }},
                    folder);
@@ -333,7 +334,7 @@ void replaceDialog(Ui& ui, HardcopyEntries& entries) {
     bool isDone = button(ui, "Replace", "hardcopy/replace");
     if (isDone) beginHardcopy(ui, entries, next);
     ImGui::SameLine();
-    if (button(ui, ("Write " + other.filename().string()).c_str(), "hardcopy/other")) {
+    if (button(ui, ("Write " + other.filename().generic_string()).c_str(), "hardcopy/other")) {
         proposeFile(ui, entries, other);
         beginHardcopy(ui, entries, wanted(ui, entries));
         isDone = true;

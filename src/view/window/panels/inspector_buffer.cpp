@@ -80,7 +80,7 @@ std::string exportBuffer(Ui& ui, const std::string& name, bool isPrevious,
         buffer->read(0, content.bytes);
         const Diagnostics problems = render::writeBuffer(content, file, image::NamedBy::user);
         if (!problems.empty()) return problems.front().text;
-        ui.notice = "wrote " + file.string();
+        ui.notice = "wrote " + file.generic_string();
         return {};
     }
     return "the scene has no buffer '" + name + "' any more";

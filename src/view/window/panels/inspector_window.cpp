@@ -134,7 +134,7 @@ void read(Ui& ui, Inspector& inspector, const Chosen& chosen) {
     const gpu::Target* picture = ui.session.plainPicture();
     if (!picture) return;
     std::string wanted =
-        fmt::format("{} {} {} {} {} {} {} {}", ui.session.path().string(), ui.session.timesLoaded(),
+        fmt::format("{} {} {} {} {} {} {} {}", ui.session.path().generic_string(), ui.session.timesLoaded(),
                     ui.session.framesDrawn(), inspector.chosen, inspector.level, inspector.layer,
                     inspector.isPrevious, inspector.firstRow);
     if (wanted != inspector.readFor) {

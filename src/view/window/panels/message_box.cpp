@@ -73,7 +73,7 @@ void askForMissingFile(Ui& ui, MessageBox& box) {
                 .button = "Use",
                 .hint = fmt::format(
                     "Line {} of {} does not name a file. 'Save values' writes your choice into the scene.",
-                    missing.place.line, ui.session.path().filename().string()),
+                    missing.place.line, ui.session.path().filename().generic_string()),
                 .endings = endings,
                 .chosen = [place = missing.place](Ui& in, const std::filesystem::path& file) {
                     std::string problem = in.session.chooseFile(place, file);

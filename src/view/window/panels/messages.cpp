@@ -98,7 +98,7 @@ void apply(Ui& ui, const MessageFix& fix) {
     if (!fix.made.empty()) {
         Diagnostics problems;
         if (std::filesystem::exists(fix.file, failure))
-            ui.notice = {fix.file.filename().string() + " exists already", true};
+            ui.notice = {fix.file.filename().generic_string() + " exists already", true};
         else
             problems = image::writeFileAtomically(fix.file, std::as_bytes(std::span(fix.made)));
         if (!problems.empty()) ui.notice = problems.front();
@@ -109,7 +109,7 @@ void apply(Ui& ui, const MessageFix& fix) {
         replaceText(file, withFix(file.text(), fix));
         if (!wasChanged) saveSource(ui, fix.file);
     }
-    showSource(ui, {fix.file.string(), std::max(1, fix.line), 1});
+    showSource(ui, {fix.file.generic_string(), std::max(1, fix.line), 1});
 }
 
 /// The folders in which a missing file was looked for, and buttons for what can be done.
@@ -164,9 +164,9 @@ void listed(Ui& ui, const Diagnostic& each, const std::filesystem::path& file, i
     std::string text = each.text;
     if (!place.file.empty()) {
         const std::string line = fmt::format("{}:{}: {}", place.line, place.column, each.text);
-        text = place.file == file.string()
+        text = place.file == file.generic_string()
                    ? line
-                   : std::filesystem::path(place.file).filename().string() + ":" + line;
+                   : std::filesystem::path(place.file).filename().generic_string() + ":" + line;
     }
     ImGui::PushID(index);
     const bool isOpen = ui.fixes.opened == index;
@@ -247,8 +247,9 @@ void errorBanner(Ui& ui, std::string& banner) {
     if (first == all.end()) return;
     std::string text = first->text;
     if (!first->place.file.empty())
-        text = fmt::format("{}:{}:{}: {}", std::filesystem::path(first->place.file).filename().string(),
-                           first->place.line, first->place.column, first->text);
+        text =
+            fmt::format("{}:{}:{}: {}", std::filesystem::path(first->place.file).filename().generic_string(),
+                        first->place.line, first->place.column, first->text);
     const auto others = countOf(ui, Severity::error) - 1;
     const std::string more = others > 0 ? fmt::format("and {} more", others) : std::string();
     banner = text + (more.empty() ? "" : " " + more);

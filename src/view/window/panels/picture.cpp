@@ -97,7 +97,7 @@ void cursor(const Ui& ui, ImDrawList& list) {
         list.AddLine(from, to, kColors[static_cast<std::size_t>(axis)], 2 * ui.shared.scale);
     }
     constexpr int kMostShown = 200;
-    const std::string line = sourceLine({ui.session.path().string(), picked.draw.line, 1});
+    const std::string line = sourceLine({ui.session.path().generic_string(), picked.draw.line, 1});
     // Whole inside the picture, wherever the cursor is.
     const Rectangle& r = ui.frame.picture;
     const float gap = 12 * ui.shared.scale, edge = 6 * ui.shared.scale;

@@ -112,7 +112,7 @@ void probeContent(Ui& ui, const Probe& probe) {
     if (pixel.draw.file == 0) {
         ImGui::SameLine();
         if (smallButton(ui, "Show", "probe/show"))
-            showSource(ui, {ui.session.path().string(), pixel.draw.line, 1});
+            showSource(ui, {ui.session.path().generic_string(), pixel.draw.line, 1});
     }
     ImGui::SameLine();
     if (smallButton(ui, "Copy", "probe/copy")) ImGui::SetClipboardText(pixelText(pixel).c_str());

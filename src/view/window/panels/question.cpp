@@ -30,7 +30,7 @@ std::string saveAll(Ui& ui, const Question& question) {
         if (!file) continue;
         if (const Diagnostics problems = file->save(); !problems.empty()) return toString(problems.front());
         if (file->hasConflict())
-            return each.filename().string() +
+            return each.filename().generic_string() +
                    " was changed by another program. Press Cancel, then choose in the source panel which "
                    "version to keep.";
     }

@@ -33,7 +33,7 @@ std::filesystem::path recentScenes(Ui& ui, std::size_t most, const std::string& 
             ImGui::Indent();
         else
             ImGui::SameLine();
-        const std::string words = isGone ? "the file is gone" : file.parent_path().string();
+        const std::string words = isGone ? "the file is gone" : file.parent_path().generic_string();
         const float width =
             isNarrow ? ImGui::GetContentRegionAvail().x : std::max(80.F, ui.frame.room[2] * .6F);
         ImGui::TextDisabled("%s", shortened(words, width).c_str());

@@ -57,7 +57,7 @@ class RecoveryPanel final : public Panel {
             if (kept_.contains(each.path) || ui.shared.recovered.contains(each.path)) continue;
             SafetyCopies::Others others = ui.shared.copies.othersOf(each.path);
             if (others.isOpen && told_.insert(each.path).second)
-                ui.notice = "another window has text of " + each.path.filename().string() +
+                ui.notice = "another window has text of " + each.path.filename().generic_string() +
                             " that is not saved; it is not in this window";
             if (!others.left) continue;
             if (const EditedFile file(each.path);
@@ -66,7 +66,7 @@ class RecoveryPanel final : public Panel {
                 continue;
             }
             ui.shared.recovered.insert_or_assign(each.path, std::move(*others.left));
-            showSource(ui, {each.path.string(), 1, 1});
+            showSource(ui, {each.path.generic_string(), 1, 1});
         }
     }
 

@@ -24,7 +24,7 @@ Result<std::string> textToSave(const Ui& ui) {
     const fs::path& path = ui.session.path();
     if (const EditedFile* edited = knownSource(ui, path); edited && edited->isChanged())
         return edited->text();
-    const auto bytes = image::readFile(path, {path.string(), {path.string(), 1, 1}});
+    const auto bytes = image::readFile(path, {path.generic_string(), {path.generic_string(), 1, 1}});
     if (!bytes) return bytes.diagnostics;
     return withValues(
         withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, ui.session.chosenFiles()),
@@ -46,7 +46,7 @@ std::string save(Ui& ui, fs::path target) {
         if (problems.empty()) problems = copyExercise(session.path(), target);
     }
     if (!problems.empty()) return problems.front().text;
-    ui.notice = "saved " + target.string();
+    ui.notice = "saved " + target.generic_string();
     if (!files.empty()) ui.notice.text += " and " + base::counted(files.size(), "file") + " that it reads";
     ui.requests.open = target;
     ui.requests.inNewTab = true;
@@ -78,14 +78,14 @@ void saveScene(Ui& ui) {
         ui.notice = problems.front();
         return;
     }
-    ui.notice = "saved the values in " + ui.session.path().filename().string();
+    ui.notice = "saved the values in " + ui.session.path().filename().generic_string();
     ui.session.forgetChosenFiles();
 }
 
 void saveSceneAs(Ui& ui) {
     if (!ui.session.hasScene()) return;
     const bool isCopy = isExample(ui.session.path());
-    const std::string name = ui.session.path().filename().string();
+    const std::string name = ui.session.path().filename().generic_string();
     askForFile(
         ui,
         {.kind = FileQuestion::Kind::save,

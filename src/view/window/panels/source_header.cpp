@@ -45,7 +45,7 @@ void fileTabs(Ui& ui, SourceState& panel) {
         if (panel.follow && each.path == panel.chosen) flags |= ImGuiTabItemFlags_SetSelected;
         if (isWrong) ImGui::PushStyleColor(ImGuiCol_Text, asVector(palette().error));
         // ImGui leaves no room for its own mark of what is not saved, and would shorten the name.
-        const std::string label = each.label + (isChanged ? " *###" : "###") + each.path.string();
+        const std::string label = each.label + (isChanged ? " *###" : "###") + each.path.generic_string();
         const bool isShown = ImGui::BeginTabItem(label.c_str(), nullptr, flags);
         if (isWrong) ImGui::PopStyleColor();
         mark(ui, "source/file/" + each.label);
@@ -98,7 +98,7 @@ void replaceText(EditedFile& file, std::string text) {
 }
 
 std::string savedNotice(const std::filesystem::path& file) {
-    return file.filename().string() + " saved";
+    return file.filename().generic_string() + " saved";
 }
 
 void saveSource(Ui& ui, const std::filesystem::path& chosen) {
@@ -107,7 +107,8 @@ void saveSource(Ui& ui, const std::filesystem::path& chosen) {
     if (const Diagnostics problems = file->save(); !problems.empty()) {
         ui.notice = problems.front();
     } else if (file->hasConflict()) {
-        ui.notice = {chosen.filename().string() + " was not saved: another program has changed it", true};
+        ui.notice = {chosen.filename().generic_string() + " was not saved: another program has changed it",
+                     true};
     } else {
         ui.notice = savedNotice(chosen);
         ui.requests.saved = chosen;
@@ -131,7 +132,7 @@ void revertSource(EditedFile& file, CodeView& view) {
 }
 
 void openShown(Ui& ui, const EditedFile& file, const CodeView& view) {
-    ui.notice = openInEditor({file.path().string(), view.line, view.column});
+    ui.notice = openInEditor({file.path().generic_string(), view.line, view.column});
 }
 
 const char* nameOfPlace(SourcePlace place) {

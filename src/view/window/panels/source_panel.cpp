@@ -104,13 +104,14 @@ void sourceContent(Ui& ui, SourceState& panel) {
     const float below = messages == 0 ? 0
                                       : std::min(ImGui::GetContentRegionAvail().y * .4F,
                                                  line * (static_cast<float>(messages) + 5));
-    const CodeLanguage language =
-        glib::sameWord(file.path().extension().string(), ".glib") ? CodeLanguage::glib : CodeLanguage::glsl;
+    const CodeLanguage language = glib::sameWord(file.path().extension().generic_string(), ".glib")
+                                      ? CodeLanguage::glib
+                                      : CodeLanguage::glsl;
     const FindBar& find = panel.find;
     const int cursorBefore = view.cursor;
     assistKeys(panel.assist, file, view);
     const bool isChanged =
-        codeEditor(panel.chosen.string().c_str(), file.text(), view, {marks, find.found, find.shown},
+        codeEditor(panel.chosen.generic_string().c_str(), file.text(), view, {marks, find.found, find.shown},
                    language, !file.whyReadOnly().empty(), below, ui.settings.wrapsLines);
     markPlace(ui, "source/text");
     const unsigned stop = ImGui::GetID("text stop");  // the widget's own number is 0 at times
@@ -123,8 +124,12 @@ void sourceContent(Ui& ui, SourceState& panel) {
     else if (view.cursor != cursorBefore)
         file.history().endStep();
     panel.keepsKeyboard = panel.keepsKeyboard || view.isActive;
-    panel.shown = {panel.chosen.string(), view.line,        view.column,
-                   view.isActive,         file.isChanged(), file.hasConflict()};
+    panel.shown = {panel.chosen.generic_string(),
+                   view.line,
+                   view.column,
+                   view.isActive,
+                   file.isChanged(),
+                   file.hasConflict()};
     assist(ui, panel.assist, file, view, isChanged);
     if (messages == 0) return;
     ImGui::BeginChild("messages");

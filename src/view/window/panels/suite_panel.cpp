@@ -33,7 +33,7 @@ void proposeShot(const Ui& ui, SuiteEntries& entries) {
     if (entries.scene == session.path()) return;
     entries.scene = session.path();
     entries.message.clear();
-    setField(entries.file, (ownFolder(ui) / "pictures.toml").string());
+    setField(entries.file, (ownFolder(ui) / "pictures.toml").generic_string());
     setField(entries.name, freeShotName(entries.file.data(), session));
 }
 
@@ -46,7 +46,7 @@ void addShot(const Session& session, SuiteEntries& entries) {
     entries.message = entries.failed
                           ? toString(problems.front())
                           : fmt::format("added '{}' to {}; `glibra test --update` makes its golden picture",
-                                        name, file.filename().string());
+                                        name, file.filename().generic_string());
     if (const std::string without = session.onlyOnScreen(); !entries.failed && !without.empty())
         entries.message += "; the shot is without " + without;
     if (!entries.failed) setField(entries.name, freeShotName(file, session));

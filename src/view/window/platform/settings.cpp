@@ -22,7 +22,7 @@ constexpr std::size_t kMostTabs = 50;
 
 void Settings::addRecent(const fs::path& scene) {
     std::error_code failure;
-    const std::string whole = fs::absolute(scene, failure).lexically_normal().string();
+    const std::string whole = fs::absolute(scene, failure).lexically_normal().generic_string();
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
     if (recent.size() > kMostRecent) recent.resize(kMostRecent);
@@ -44,7 +44,7 @@ fs::path settingsFile() {
 
 Settings readSettings(const fs::path& file) {
     Settings settings;
-    const auto bytes = image::readFile(file, {file.string(), {}}, 1 << 20);
+    const auto bytes = image::readFile(file, {file.generic_string(), {}}, 1 << 20);
     if (!bytes) return settings;
     const auto* text = reinterpret_cast<const char*>(bytes->data());
     const nlohmann::json json = nlohmann::json::parse(text, text + bytes->size(), nullptr, false);

@@ -31,7 +31,7 @@ std::string fontFile(const char* name) {
         const std::string_view folder = rest.substr(0, rest.find(':'));
         const auto file = std::filesystem::path(folder) / "fonts/truetype/dejavu" / name;
         std::error_code failure;
-        if (std::filesystem::is_regular_file(file, failure)) return file.string();
+        if (std::filesystem::is_regular_file(file, failure)) return file.generic_string();
         rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
     }
     return {};
