@@ -4,7 +4,8 @@
 The rooms and their order are declared in CMakeLists.txt and tools/cmake/*.cmake: glibra_room(NAME ROOMS ...) may include
 itself, the rooms that it names, and the rooms that those name. Programs (src/cli, src/python, src/view/window and a
 room's folder program) may include every room and the command line, and no room may include them. The order of the
-sub-folders of a room is ORDER, below. A .cpp file and the header of the same name count as one file: the circle of two
+sub-folders of a room is ORDER, below. What differs between operating systems stands in src/system alone (the door): no
+other file has a header, a condition, a call or a path of one system. A .cpp file and the header of the same name count as one file: the circle of two
 headers and the circle that is closed by a .cpp file are the same mistake. Prints each include that breaks a rule, as
 file:line, and exits with status 1 if there is one.
 
@@ -127,6 +128,27 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
 # Programs that are no room, and the CMake target that names what they link.
 PROGRAMS = {"cli": "glibra_cli", "python": "glibra_python"}
 
+# The door to the operating system. Headers of others in <>, besides those of the standard library, by their beginnings.
+LIBRARIES = ("glibra/", "glm/", "fmt/", "CLI/", "nlohmann/", "glad/", "libdeflate.h", "spng.h", "xxhash.h", "minizip/",
+             "GLFW/", "imgui", "backends/imgui_impl_", "stb_", "stb/", "embedded/", "math.h", "stddef.h", "stdint.h", "httplib.h", "OpenImageIO/", "Imath", "Imf", "OpenEXR/", "webp/", "pybind11/",
+             "boost/", "toml++/")
+# What an implementation in src/system may include besides. posix has no header that only Linux has.
+POSIX = re.compile(r"(sys/(file|ioctl|mman|resource|socket|stat|types|utsname|wait)|dlfcn|fcntl|poll|pthread|signal|spawn|stdlib|"
+                   r"termios|unistd)\.h")
+LINUX = re.compile(r"(sys/(eventfd|inotify|prctl|syscall|xattr)|linux/\w+|link|sched|seccomp)\.h")
+SYSTEM_WORDS = re.compile(
+    r"\b_WIN32\b|\b_WIN64\b|__linux__|__unix__|__APPLE__|__FreeBSD__|__ANDROID__|__MINGW32__|__CYGWIN__|_POSIX_\w+"
+    r"|(?<![\w:>.])::(open|read|write|close|fork|kill|stat|fstat|lstat|access|pipe|poll|mmap|dup2?|unlink|rename|getpid|"
+    r"raise|signal|alarm|isatty|_exit|mkdir|dlopen|dlsym|send|recv|flock|uname|usleep)\("
+    r"|\b(setenv|unsetenv|putenv|localtime_r|gmtime_r|timegm|tm_gmtoff|clock_gettime|clock_getcpuclockid|fileno|fdopen|"
+    r"popen|mkstemp|mkdtemp|realpath|strsignal|pid_t|mode_t|sigaction|posix_\w+|dlopen|dlsym|waitpid|getpid)\b"
+    r'|"/(proc|dev|sys|etc|usr|tmp|run|var)(/|")|"(XDG_\w+|HOME|APPDATA|LOCALAPPDATA|USERPROFILE)"')
+# Files that have such a word all the same.
+MAY_HAVE = {
+    "include/glibra/export.h": "what a compiler needs to export a function; public headers include no room",
+    "src/system/processors.h": "what a compiler and a loader can do together",
+}
+
 BEGIN, END = "<!-- rooms: the first, third and fourth column by tools/layers.py --update -->", "<!-- end of rooms -->"
 
 
@@ -232,6 +254,34 @@ def order_problem(file, included):
         if own in order and below in order and below not in order[own]:
             return f"the files of {folder}/{own} may not include those of {folder}/{below}"
     return None
+
+
+def door_problem(file, line):
+    """What a line has that only src/system may have, or None. `file` is relative to the root."""
+    folder = file.parent.name if file.is_relative_to("src/system") else ""
+    if folder not in ("", "system"):  # an implementation
+        header = re.match(r"\s*#\s*include\s*<([^>]+\.h)>", line)
+        allowed = {"posix": (POSIX,), "linux": (POSIX, LINUX)}.get(folder)
+        if header and allowed and not any(each.fullmatch(header.group(1)) for each in allowed):
+            return f"<{header.group(1)}> is no header that src/system/{folder} may use"
+        return None
+    header = re.match(r"\s*#\s*include\s*<([^>]+)>", line)
+    if header and (header.group(1) == "csignal" or
+                   (re.search(r"[./]", header.group(1)) and not header.group(1).startswith(LIBRARIES))):
+        return f"<{header.group(1)}> is for src/system alone, unless it is a library's: then LIBRARIES names it"
+    word = SYSTEM_WORDS.search(re.sub(r"(^|\s)//.*", "", line))
+    return f"{word.group(0)} is for src/system alone" if word and file.as_posix() not in MAY_HAVE else None
+
+
+def door_problems():
+    """Every line outside of src/system that has something of one operating system."""
+    for folder in (SOURCE, ROOT / "include"):
+        for path in sources(folder):
+            file = path.relative_to(ROOT)
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                problem = door_problem(file, line)
+                if problem:
+                    yield f"{file}:{number}: {problem}"
 
 
 def circles(graph):
@@ -379,7 +429,7 @@ def main():
         return 1 if problems else 0
 
     all_includes = list(includes())
-    problems = problems_of(all_includes, reachable_rooms(named))
+    problems = problems_of(all_includes, reachable_rooms(named)) + list(door_problems())
     if arguments.figures:
         print_figures(all_includes)
     print("\n".join(problems) if problems else f"{len(all_includes)} includes follow the order of the rooms")

@@ -28,6 +28,8 @@ enum class UserFolder { settings, state, cache };
 std::filesystem::path userFolder(UserFolder which);
 /// The user's own folder; empty if there is none.
 std::filesystem::path homeFolder();
+/// The file of a font that is installed, such as "DejaVuSans.ttf"; empty if it is not.
+std::filesystem::path fontFile(const std::string& name);
 /// The folders of an environment variable like PATH; without empty ones.
 std::vector<std::filesystem::path> foldersIn(const char* variable);
 /// True if this user may write to the file, or make files in the folder.

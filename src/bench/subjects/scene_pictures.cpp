@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <map>
 #include <random>
-#include <sstream>
 #include <system_error>
 
 #include "base/own_library.h"
@@ -17,6 +15,7 @@
 #include "image/compare/flip.h"
 #include "render/gpu_times.h"
 #include "render/scene_renderer.h"
+#include "system/places.h"
 
 namespace glibra::bench {
 namespace {
@@ -50,11 +49,8 @@ const std::map<std::string, std::vector<std::string>>& finestLevels() {
 
 /// Empty if there is none.
 fs::path library() {
-    if (const char* variable = std::getenv("GLIBRA_PATH")) {
-        std::istringstream folders(variable);
-        for (std::string each; std::getline(folders, each, ':');)
-            if (!each.empty() && base::isLibrary(each)) return each;
-    }
+    for (const fs::path& each : system::foldersIn("GLIBRA_PATH"))
+        if (base::isLibrary(each)) return each;
     std::error_code failure;
     if (fs::path found = base::libraryAbove(fs::current_path(failure)); !found.empty()) return found;
     return base::ownLibrary();

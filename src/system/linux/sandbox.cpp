@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,42 +51,15 @@ bool closeAllBut(std::vector<int> kept) {
 
 /// What drivers and the C library read and use, on this and other systems.
 void addSystem(Sandbox& sandbox) {
-    for (const char* each : {"/usr/lib",
-                             "/usr/lib64",
-                             "/usr/lib32",
-                             "/lib",
-                             "/lib64",
-                             "/usr/local/lib",
-                             "/usr/share/glvnd",
-                             "/usr/share/drirc.d",
-                             "/usr/share/libdrm",
-                             "/usr/share/egl",
-                             "/usr/share/nvidia",
-                             "/usr/share/vulkan",
-                             "/usr/share/zoneinfo",
-                             "/etc/glvnd",
-                             "/etc/vulkan",
-                             "/etc/drirc",
-                             "/etc/ld.so.cache",
-                             "/etc/ld.so.conf",
-                             "/etc/ld.so.conf.d",
-                             "/etc/ld.so.preload",
-                             "/etc/localtime",
-                             "/nix/store",
-                             "/run/opengl-driver",
-                             "/sys/devices",
-                             "/sys/dev/char",
-                             "/sys/bus/pci/devices",
-                             "/sys/class/drm",
-                             "/proc/cpuinfo",
-                             "/proc/meminfo",
-                             "/proc/stat",
-                             "/proc/sys/vm/overcommit_memory",
-                             "/proc/driver/nvidia",
-                             "/proc/modules",
-                             "/dev/urandom",
-                             "/dev/random"})
-        sandbox.readable.emplace_back(each);
+    std::istringstream readable(
+        "/usr/lib /usr/lib64 /usr/lib32 /lib /lib64 /usr/local/lib /usr/share/glvnd "
+        "/usr/share/drirc.d /usr/share/libdrm /usr/share/egl /usr/share/nvidia /usr/share/vulkan "
+        "/usr/share/zoneinfo /etc/glvnd /etc/vulkan /etc/drirc /etc/ld.so.cache /etc/ld.so.conf "
+        "/etc/ld.so.conf.d /etc/ld.so.preload /etc/localtime /nix/store /run/opengl-driver "
+        "/sys/devices /sys/dev/char /sys/bus/pci/devices /sys/class/drm /proc/cpuinfo "
+        "/proc/meminfo /proc/stat /proc/sys/vm/overcommit_memory /proc/driver/nvidia "
+        "/proc/modules /dev/urandom /dev/random ");
+    for (std::string each; readable >> each;) sandbox.readable.emplace_back(fs::path(each));
     // Not /dev/zero: mapped, it is memory that no limit counts.
     sandbox.devices.emplace_back("/dev/null");
 }

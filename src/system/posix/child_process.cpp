@@ -13,7 +13,6 @@
 #include "system/memory.h"
 #include "system/places.h"
 #include "system/posix/extras.h"
-#include "system/posix/spawn.h"
 
 namespace glibra::system {
 namespace {

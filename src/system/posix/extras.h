@@ -5,9 +5,12 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "system/file.h"
+#include "system/process.h"
 
 namespace glibra::system {
 
@@ -45,5 +48,15 @@ std::uint64_t dataBytes();
 
 /// What a Waker is made of: one descriptor for both ends, or a pipe. It takes 8 bytes.
 bool openWaker(int& reading, int& writing);
+
+// How the files of this folder start programs (process.cpp).
+
+/// As exec takes them, while `words` lives.
+std::vector<char*> pointersTo(const std::vector<std::string>& words);
+
+/// Null as `program`: the first word is searched in PATH. Each pair of descriptors is one of this process and
+/// the number that it has in the program.
+Process spawn(const char* program, const std::vector<std::string>& words, const Streams& streams,
+              std::initializer_list<std::pair<int, int>> descriptors = {});
 
 }  // namespace glibra::system

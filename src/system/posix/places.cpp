@@ -53,6 +53,17 @@ std::vector<fs::path> foldersIn(const char* variable) {
     return folders;
 }
 
+fs::path fontFile(const std::string& name) {
+    std::vector<fs::path> folders = foldersIn("XDG_DATA_DIRS");
+    if (folders.empty()) folders = {"/usr/local/share", "/usr/share"};
+    for (const fs::path& each : folders) {
+        const fs::path file = each / "fonts/truetype/dejavu" / name;
+        std::error_code failure;
+        if (fs::is_regular_file(file, failure)) return file;
+    }
+    return {};
+}
+
 bool mayWrite(const fs::path& path) {
     return ::access(path.c_str(), W_OK) == 0;
 }

@@ -20,7 +20,6 @@
 
 #include "system/places.h"
 #include "system/posix/extras.h"
-#include "system/posix/spawn.h"
 
 namespace glibra::system {
 namespace {

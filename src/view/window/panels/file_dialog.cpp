@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "system/places.h"
 #include "view/browse/example_scenes.h"
 #include "view/window/panels/recent_scenes.h"
 #include "view/window/panels/ui.h"
@@ -50,11 +50,6 @@ void showFolder(FileDialog& dialog, const fs::path& folder) {
     dialog.focusEntry = true;
 }
 
-fs::path homeFolder() {
-    const char* home = std::getenv("HOME");
-    return home ? fs::path(home) : fs::path();
-}
-
 void openAndClose(Ui& ui, const FileDialog& dialog, const fs::path& file) {
     ui.requests.open = file;
     ui.requests.inNewTab = dialog.inNewTab || ImGui::GetIO().KeyCtrl;
@@ -84,7 +79,7 @@ void takeEntry(Ui& ui, FileDialog& dialog, bool isEntered) {
     if (text.empty() && kindOf(dialog) != FileQuestion::Kind::folder) return;
     fs::path path = dialog.list.folder / text;
     if (text == "~" || text.starts_with("~/"))
-        path = homeFolder() / text.substr(std::min<std::size_t>(2, text.size()));
+        path = system::homeFolder() / text.substr(std::min<std::size_t>(2, text.size()));
     if (text.empty()) path = dialog.list.folder;
     std::error_code failure;
     const bool isFolder = fs::is_directory(path, failure);
@@ -101,7 +96,7 @@ void folderLink(FileDialog& dialog, const char* label, const fs::path& folder) {
 
 void places(Ui& ui, FileDialog& dialog) {
     ImGui::TextDisabled("Folders");
-    folderLink(dialog, "Home", homeFolder());
+    folderLink(dialog, "Home", system::homeFolder());
     std::error_code failure;
     folderLink(dialog, "Current folder", fs::current_path(failure));
     if (ui.session.hasScene())

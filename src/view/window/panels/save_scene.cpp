@@ -1,6 +1,5 @@
 #include "view/window/panels/save_scene.h"
 
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "base/text.h"
 #include "image/file.h"
+#include "system/places.h"
 #include "view/edit/example_folders.h"
 #include "view/edit/save_values.h"
 #include "view/edit/scene_copy.h"
@@ -65,8 +65,8 @@ fs::path ownFolder(const Ui& ui) {
     if (const fs::path here = fs::current_path(failure);
         !here.empty() && here != "/" && !isExample(here / "x"))
         return here;
-    const char* home = std::getenv("HOME");
-    return home ? home : ".";
+    const fs::path home = system::homeFolder();
+    return home.empty() ? "." : home;
 }
 
 void saveScene(Ui& ui) {

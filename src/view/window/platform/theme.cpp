@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
+
+#include "system/places.h"
 
 namespace glibra::view {
 namespace {
@@ -23,23 +22,9 @@ enum Font { kText, kHeading, kSmall, kCode };
 
 bool isLightTheme = false;
 
-/// The path of a DejaVu font in the desktop's data folders; empty if it is not installed.
-std::string fontFile(const char* name) {
-    const char* variable = std::getenv("XDG_DATA_DIRS");
-    std::string_view rest = variable && *variable ? variable : "/usr/local/share:/usr/share";
-    while (!rest.empty()) {
-        const std::string_view folder = rest.substr(0, rest.find(':'));
-        const auto file = std::filesystem::path(folder) / "fonts/truetype/dejavu" / name;
-        std::error_code failure;
-        if (std::filesystem::is_regular_file(file, failure)) return file.generic_string();
-        rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    }
-    return {};
-}
-
 void addFont(const char* name, float pixels) {
     ImGuiIO& io = ImGui::GetIO();
-    const std::string file = fontFile(name);
+    const std::string file = system::fontFile(name).generic_string();
     if (!file.empty() && io.Fonts->AddFontFromFileTTF(file.c_str(), pixels)) return;
     ImFontConfig config;
     config.SizePixels = pixels;
