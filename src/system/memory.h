@@ -35,6 +35,10 @@ class MemoryFile {
     /// Where files in memory are refused, as to a confined process, it is one without a name on the disk of
     /// `near`, a path. Throws std::system_error if the system gives none.
     explicit MemoryFile(const std::filesystem::path& near);
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    ~MemoryFile();
+
     [[nodiscard]] const std::string& path() const { return path_; }
     /// Throws std::system_error.
     void write(std::span<const std::byte> bytes) const;

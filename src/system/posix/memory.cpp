@@ -54,6 +54,8 @@ MemoryFile::MemoryFile(const fs::path& near) : file_(openMemoryFile("glibra-pict
     path_ = pathOf(numberOf(file_));
 }
 
+MemoryFile::~MemoryFile() = default;
+
 void MemoryFile::write(std::span<const std::byte> bytes) const {
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t put =

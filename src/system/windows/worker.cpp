@@ -1,0 +1,144 @@
+// Workers are this program, started again with its arguments. It gets in GLIBRA_WORKER the number of the call
+// of runInWorkers in which it is to serve, the memory that it may take, and its three handles.
+//
+// On its way there it does what its parent has done: it also makes the calls before, with workers of its own,
+// because what comes after may need their results. It has no standard input and output, and prints no errors,
+// until it serves. Work that must not be done twice belongs after the call, or has to be asked for.
+
+#include "system/worker.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+#include "system/memory.h"
+#include "system/places.h"
+#include "system/windows/win.h"
+
+#include <fcntl.h>
+#include <io.h>
+
+namespace glibra::system {
+namespace {
+
+/// Calls of runInWorkers so far; they come one after the other.
+std::uint64_t calls = 0;
+/// Nobody could start the worker of a worker again: the way to its call leads through a piece.
+bool isWorker = false;
+
+/// Handles and numbers of a process that is to be a worker.
+struct Order {
+    std::uint64_t call = 0, memory = 0;
+    File requests, answers, errors;
+};
+
+Order& order() {
+    static Order own = [] {
+        constexpr std::size_t kCount = 5;
+        const std::vector<std::uint64_t> numbers = inherited(kWorkerVariable);
+        if (numbers.size() != kCount) return Order();
+        return Order{numbers[0], numbers[1], takeHandle(numbers[2]), takeHandle(numbers[3]),
+                     takeHandle(numbers[4])};
+    }();
+    return own;
+}
+
+/// From now on errors are printed where the parent prints them.
+void openErrors(const File& errors) {
+    HANDLE copy = nullptr;  // which belongs to the C runtime then
+    const HANDLE self = ::GetCurrentProcess();
+    if (!errors || !::DuplicateHandle(self, winOf(errors), self, &copy, 0, FALSE, DUPLICATE_SAME_ACCESS))
+        return;
+    const int number = ::_open_osfhandle(reinterpret_cast<std::intptr_t>(copy), _O_BINARY);
+    if (number < 0) return;
+    std::fflush(stderr);
+    ::_dup2(number, ::_fileno(stderr));
+    ::_close(number);
+    ::SetStdHandle(STD_ERROR_HANDLE, reinterpret_cast<HANDLE>(::_get_osfhandle(::_fileno(stderr))));
+}
+
+BOOL WINAPI leaveToParent(DWORD event) {
+    return event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT;
+}
+
+}  // namespace
+
+std::optional<WorkerEnds> endsOfThisWorker() {
+    ++calls;
+    Order& own = order();
+    if (own.call != calls || !own.requests || !own.answers) return std::nullopt;
+    isWorker = true;
+    openErrors(own.errors);
+    return WorkerEnds{std::move(own.requests), std::move(own.answers), own.memory};
+}
+
+/// Its end with its parent is the matter of a job (start.cpp). Windows ends no process for want of memory.
+void becomeWorker() {
+    leaveNoCore();
+    ::SetConsoleCtrlHandler(leaveToParent, TRUE);
+}
+
+void endWorker(int status) {
+    if (status == 0) std::fflush(nullptr);
+    // Not by ExitProcess(), in which drivers may wait for threads that are gone.
+    ::TerminateProcess(::GetCurrentProcess(), static_cast<UINT>(status));
+    std::abort();
+}
+
+std::optional<Worker> startWorker(std::span<Worker* const>, std::uint64_t memory, const Serve&) {
+    if (isWorker) return std::nullopt;
+    Worker worker;
+    File requests, answers;
+    if (makePipeEnds(PipeEnd::writes, worker.requests, requests) != 0 ||
+        makePipeEnds(PipeEnd::reads, worker.answers, answers) != 0)
+        return std::nullopt;
+    const HANDLE error = standardHandle(STD_ERROR_HANDLE);
+    const File nothing = error == nullptr ? openExisting(L"NUL", GENERIC_WRITE, 0) : File();
+    std::fflush(nullptr);
+    worker.process = start(
+        {.program = programFile(),
+         .words = ownWords(),
+         .streams = {Stream::To::nothing, Stream::To::nothing, Stream::To::nothing},
+         .handles = {winOf(requests), winOf(answers), nothing ? winOf(nothing) : error},
+         .variable = kWorkerVariable + (L'=' + std::to_wstring(calls)) + L':' + std::to_wstring(memory)});
+    if (!worker.process) return std::nullopt;
+    return worker;
+}
+
+bool waitForAny(std::span<Worker* const> workers, int milliseconds, std::span<bool> ready) {
+    std::vector<HANDLE> pipes;
+    pipes.reserve(workers.size());
+    for (const Worker* each : workers) pipes.push_back(winOf(each->answers));
+    waitForBytes(pipes, ready, nullptr, waitOf(milliseconds));
+    return true;
+}
+
+Received receive(const Worker& worker, std::string& to) {
+    constexpr std::size_t kPortion = 1U << 16U;
+    const std::size_t had = to.size();
+    to.resize(had + kPortion);
+    std::size_t got = 0;
+    readOnce(winOf(worker.answers), to.data() + had, kPortion, got);
+    to.resize(had + got);
+    return got == 0 ? Received::ended : Received::some;
+}
+
+void send(const Worker& worker, std::span<const std::byte> bytes) {
+    writeAll(worker.requests, bytes);
+}
+
+End end(Worker& worker) {
+    worker.requests.close();
+    worker.answers.close();
+    return waitFor(worker.process);
+}
+
+// Windows has no signal for such pipes.
+
+struct BrokenPipesAreErrors::State {};
+
+BrokenPipesAreErrors::BrokenPipesAreErrors() = default;
+
+BrokenPipesAreErrors::~BrokenPipesAreErrors() = default;
+
+}  // namespace glibra::system
