@@ -15,6 +15,7 @@
 #include "classroom/submissions.h"
 #include "image/file.h"
 #include "suite/run/run_options.h"
+#include "system/folder.h"
 
 namespace glibra::classroom {
 namespace {
@@ -40,7 +41,7 @@ Diagnostics makeFolder(const fs::path& site, const char* name) {
         if (!fs::exists(folder / kMark, failure) && !fs::exists(folder / kFormerMark, failure) &&
             !fs::is_empty(folder, failure))
             return fail("it was not made by glibra; name another folder with -o");
-        fs::remove_all(folder, failure);
+        system::removeTree(folder);
     } else if (type != fs::file_type::not_found) {
         return fail("it is no folder");
     }
@@ -50,9 +51,8 @@ Diagnostics makeFolder(const fs::path& site, const char* name) {
 
 /// Removes what was unpacked before something went wrong.
 void empty(const fs::path& folder) {
-    std::error_code ignored;
     for (const fs::directory_entry& each : base::entriesOf(folder))
-        if (each.path().filename() != kMark) fs::remove_all(each.path(), ignored);
+        if (each.path().filename() != kMark) system::removeTree(each.path());
 }
 
 /// Copies an ordinary file by reading and writing alone, which is all that a sandbox allows.

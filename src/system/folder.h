@@ -53,6 +53,8 @@ void keepAccess(const std::filesystem::path& replaced, const std::filesystem::pa
 /// behind, and puts it in the place of `file` with its access (keepAccess). ENOTSUP: the system or a sandbox
 /// has no such files.
 int replaceUnnamed(const std::filesystem::path& file, std::span<const std::byte> bytes, bool keepsOwner);
+/// Removes a file, or a folder with all that is in it. Returns 0 or an error number; 0 also if there is none.
+int removeTree(const std::filesystem::path& path);
 /// Puts a file in the place of another one in the same file system. Returns 0 or an error number.
 int renameOver(const std::filesystem::path& from, const std::filesystem::path& to);
 

@@ -19,3 +19,4 @@ set_target_properties(glibra_bench_program PROPERTIES OUTPUT_NAME glibra-bench R
 glibra_compile_options(glibra_bench_program)
 glibra_quick_to_compile(glibra_bench_program -Og)
 target_link_libraries(glibra_bench_program PRIVATE glibra_bench glibra_cli)
+glibra_on_windows(glibra_bench_program)

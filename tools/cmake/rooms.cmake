@@ -86,6 +86,7 @@ endif()
 # The files of the room system: one folder per implementation, and linux replaces files of posix that have the same names.
 function(glibra_files_of_system result system)
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/system/${system}/*.cpp)
+    list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/system/windows/programs.cpp)  # of each program
     if(NOT sources)
         message(FATAL_ERROR "GLIBRA_SYSTEM is '${system}': there is no src/system/${system}.")
     endif()
@@ -139,6 +140,25 @@ function(glibra_room room)
             glibra_precompile(${target} glibra_system)
         endif()
     endforeach()
+endfunction()
+
+# glibra_on_windows(PROGRAM [WINDOW]): what a program of Windows has besides: its manifest and version, the symbols by which it
+# gets the fast graphics card, and no libraries of the compiler. WINDOW: no console.
+function(glibra_on_windows program)
+    if(NOT GLIBRA_SYSTEM STREQUAL "windows")
+        return()
+    endif()
+    set(folder ${PROJECT_SOURCE_DIR}/src/system/windows)
+    target_sources(${program} PRIVATE ${folder}/programs.cpp ${folder}/glibra.rc)
+    set_source_files_properties(${folder}/programs.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+    string(REPLACE "." "," numbers ${PROJECT_VERSION})
+    get_target_property(name ${program} OUTPUT_NAME)
+    target_compile_definitions(${program} PRIVATE $<$<COMPILE_LANGUAGE:RC>:GLIBRA_VERSION_NUMBERS=${numbers},0>
+                                                  $<$<COMPILE_LANGUAGE:RC>:GLIBRA_PROGRAM=\"${name}\">)
+    if("WINDOW" IN_LIST ARGN)
+        set(no_console -mwindows)
+    endif()
+    target_link_options(${program} PRIVATE -static ${no_console})
 endfunction()
 
 # glibra_rooms_of(RESULT TARGET): the rooms that a room is linked with, directly and through others.

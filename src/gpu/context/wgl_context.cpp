@@ -40,7 +40,7 @@ struct WglLibrary {
 
 class WglBackend final : public Backend {
   public:
-    WglBackend(WglLibrary wgl, system::HiddenWindow window, void* context)
+    WglBackend(WglLibrary wgl, std::unique_ptr<system::HiddenWindow> window, void* context)
         : wgl_(std::move(wgl)), window_(std::move(window)), context_(context) {}
     WglBackend(const WglBackend&) = delete;
     WglBackend& operator=(const WglBackend&) = delete;
@@ -49,7 +49,7 @@ class WglBackend final : public Backend {
         wgl_.deleteContext(context_);
     }
 
-    bool makeCurrent() override { return wgl_.makeCurrent(window_.deviceContext(), context_) != 0; }
+    bool makeCurrent() override { return wgl_.makeCurrent(window_->deviceContext(), context_) != 0; }
     [[nodiscard]] bool isCurrent() const override { return wgl_.currentContext() == context_; }
     void* address(const char* function) override { return wgl_.address(function); }
     [[nodiscard]] Driver driver() const override { return Driver::wgl; }
@@ -57,7 +57,7 @@ class WglBackend final : public Backend {
 
   private:
     WglLibrary wgl_;
-    system::HiddenWindow window_;
+    std::unique_ptr<system::HiddenWindow> window_;
     void* context_;
 };
 
@@ -103,8 +103,8 @@ Attempt openWgl(const ContextOptions& options) {
     wgl.makeCurrent = wgl.library.find<int (*)(void*, void*)>("wglMakeCurrent");
     wgl.currentContext = wgl.library.find<void* (*)()>("wglGetCurrentContext");
     wgl.extensionAddress = wgl.library.find<void* (*)(const char*)>("wglGetProcAddress");
-    system::HiddenWindow window;
-    void* const device = window.deviceContext();
+    auto window = std::make_unique<system::HiddenWindow>();
+    void* const device = window->deviceContext();
     if (device == nullptr) return std::vector{tried("no window with a pixel format for OpenGL")};
 
     // Only while a context is current does WGL give the function that makes one of a version.

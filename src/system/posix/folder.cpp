@@ -112,6 +112,12 @@ int replaceIn(const File& folder, const std::string& name, std::span<const std::
     return EEXIST;
 }
 
+int removeTree(const fs::path& path) {
+    std::error_code failure;
+    fs::remove_all(path, failure);
+    return failure.value();
+}
+
 int renameOver(const fs::path& from, const fs::path& to) {
     return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }

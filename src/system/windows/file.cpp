@@ -171,21 +171,29 @@ File openToRead(const fs::path& path, Links links) {
     return openExisting(path, GENERIC_READ, FILE_FLAG_BACKUP_SEMANTICS);
 }
 
+File nullDevice() {
+    return openExisting(L"NUL", GENERIC_READ | GENERIC_WRITE, 0);
+}
+
 File openToOverwrite(const fs::path& path) {
+    if (repeatsParent()) return nullDevice();
     return openExisting(path, GENERIC_WRITE, 0);
 }
 
 File openToAppend(const fs::path& path) {
+    if (repeatsParent()) return nullDevice();
     return openUnlessLink(path, GENERIC_READ | FILE_APPEND_DATA);
 }
 
 File makeNewFile(const fs::path& path) {
+    if (repeatsParent()) return nullDevice();
     // It can be renamed while it is open.
     return ownOrErrno(::CreateFileW(pathText(path).c_str(), GENERIC_WRITE | FILE_READ_ATTRIBUTES, kShareAll,
                                     nullptr, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr));
 }
 
 int makePrivateFolder(const fs::path& path) {
+    if (repeatsParent()) return kindOf(path, Links::not_followed) == FileKind::folder ? 0 : ENOENT;
     PrivateAccess access;
     return ::CreateDirectoryW(pathText(path).c_str(), access.attributes()) ? 0 : lastErrno();
 }

@@ -152,6 +152,7 @@ File openFileIn(const File& folder, const std::string& name) {
 }
 
 int removeIn(const File& folder, const std::string& name) {
+    if (repeatsParent()) return 0;
     const File file = openIn(winOf(folder), wideOf(name), DELETE | FILE_READ_ATTRIBUTES, kOpen, kLinkItself);
     if (!file) return errno;
     FileFacts facts;
@@ -160,6 +161,7 @@ int removeIn(const File& folder, const std::string& name) {
 }
 
 int clearNameIn(const File& folder, const std::string& name) {
+    if (repeatsParent()) return 0;
     const File file = openIn(winOf(folder), wideOf(name), FILE_READ_ATTRIBUTES, kOpen, kLinkItself);
     if (!file) return errno == ENOENT ? 0 : errno;
     FileFacts facts;
@@ -168,6 +170,7 @@ int clearNameIn(const File& folder, const std::string& name) {
 }
 
 int replaceIn(const File& folder, const std::string& name, std::span<const std::byte> bytes) {
+    if (repeatsParent()) return 0;
     const std::wstring wide = wideOf(name);
     if (!isPlainName(wide)) return EINVAL;
     const File file = makeBetween(winOf(folder));
@@ -182,6 +185,7 @@ int replaceIn(const File& folder, const std::string& name, std::span<const std::
 }
 
 int renameOver(const fs::path& from, const fs::path& to) {
+    if (repeatsParent()) return 0;
     const File file = openExisting(from, DELETE | FILE_READ_ATTRIBUTES | SYNCHRONIZE,
                                    FILE_FLAG_OPEN_REPARSE_POINT | FILE_FLAG_BACKUP_SEMANTICS);
     if (!file) return errno;
@@ -191,6 +195,7 @@ int renameOver(const fs::path& from, const fs::path& to) {
 
 /// The file systems of Windows write the new name to their journal by themselves.
 int renameDurably(const fs::path& from, const fs::path& to) {
+    if (repeatsParent()) return 0;
     const File file = openExisting(from, GENERIC_WRITE, FILE_FLAG_OPEN_REPARSE_POINT);
     if (!file && errno != EACCES) return errno;  // a file that is only for reading is on the disk
     if (const int problem = file ? sync(file) : 0; problem != 0) return problem;
@@ -204,6 +209,7 @@ bool mustStay(const fs::path& path) {
 }
 
 int writeOver(const fs::path& path, std::span<const std::byte> bytes) {
+    if (repeatsParent()) return 0;
     if (kindOf(path, Links::not_followed) == FileKind::link) return ELOOP;
     const File file = openExisting(path, GENERIC_WRITE, 0);
     LARGE_INTEGER old{}, wanted{};
@@ -226,10 +232,18 @@ int writeOver(const fs::path& path, std::span<const std::byte> bytes) {
 
 /// An administrator's file belongs to whom the system gives it, whatever `keepsOwner` says.
 void keepAccess(const fs::path& replaced, const fs::path& by, bool) {
+    if (repeatsParent()) return;
     const File old = openExisting(replaced, kForAccess, FILE_FLAG_OPEN_REPARSE_POINT);
     const File made = openExisting(by, kForNewAccess, FILE_FLAG_OPEN_REPARSE_POINT);
     if (!old || !made || isLink(winOf(old)) || isLink(winOf(made))) return;
     keepAccessOf(winOf(old), winOf(made));
+}
+
+int removeTree(const fs::path& path) {
+    if (repeatsParent()) return 0;
+    std::error_code failure;
+    fs::remove_all(path, failure);
+    return failure.value();
 }
 
 int replaceUnnamed(const fs::path&, std::span<const std::byte>, bool) {

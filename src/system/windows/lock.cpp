@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 /// A folder is locked by a file in it, which the system removes when it is closed, however that comes.
 Lock::Try Lock::takeFolder(const fs::path& folder, Wait wait) {
     release();
+    if (repeatsParent()) return Try::taken;
     if (kindOf(folder, Links::followed) != FileKind::folder) return Try::missing;
     const fs::path file = folder / L".glibra-lock";
     constexpr DWORD kPause = 10;
@@ -34,6 +35,7 @@ Lock::Try Lock::takeFolder(const fs::path& folder, Wait wait) {
 
 Lock::Try Lock::takeNewFile(const fs::path& file) {
     release();
+    if (repeatsParent()) return Try::taken;
     PrivateAccess access;
     // Others may read it; they cannot remove it.
     file_ = ownOrErrno(::CreateFileW(pathText(file).c_str(), GENERIC_READ | GENERIC_WRITE,
@@ -50,6 +52,7 @@ void Lock::release() {
 }
 
 bool removeUnlessLocked(const fs::path& file) {
+    if (repeatsParent()) return false;
     const File opened = openExisting(file, DELETE, FILE_FLAG_OPEN_REPARSE_POINT);
     if (!opened) return ::GetLastError() == ERROR_SHARING_VIOLATION;
     removeOpen(winOf(opened));

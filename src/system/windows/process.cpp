@@ -106,7 +106,7 @@ void kill(const Process& process) {
 }
 
 int ownNumber() {
-    return static_cast<int>(::GetCurrentProcessId());
+    return repeatsParent() ? parentNumber() : static_cast<int>(::GetCurrentProcessId());
 }
 
 bool isRunning(long long number) {

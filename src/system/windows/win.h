@@ -160,6 +160,13 @@ inline constexpr const wchar_t *kWorkerVariable = L"GLIBRA_WORKER", *kChildVaria
 /// Takes over a handle of an inherited list.
 File takeHandle(std::uint64_t value);
 
+/// True in a process that was started to be a worker and has not come to its call (worker.h): functions that
+/// change files report success and do nothing, since the process parentNumber() has done that.
+bool repeatsParent();
+int parentNumber();
+/// What is written there is gone.
+File nullDevice();
+
 /// Gives the console back as it was. For whoever ends the process without exit().
 void restoreConsole();
 

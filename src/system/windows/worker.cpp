@@ -1,9 +1,6 @@
 // Workers are this program, started again with its arguments. It gets in GLIBRA_WORKER the number of the call
-// of runInWorkers in which it is to serve, the memory that it may take, and its three handles.
-//
-// On its way there it does what its parent has done: it also makes the calls before, with workers of its own,
-// because what comes after may need their results. It has no standard input and output, and prints no errors,
-// until it serves. Work that must not be done twice belongs after the call, or has to be asked for.
+// of runInWorkers in which it is to serve, the memory that it may take, three handles, and the number of its
+// parent.
 
 #include "system/worker.h"
 
@@ -21,24 +18,26 @@
 namespace glibra::system {
 namespace {
 
-/// Calls of runInWorkers so far; they come one after the other.
-std::uint64_t calls = 0;
-/// Nobody could start the worker of a worker again: the way to its call leads through a piece.
-bool isWorker = false;
-
-/// Handles and numbers of a process that is to be a worker.
+/// What a process that is to be a worker was told.
 struct Order {
     std::uint64_t call = 0, memory = 0;
-    File requests, answers, errors;
+    File requests{}, answers{}, errors{};
+    int parent = 0;
+    bool isOnTheWay = false;
 };
 
 Order& order() {
     static Order own = [] {
-        constexpr std::size_t kCount = 5;
+        constexpr std::size_t kCount = 6;
         const std::vector<std::uint64_t> numbers = inherited(kWorkerVariable);
         if (numbers.size() != kCount) return Order();
-        return Order{numbers[0], numbers[1], takeHandle(numbers[2]), takeHandle(numbers[3]),
-                     takeHandle(numbers[4])};
+        return Order{numbers[0],
+                     numbers[1],
+                     takeHandle(numbers[3]),
+                     takeHandle(numbers[4]),
+                     takeHandle(numbers[5]),
+                     static_cast<int>(numbers[2]),
+                     true};
     }();
     return own;
 }
@@ -63,17 +62,29 @@ BOOL WINAPI leaveToParent(DWORD event) {
 
 }  // namespace
 
+bool repeatsParent() {
+    return order().isOnTheWay;
+}
+
+int parentNumber() {
+    return order().parent;
+}
+
+bool workersAreCopies() {
+    return false;
+}
+
 std::optional<WorkerEnds> endsOfThisWorker() {
-    ++calls;
     Order& own = order();
-    if (own.call != calls || !own.requests || !own.answers) return std::nullopt;
-    isWorker = true;
-    openErrors(own.errors);
-    return WorkerEnds{std::move(own.requests), std::move(own.answers), own.memory};
+    if (!own.requests || !own.answers) return std::nullopt;
+    return WorkerEnds{std::move(own.requests), std::move(own.answers), own.memory, own.call};
 }
 
 /// Its end with its parent is the matter of a job (start.cpp). Windows ends no process for want of memory.
 void becomeWorker() {
+    Order& own = order();
+    own.isOnTheWay = false;
+    openErrors(own.errors);
     leaveNoCore();
     ::SetConsoleCtrlHandler(leaveToParent, TRUE);
 }
@@ -85,8 +96,8 @@ void endWorker(int status) {
     std::abort();
 }
 
-std::optional<Worker> startWorker(std::span<Worker* const>, std::uint64_t memory, const Serve&) {
-    if (isWorker) return std::nullopt;
+std::optional<Worker> startWorker(std::span<Worker* const>, std::uint64_t memory, std::uint64_t call,
+                                  const Serve&) {
     Worker worker;
     File requests, answers;
     if (makePipeEnds(PipeEnd::writes, worker.requests, requests) != 0 ||
@@ -95,12 +106,12 @@ std::optional<Worker> startWorker(std::span<Worker* const>, std::uint64_t memory
     const HANDLE error = standardHandle(STD_ERROR_HANDLE);
     const File nothing = error == nullptr ? openExisting(L"NUL", GENERIC_WRITE, 0) : File();
     std::fflush(nullptr);
-    worker.process = start(
-        {.program = programFile(),
-         .words = ownWords(),
-         .streams = {Stream::To::nothing, Stream::To::nothing, Stream::To::nothing},
-         .handles = {winOf(requests), winOf(answers), nothing ? winOf(nothing) : error},
-         .variable = kWorkerVariable + (L'=' + std::to_wstring(calls)) + L':' + std::to_wstring(memory)});
+    worker.process = start({.program = programFile(),
+                            .words = ownWords(),
+                            .streams = {Stream::To::nothing, Stream::To::nothing, Stream::To::nothing},
+                            .handles = {winOf(requests), winOf(answers), nothing ? winOf(nothing) : error},
+                            .variable = kWorkerVariable + (L'=' + std::to_wstring(call)) + L':' +
+                                        std::to_wstring(memory) + L':' + std::to_wstring(ownNumber())});
     if (!worker.process) return std::nullopt;
     return worker;
 }
