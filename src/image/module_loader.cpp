@@ -122,9 +122,10 @@ void* receive(void* context, std::uint64_t width, std::uint64_t height, int type
 void readPixels(const ReadingJob& job, Reading& reading, const std::function<void*(std::size_t)>& memory) {
     Reception reception{reading, job, memory};
     const std::string formatName(openImageIoName(job.format));
+    const std::string path = job.path.generic_string();
     GlibraReadRequest request{};
     request.format = formatName.c_str();
-    request.path = job.path.empty() ? nullptr : job.path.c_str();
+    request.path = path.empty() ? nullptr : path.c_str();
     request.bytes = job.file.data();
     request.size = job.file.size();
     request.allocate = receive;
@@ -326,9 +327,10 @@ Diagnostics writeByModule(const Image& image, Format format, const fs::path& pat
     const Image colors = grey ? withComponents(image, image.components == 2 ? 4 : 3) : Image();
     const Image& source = grey ? colors : image;
     const std::string formatName(openImageIoName(format));
+    const std::string name = path.generic_string();
     GlibraWriteRequest request{};
     request.format = formatName.c_str();
-    request.path = path.c_str();
+    request.path = name.c_str();
     request.width = source.width;
     request.height = source.height;
     request.components = source.components;

@@ -12,15 +12,28 @@ struct Way {
     const char* current;
     const char* address;
 };
-constexpr Way kWays[] = {{"libEGL.so.1", "eglGetCurrentContext", "eglGetProcAddress"},
-                         {"libGLX.so.0", "glXGetCurrentContext", "glXGetProcAddressARB"},
-                         {"libGL.so.1", "glXGetCurrentContext", "glXGetProcAddressARB"},
-                         {"libOSMesa.so.8", "OSMesaGetCurrentContext", "OSMesaGetProcAddress"}};
+constexpr Way kWindowLibraries[] = {{"libEGL.so.1", "eglGetCurrentContext", "eglGetProcAddress"},
+                                    {"libGLX.so.0", "glXGetCurrentContext", "glXGetProcAddressARB"},
+                                    {"libGL.so.1", "glXGetCurrentContext", "glXGetProcAddressARB"},
+                                    {"libOSMesa.so.8", "OSMesaGetCurrentContext", "OSMesaGetProcAddress"}};
+
+/// WGL finds the functions of later versions, and its library has those of 1.1.
+void* addressOfWgl(const char* name) {
+    constexpr const char* kLibrary = "opengl32.dll";
+    const auto find =
+        reinterpret_cast<void* (*)(const char*)>(system::loadedFunction(kLibrary, "wglGetProcAddress"));
+    void* const found = find != nullptr ? find(name) : nullptr;
+    return found != nullptr ? found : system::loadedFunction(kLibrary, name);
+}
 
 }  // namespace
 
 std::optional<CurrentContext> currentContext() {
-    for (const Way& way : kWays) {
+    if (void* wgl = system::loadedFunction("opengl32.dll", "wglGetCurrentContext")) {
+        const auto current = reinterpret_cast<void* (*)()>(wgl);
+        if (void* handle = current()) return CurrentContext{handle, current, addressOfWgl};
+    }
+    for (const Way& way : kWindowLibraries) {
         const auto current = reinterpret_cast<void* (*)()>(system::loadedFunction(way.library, way.current));
         const auto address =
             reinterpret_cast<void* (*)(const char*)>(system::loadedFunction(way.library, way.address));
