@@ -34,7 +34,8 @@ int becomeProgram(const SisterProgram& program, const std::vector<std::string>& 
         return kNoDriver;
     }
     const int problem = system::becomeProgram(file, arguments);
-    std::fprintf(stderr, "glibra: error: cannot start %s: %s\n", file.c_str(), std::strerror(problem));
+    std::fprintf(stderr, "glibra: error: cannot start %s: %s\n", file.generic_string().c_str(),
+                 std::strerror(problem));
     return kNoDriver;
 }
 

@@ -154,8 +154,8 @@ function(glibra_on_windows program)
     string(REPLACE "." "," numbers ${PROJECT_VERSION})
     get_target_property(name ${program} OUTPUT_NAME)
     target_compile_definitions(${program} PRIVATE $<$<COMPILE_LANGUAGE:RC>:GLIBRA_VERSION_NUMBERS=${numbers},0>
-                                                  $<$<COMPILE_LANGUAGE:RC>:GLIBRA_PROGRAM=\"${name}\">
-                                                  $<$<COMPILE_LANGUAGE:RC>:GLIBRA_FILE=\"${name}.exe\">)
+                                                  $<$<COMPILE_LANGUAGE:RC>:GLIBRA_NUMBERS=${PROJECT_VERSION}>
+                                                  $<$<COMPILE_LANGUAGE:RC>:GLIBRA_PROGRAM=${name}>)
     if("WINDOW" IN_LIST ARGN)
         set(no_console -mwindows)
     endif()

@@ -16,8 +16,8 @@
 namespace glibra::gpu {
 namespace {
 
-constexpr int kMajorVersion = 0x2091, kMinorVersion = 0x2092, kFlags = 0x2094, kProfile = 0x9126;
-constexpr int kCoreProfile = 1, kDebugFlag = 1, kRobustFlag = 4;
+constexpr int kMajorVersion = 0x2091, kMinorVersion = 0x2092, kFlags = 0x2094, kProfileMask = 0x9126;
+constexpr int kCoreProfileBit = 1, kDebugFlag = 1, kRobustFlag = 4;
 constexpr int kResetNotification = 0x8256, kLoseContextOnReset = 0x8252;
 
 struct WglLibrary {
@@ -68,7 +68,8 @@ using CreateContext = void* (*)(void* device, void* shared, const int* attribute
 void* bestContext(CreateContext create, void* device, bool debug, bool isRobust) {
     for (const int minor : kMinorVersions)
         for (int care = isRobust ? 1 : 0; care >= 0; --care) {
-            std::vector<int> attributes{kMajorVersion, 4, kMinorVersion, minor, kProfile, kCoreProfile};
+            std::vector<int> attributes{kMajorVersion,  4, kMinorVersion, minor, kProfileMask,
+                                        kCoreProfileBit};
             const int flags = (debug ? kDebugFlag : 0) | (care == 1 ? kRobustFlag : 0);
             attributes.insert(attributes.end(), {kFlags, flags});
             if (care == 1) attributes.insert(attributes.end(), {kResetNotification, kLoseContextOnReset});
@@ -146,7 +147,8 @@ std::span<const ContextWay> contextWays() {
 }
 
 std::string_view adviceWithoutDriver() {
-    return "Install the driver of the graphics card, or put Mesa's opengl32.dll beside glibra.exe, which draws "
+    return "Install the driver of the graphics card, or put Mesa's opengl32.dll beside glibra.exe, which "
+           "draws "
            "without a graphics card (docs/windows.md)";
 }
 

@@ -145,7 +145,7 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
     const render::BuiltProgram* built = scene_.drawer().programOf(draw);
     const render::ViewMatrices view = viewOf(draw);
     const double aspect = static_cast<double>(width_) / height_;
-    const glm::dmat4 projection = view.projection(drawn.projection, aspect);
+    const glm::dmat4 projection = view.projection(*drawn.projection, aspect);
     const glm::dmat4 modelView = view.modelView(drawn);
     const glm::dmat4 inverse = scene::inverseOrZero(projection);
     const glm::dmat4 both = projection * modelView;

@@ -186,7 +186,7 @@ double Session::shrinking() const {
     const scene::Draw* last = nullptr;
     for (const scene::Draw* each : windowDraws(live_->scene()))
         if (!std::holds_alternative<scene::ClipSpace>(*each->projection)) last = each;
-    if (last == nullptr || !std::holds_alternative<scene::Perspective>(last->projection)) return 1;
+    if (last == nullptr || !std::holds_alternative<scene::Perspective>(*last->projection)) return 1;
     return std::min(1.0, static_cast<double>(width_) / height_ / wholeShape_);
 }
 
