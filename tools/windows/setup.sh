@@ -5,8 +5,8 @@
 windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev lld dpkg-dev"
 windows_test_packages="wine64 xvfb xauth"
 # Debian's sources of what is linked, and the packages that consist of headers.
-windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip"
-windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libcpp-httplib-dev libboost-dev"
+windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip cpp-httplib"
+windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libboost-dev"
 
 # fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes.
 fetch_sources() (
@@ -44,14 +44,14 @@ windows_libraries() (
     stamp=$(cat "$root/tools/windows/setup.sh" "$root/tools/windows/libraries/CMakeLists.txt" \
                 "$root/tools/cmake/windows.cmake" | sha256sum)
     [ "$(cat "$folder/stamp" 2>/dev/null)" != "$stamp" ] || return 0
-    rm -rf "$folder"
+    rm -rf "$folder" "$root/build/windows"  # headers have the times of their sources
     mkdir -p "$folder/sources"
     say "fetching the sources of the libraries for Windows"
     # shellcheck disable=SC2086
     fetch_sources "$folder/sources" $windows_sources
     # Headers that are the same on all systems, without those of this one beside them.
     mkdir -p "$folder/include" "$folder/share/cmake"
-    for each in glm CLI nlohmann toml++ stb boost httplib.h; do ln -s "/usr/include/$each" "$folder/include/$each"; done
+    for each in glm CLI nlohmann toml++ stb boost; do ln -s "/usr/include/$each" "$folder/include/$each"; done
     for each in glm nlohmann_json CLI11; do cp -r "/usr/share/cmake/$each" "$folder/share/cmake"; done
     say "building the libraries for Windows"
     log=$folder/log

@@ -134,7 +134,7 @@ SafetyCopies::Others SafetyCopies::othersOf(const fs::path& file) const {
          each.increment(failure)) {
         // NAME.OWNER.json, or NAME.json of earlier versions
         const fs::path path = each->path();
-        if (path.extension() != ".json" || !path.filename().native().starts_with(name)) continue;
+        if (path.extension() != ".json" || !path.filename().generic_string().starts_with(name)) continue;
         const std::string rest = path.stem().generic_string().substr(name.size());
         if (!rest.empty() && rest.front() != '.') continue;
         const std::string owner = rest.empty() ? rest : rest.substr(1);

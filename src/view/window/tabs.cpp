@@ -149,7 +149,7 @@ void Tabs::updateTitles() {
     shared_.tabs.resize(tabs_.size());
     for (std::size_t i = 0; i < tabs_.size(); ++i)
         areOld = areOld || shared_.tabs[i].label.empty() ||
-                 shared_.tabs[i].path != tabs_[i]->session.path().native();
+                 shared_.tabs[i].path != tabs_[i]->session.path().generic_string();
     if (areOld) {
         std::vector<fs::path> paths;
         for (const std::unique_ptr<Tab>& each : tabs_)

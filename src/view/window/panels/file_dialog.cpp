@@ -91,7 +91,7 @@ void takeEntry(Ui& ui, FileDialog& dialog, bool isEntered) {
 void folderLink(FileDialog& dialog, const char* label, const fs::path& folder) {
     if (folder.empty()) return;
     if (ImGui::Selectable(label, false, ImGuiSelectableFlags_DontClosePopups)) showFolder(dialog, folder);
-    tooltip(folder.c_str());
+    tooltip(folder.generic_string().c_str());
 }
 
 void places(Ui& ui, FileDialog& dialog) {
@@ -206,7 +206,7 @@ void hint(Ui& ui, const FileDialog& dialog) {
         mark(ui, "dialog/problem");
     } else if (!dialog.existing.empty())
         ImGui::TextWrapped("%s exists. Press Replace, or type another name.",
-                           fs::path(dialog.existing).filename().c_str());
+                           fs::path(dialog.existing).filename().generic_string().c_str());
     else if (dialog.question && !dialog.question->hint.empty())
         ImGui::TextWrapped("%s", dialog.question->hint.c_str());
 }
@@ -233,7 +233,7 @@ void fileDialog(Ui& ui, FileDialog& dialog) {
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginGroup();
-    ImGui::TextWrapped("%s", dialog.list.folder.c_str());
+    ImGui::TextWrapped("%s", dialog.list.folder.generic_string().c_str());
     ImGui::BeginChild("files", {0, -below}, true);
     folderList(ui, dialog);
     ImGui::EndChild();

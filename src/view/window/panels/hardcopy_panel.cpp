@@ -205,7 +205,7 @@ void fileEntry(Ui& ui, HardcopyEntries& entries) {
     ImGui::InputTextWithHint("##file", "picture.png", entries.file.data(), entries.file.size(),
                              ImGuiInputTextFlags_AutoSelectAll);
     mark(ui, "hardcopy/file");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui, entries).file.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", wanted(ui, entries).file.generic_string().c_str());
     const std::string ending = fs::path(entries.file.data()).extension().generic_string();
     const auto* known = std::ranges::find(kEndings, ending, [](const auto& each) { return each.first; });
     fieldLabel("Format");
@@ -234,8 +234,8 @@ void fileEntry(Ui& ui, HardcopyEntries& entries) {
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", folder.c_str());
-    tooltip(folder.c_str());
+    ImGui::TextDisabled("%s", folder.generic_string().c_str());
+    tooltip(folder.generic_string().c_str());
 }
 
 void sizeEntry(Ui& ui, HardcopyEntries& entries) {
@@ -329,7 +329,7 @@ void replaceDialog(Ui& ui, HardcopyEntries& entries) {
     if (!beginModal(kTitle)) return;
     const Hardcopy next = wanted(ui, entries);
     const fs::path other = freeName(next);
-    ImGui::Text("%s exists.", firstFile(next).filename().c_str());
+    ImGui::Text("%s exists.", firstFile(next).filename().generic_string().c_str());
     ImGui::Spacing();
     bool isDone = button(ui, "Replace", "hardcopy/replace");
     if (isDone) beginHardcopy(ui, entries, next);

@@ -43,9 +43,11 @@ void questionDialog(Ui& ui) {
     if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     if (!beginModal(kTitle)) return;
     Question& question = *ui.shared.question;
-    for (const std::filesystem::path& each : question.files) ImGui::BulletText("%s", each.filename().c_str());
+    for (const std::filesystem::path& each : question.files)
+        ImGui::BulletText("%s", each.filename().generic_string().c_str());
     for (const UnsavedValues& each : question.values)
-        ImGui::BulletText("the values that you have changed in %s", each.scene.filename().c_str());
+        ImGui::BulletText("the values that you have changed in %s",
+                          each.scene.filename().generic_string().c_str());
     const bool isExampleOnly =
         std::ranges::any_of(question.values, [](const UnsavedValues& each) { return isExample(each.scene); });
     if (!question.problem.empty()) {

@@ -21,14 +21,14 @@ std::filesystem::path recentScenes(Ui& ui, std::size_t most, const std::string& 
         const bool isGone = !std::filesystem::is_regular_file(file, failure);
         ImGui::PushID(static_cast<int>(i));
         if (isGone)
-            ImGui::TextDisabled("%s", file.filename().c_str());
-        else if (ImGui::Selectable(file.filename().c_str()))
+            ImGui::TextDisabled("%s", file.filename().generic_string().c_str());
+        else if (ImGui::Selectable(file.filename().generic_string().c_str()))
             chosen = file;
         if (isGone)
             markPlace(ui, name + "/gone/" + std::to_string(i));
         else
             mark(ui, "{}/{}", name, i);
-        tooltip(file.c_str());
+        tooltip(file.generic_string().c_str());
         if (isNarrow)
             ImGui::Indent();
         else

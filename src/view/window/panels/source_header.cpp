@@ -49,7 +49,8 @@ void fileTabs(Ui& ui, SourceState& panel) {
         const bool isShown = ImGui::BeginTabItem(label.c_str(), nullptr, flags);
         if (isWrong) ImGui::PopStyleColor();
         mark(ui, "source/file/" + each.label);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", each.role.c_str(), each.path.c_str());
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s\n%s", each.role.c_str(), each.path.generic_string().c_str());
         if (!isShown) continue;
         if (!panel.follow) panel.chosen = each.path;
         ImGui::EndTabItem();
