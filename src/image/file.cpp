@@ -92,8 +92,8 @@ Result<std::vector<std::byte>> readFile(const base::FileSource& source, const Fi
     } catch (const std::bad_alloc&) {
         return unreadable("there is not enough memory");
     }
-    std::size_t have =
-        0;  // fewer if the file has become shorter meanwhile; the reader of its format reports that
+    // Fewer if the file has become shorter meanwhile; the reader of its format reports that.
+    std::size_t have = 0;
     if (const int problem = readFull(file, bytes, have); problem != 0) return unreadable(reason(problem));
     bytes.resize(have);
     return bytes;
