@@ -189,7 +189,7 @@ void removeAbandonedFiles(const fs::path& folder) {
             !std::string_view(rest, static_cast<std::size_t>(last - rest)).starts_with(".tmp"))
             continue;
         system::FileFacts facts;
-        factsOf(each->path(), Links::not_followed, facts);
+        factsOf(each->path(), Links::notFollowed, facts);
         if (facts.kind != FileKind::regular || !facts.isOwn ||
             static_cast<std::int64_t>(std::time(nullptr)) - facts.seconds < kAge ||
             system::isRunning(process))
@@ -201,7 +201,7 @@ void removeAbandonedFiles(const fs::path& folder) {
 
 Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes, NamedBy named) {
     const bool isUsers = named == NamedBy::user;
-    const FileKind kind = system::kindOf(path, isUsers ? Links::followed : Links::not_followed);
+    const FileKind kind = system::kindOf(path, isUsers ? Links::followed : Links::notFollowed);
     if (leadsNowhere(path, named)) return {cannotWrite(path, reason(ELOOP))};
     if (kind == FileKind::folder) return {cannotWrite(path, "it is a folder")};
     if (isUsers && kind == FileKind::other) {

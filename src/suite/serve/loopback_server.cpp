@@ -45,7 +45,7 @@ Result<ServerModule> loadServerModule(const std::vector<fs::path>& folders) {
         std::error_code failed;
         if (!fs::exists(file, failed)) continue;
         std::string problem;
-        const auto library = system::Library::open(file.string(), system::Library::When::all_now, problem);
+        const auto library = system::Library::open(file.string(), system::Library::When::allNow, problem);
         if (!library) {
             why = fmt::format("cannot be loaded: {}", problem);
             continue;
