@@ -248,7 +248,7 @@ fs::path StagingFolder::fileOf(std::size_t piece, const fs::path& target) const 
 
 std::optional<fs::path> StagingFolder::find(std::size_t piece, const fs::path& target) const {
     fs::path file = path_ / std::to_string(piece) / target.filename();
-    if (system::kindOf(file, Links::not_followed) != FileKind::regular) return std::nullopt;
+    if (system::kindOf(file, Links::notFollowed) != FileKind::regular) return std::nullopt;
     return file;
 }
 
@@ -258,13 +258,13 @@ Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target, im
         return Diagnostics{
             diagnose("file-E10", fmt::format("cannot write '{}': {}", target.generic_string(), why))};
     };
-    const FileKind made = system::kindOf(file, Links::not_followed);
+    const FileKind made = system::kindOf(file, Links::notFollowed);
     if (made == FileKind::missing) return {};
     if (made != FileKind::regular) return refuse("the process that drew it made something else of it");
     // A link that the user named keeps its target, as with files that are written directly.
     const bool isNamed = named == image::NamedBy::user;
     const fs::path place = isNamed ? real(target) : target;
-    const FileKind there = system::kindOf(place, Links::not_followed);
+    const FileKind there = system::kindOf(place, Links::notFollowed);
     if (there != FileKind::missing && there != FileKind::regular && (isNamed || there != FileKind::link))
         return refuse("with --untrusted only ordinary files are written");
     return image::moveIntoPlace(file, place, named);

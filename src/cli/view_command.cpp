@@ -56,13 +56,13 @@ int openWindow(const std::vector<std::string>& arguments) {
     });
     std::string library;
     const system::Desktop desktop = asksForHelp ? system::Desktop::ready : system::desktop(library);
-    if (desktop == system::Desktop::no_display) {
+    if (desktop == system::Desktop::noDisplay) {
         printError(fmt::format(
             "there is no display to open a window on; `glibra render {}` draws a picture without one",
             firstScene.empty() ? "SCENE" : firstScene));
         return kNoDriver;
     }
-    if (desktop == system::Desktop::no_library) {
+    if (desktop == system::Desktop::noLibrary) {
         printError(fmt::format("the window needs the library {}, which this system does not have; {}",
                                library, kWindow.missing));
         return kNoDriver;

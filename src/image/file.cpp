@@ -92,8 +92,8 @@ Result<std::vector<std::byte>> readFile(const base::FileSource& source, const Fi
     } catch (const std::bad_alloc&) {
         return unreadable("there is not enough memory");
     }
-    std::size_t have =
-        0;  // fewer if the file has become shorter meanwhile; the reader of its format reports that
+    // Fewer if the file has become shorter meanwhile; the reader of its format reports that.
+    std::size_t have = 0;
     if (const int problem = readFull(file, bytes, have); problem != 0) return unreadable(reason(problem));
     bytes.resize(have);
     return bytes;
@@ -190,7 +190,7 @@ void removeAbandonedFiles(const fs::path& folder) {
             !std::string_view(rest, static_cast<std::size_t>(last - rest)).starts_with(".tmp"))
             continue;
         system::FileFacts facts;
-        factsOf(each->path(), Links::not_followed, facts);
+        factsOf(each->path(), Links::notFollowed, facts);
         if (facts.kind != FileKind::regular || !facts.isOwn ||
             static_cast<std::int64_t>(std::time(nullptr)) - facts.seconds < kAge ||
             system::isRunning(process))
@@ -202,7 +202,7 @@ void removeAbandonedFiles(const fs::path& folder) {
 
 Diagnostics writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes, NamedBy named) {
     const bool isUsers = named == NamedBy::user;
-    const FileKind kind = system::kindOf(path, isUsers ? Links::followed : Links::not_followed);
+    const FileKind kind = system::kindOf(path, isUsers ? Links::followed : Links::notFollowed);
     if (leadsNowhere(path, named)) return {cannotWrite(path, reason(ELOOP))};
     if (kind == FileKind::folder) return {cannotWrite(path, "it is a folder")};
     if (isUsers && kind == FileKind::other) {

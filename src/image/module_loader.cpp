@@ -39,7 +39,7 @@ std::variant<Module, std::string> loadModule(std::span<const fs::path> folders) 
         if (!fs::exists(file, failed)) continue;
         std::string problem;
         const auto library =
-            system::Library::open(file.generic_string(), system::Library::When::all_now, problem);
+            system::Library::open(file.generic_string(), system::Library::When::allNow, problem);
         if (!library) {
             if (why.empty()) why = fmt::format("cannot be loaded: {}", problem);
             continue;

@@ -47,7 +47,7 @@ struct FileFacts {
     std::int64_t seconds = 0, nanoseconds = 0;  ///< of the last change of its content, since 1970
 };
 
-enum class Links { followed, not_followed };
+enum class Links { followed, notFollowed };
 
 /// Returns 0, or an error number (ENOENT, ELOOP, EACCES, ...) with a kind of `missing`.
 int factsOf(const std::filesystem::path& path, Links links, FileFacts& facts);

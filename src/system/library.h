@@ -12,8 +12,8 @@ namespace glibra::system {
 class Library {
   public:
     enum class When {
-        all_now,  ///< every function must be found
-        when_called
+        allNow,  ///< every function must be found
+        whenCalled
     };
     /// Loads a file, or a library that the system finds by its name. An empty value: `why` says what is
     /// missing.
@@ -38,8 +38,8 @@ std::string moduleName(std::string_view name);
 void* loadedFunction(const char* library, const char* name);
 /// True if a library is loaded whose path has one of these words.
 bool isLibraryLoaded(std::initializer_list<std::string_view> words);
-/// What a window needs of this system. `no_library`: `library` is its name.
-enum class Desktop { ready, no_display, no_library };
+/// What a window needs of this system. `noLibrary`: `library` is its name.
+enum class Desktop { ready, noDisplay, noLibrary };
 Desktop desktop(std::string& library);
 /// The file of the program or library that this code is in; empty if the system does not tell.
 std::filesystem::path fileOfThisCode();

@@ -14,10 +14,10 @@ struct FolderEvent {
     enum class What {
         written,  ///< a file was written and closed
         made,  ///< a name is new: a folder, a link, a further name of a file, or a file that will be written
-        moved_in,     ///< a file was renamed to this name, whole
-        removed,      ///< the name is gone
-        folder_gone,  ///< the folder itself is another one now, or is gone
-        lost          ///< more happened than could be reported; `folder` and `name` are empty
+        movedIn,     ///< a file was renamed to this name, whole
+        removed,     ///< the name is gone
+        folderGone,  ///< the folder itself is another one now, or is gone
+        lost         ///< more happened than could be reported; `folder` and `name` are empty
     };
     What what{};
     int folder = -1;  ///< the number that add() gave

@@ -28,7 +28,7 @@ bool mesaMustUseSoftware() {
 bool mayUseHardware(Driver driver, const fs::path& devices) {
     if (driver == Driver::osmesa) return false;
     const system::GraphicsCard card = system::graphicsCard(devices);
-    if (card == system::GraphicsCard::own_driver) return true;
+    if (card == system::GraphicsCard::ownDriver) return true;
     return card == system::GraphicsCard::mesa && !mesaMustUseSoftware();
 }
 

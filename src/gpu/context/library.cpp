@@ -4,7 +4,7 @@ namespace glibra::gpu {
 
 std::variant<Library, std::string> Library::open(const std::string& name) {
     std::string why;
-    const auto opened = system::Library::open(name, system::Library::When::when_called, why);
+    const auto opened = system::Library::open(name, system::Library::When::whenCalled, why);
     if (opened) return Library(opened);
     return why;
 }

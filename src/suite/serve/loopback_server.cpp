@@ -46,7 +46,7 @@ Result<ServerModule> loadServerModule(const std::vector<fs::path>& folders) {
         if (!fs::exists(file, failed)) continue;
         std::string problem;
         const auto library =
-            system::Library::open(file.generic_string(), system::Library::When::all_now, problem);
+            system::Library::open(file.generic_string(), system::Library::When::allNow, problem);
         if (!library) {
             why = fmt::format("cannot be loaded: {}", problem);
             continue;

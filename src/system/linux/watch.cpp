@@ -47,10 +47,10 @@ std::vector<FolderEvent> FolderWatch::take() {
     using What = FolderEvent::What;
     constexpr std::pair<std::uint32_t, What> kMeanings[] = {
         {IN_Q_OVERFLOW, What::lost},
-        {IN_IGNORED | IN_UNMOUNT | IN_DELETE_SELF | IN_MOVE_SELF, What::folder_gone},
+        {IN_IGNORED | IN_UNMOUNT | IN_DELETE_SELF | IN_MOVE_SELF, What::folderGone},
         {IN_CLOSE_WRITE, What::written},
         {IN_CREATE, What::made},
-        {IN_MOVED_TO, What::moved_in},
+        {IN_MOVED_TO, What::movedIn},
         {IN_DELETE | IN_MOVED_FROM, What::removed}};
     constexpr std::size_t kBufferBytes = 16384;
     alignas(inotify_event) std::array<char, kBufferBytes> buffer;

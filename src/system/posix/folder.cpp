@@ -133,7 +133,7 @@ int renameDurably(const fs::path& from, const fs::path& to) {
 
 bool mustStay(const fs::path& path) {
     FileFacts old;
-    if (factsOf(path, Links::not_followed, old) != 0 || old.kind != FileKind::regular) return false;
+    if (factsOf(path, Links::notFollowed, old) != 0 || old.kind != FileKind::regular) return false;
     if (old.names > 1 || (::geteuid() != 0 && !old.isOwn)) return true;
     const File file = openIn(AT_FDCWD, path.c_str());
     return file && hasAccessList(numberOf(file));

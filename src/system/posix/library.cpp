@@ -12,7 +12,7 @@ namespace glibra::system {
 
 Library Library::open(const std::string& name, When when, std::string& why) {
     Library library;
-    const int mode = when == When::all_now ? RTLD_NOW | RTLD_NODELETE : RTLD_LAZY;
+    const int mode = when == When::allNow ? RTLD_NOW | RTLD_NODELETE : RTLD_LAZY;
     library.handle_ = ::dlopen(name.c_str(), mode | RTLD_LOCAL);
     if (!library) {
         const char* problem = ::dlerror();
@@ -44,10 +44,10 @@ Desktop desktop(std::string& library) {
         return value && *value;
     };
     if (isSet("WAYLAND_DISPLAY")) return Desktop::ready;
-    if (!isSet("DISPLAY")) return Desktop::no_display;
+    if (!isSet("DISPLAY")) return Desktop::noDisplay;
     // GLFW needs it, in some builds before the window can say a word of its own.
     library = "libX11.so.6";
-    return ::dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL) ? Desktop::ready : Desktop::no_library;
+    return ::dlopen(library.c_str(), RTLD_LAZY | RTLD_LOCAL) ? Desktop::ready : Desktop::noLibrary;
 }
 
 std::filesystem::path fileOfThisCode() {

@@ -107,7 +107,7 @@ std::string processorModel() {
 GraphicsCard graphicsCard(const fs::path& given) {
     const fs::path devices = given.empty() ? "/dev" : given;
     const auto canOpen = [](const fs::path& file) { return ::access(file.c_str(), R_OK | W_OK) == 0; };
-    if (canOpen(devices / "nvidiactl")) return GraphicsCard::own_driver;
+    if (canOpen(devices / "nvidiactl")) return GraphicsCard::ownDriver;
     if (canOpen(devices / "dxg")) return GraphicsCard::mesa;
     std::error_code failure;
     for (fs::directory_iterator each(devices / "dri", failure), end; !failure && each != end;

@@ -41,7 +41,7 @@ std::map<std::string, Entry> entriesOf(const fs::path& folder) {
     std::map<std::string, Entry> entries;
     std::error_code failure;
     for (fs::directory_iterator each(folder, failure), end; !failure && each != end; each.increment(failure))
-        factsOf(each->path(), Links::not_followed, entries[each->path().filename().string()].facts);
+        factsOf(each->path(), Links::notFollowed, entries[each->path().filename().string()].facts);
     return entries;
 }
 
@@ -76,10 +76,10 @@ struct FolderWatch::State {
     void look(int number, Watched& folder) {
         if (folder.isGone) return;
         FileFacts facts;
-        factsOf(folder.path, Links::not_followed, facts);
+        factsOf(folder.path, Links::notFollowed, facts);
         if (facts.number != folder.facts.number || facts.device != folder.facts.device) {
             folder.isGone = true;
-            return note(FolderEvent::What::folder_gone, number, {});
+            return note(FolderEvent::What::folderGone, number, {});
         }
         std::map<std::string, Entry> now = entriesOf(folder.path);
         for (auto& [name, entry] : now) {
@@ -102,7 +102,7 @@ FolderWatch::operator bool() const {
 std::optional<int> FolderWatch::add(const fs::path& folder) {
     const std::scoped_lock lock(state_->mutex);
     FileFacts facts;
-    if (factsOf(folder, Links::not_followed, facts) != 0 || facts.kind != FileKind::folder)
+    if (factsOf(folder, Links::notFollowed, facts) != 0 || facts.kind != FileKind::folder)
         return std::nullopt;
     for (const auto& [number, each] : state_->folders)
         if (!each.isGone && each.path == folder) return number;

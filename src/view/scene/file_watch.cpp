@@ -177,7 +177,7 @@ FileWatch::Seen FileWatch::readEvent(const system::FolderEvent& event) {
     if (event.what == What::lost) return Seen::moved;
     const auto folder = folders_.find(event.folder);
     if (folder == folders_.end()) return Seen::nothing;
-    if (event.what == What::folder_gone) return Seen::moved;
+    if (event.what == What::folderGone) return Seen::moved;
     const fs::path path = folder->second / event.name;
     const auto known = names_.find(path);
     const auto similar = missing_.find(base::lower(path.generic_string()));
@@ -188,9 +188,9 @@ FileWatch::Seen FileWatch::readEvent(const system::FolderEvent& event) {
         for (const fs::path& file : meant.files) removed_[file] = std::chrono::steady_clock::now();
         return Seen::nothing;
     }
-    if (event.what == What::made || event.what == What::moved_in) {
+    if (event.what == What::made || event.what == What::movedIn) {
         system::FileFacts made;
-        factsOf(path, system::Links::not_followed, made);
+        factsOf(path, system::Links::notFollowed, made);
         if (made.kind == system::FileKind::link) return Seen::moved;
         // A new file is written and closed; only a further name of one is complete as it is made.
         if (event.what == What::made && made.names < 2) return Seen::nothing;
