@@ -97,7 +97,7 @@ std::string wordsOf(const WglLibrary& wgl) {
 Attempt openWgl(const ContextOptions& options) {
     WglLibrary wgl;
     std::string why;
-    wgl.library = system::Library::open("opengl32.dll", system::Library::When::when_called, why);
+    wgl.library = system::Library::open("opengl32.dll", system::Library::When::whenCalled, why);
     if (!wgl.library) return std::vector{tried(why)};
     wgl.createContext = wgl.library.find<void* (*)(void*)>("wglCreateContext");
     wgl.deleteContext = wgl.library.find<int (*)(void*)>("wglDeleteContext");

@@ -13,7 +13,7 @@ namespace glibra::system {
 
 // A Waker is an event that stays signalled until wait() has seen it.
 
-Waker::Waker() : reading_(ownOf(::CreateEventW(nullptr, FALSE, FALSE, nullptr))) {}
+Waker::Waker() : reading_(ownOf(::CreateEventW(nullptr, TRUE, FALSE, nullptr))) {}
 
 bool Waker::wake() const {
     return ::SetEvent(winOf(reading_)) != 0;
@@ -21,6 +21,7 @@ bool Waker::wake() const {
 
 void Waker::wait() const {
     ::WaitForSingleObject(winOf(reading_), INFINITE);
+    ::ResetEvent(winOf(reading_));
 }
 
 News receive(const File& from, int milliseconds, const Waker* waker, std::string& received) {
@@ -30,17 +31,10 @@ News receive(const File& from, int milliseconds, const Waker* waker, std::string
     const std::array<HANDLE, 1> pipes{winOf(from)};
     std::array<bool, 1> ready{};
     DWORD left = waitOf(milliseconds);
-    for (;;) {
-        // An event that has ended a wait would have to be signalled again for the next one.
-        const bool isWoken = woken != nullptr && ::WaitForSingleObject(woken, 0) == WAIT_OBJECT_0;
-        if (isWoken) {
-            ::SetEvent(woken);
-            return News::woken;
-        }
-        if (ready[0]) break;
+    while (!ready[0]) {
         waitForBytes(pipes, ready, woken, left);
-        if (ready[0]) continue;
-        if (milliseconds < 0) continue;
+        if (woken != nullptr && ::WaitForSingleObject(woken, 0) == WAIT_OBJECT_0) return News::woken;
+        if (ready[0] || milliseconds < 0) continue;
         const auto rest = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
         if (rest <= 0) return News::late;
         left = static_cast<DWORD>(rest);

@@ -94,7 +94,7 @@ GraphicsCard graphicsCard(const std::filesystem::path& devices) {
     found.cb = sizeof found;
     for (DWORD i = 0; ::EnumDisplayDevicesW(nullptr, i, &found, 0); ++i)
         if (!std::wstring_view(found.DeviceString).starts_with(L"Microsoft "))
-            return GraphicsCard::own_driver;
+            return GraphicsCard::ownDriver;
     return GraphicsCard::none;
 }
 

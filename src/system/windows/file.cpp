@@ -167,7 +167,7 @@ static File openUnlessLink(const fs::path& path, DWORD access) {
 }
 
 File openToRead(const fs::path& path, Links links) {
-    if (links == Links::not_followed) return openUnlessLink(path, GENERIC_READ);
+    if (links == Links::notFollowed) return openUnlessLink(path, GENERIC_READ);
     return openExisting(path, GENERIC_READ, FILE_FLAG_BACKUP_SEMANTICS);
 }
 
@@ -193,7 +193,7 @@ File makeNewFile(const fs::path& path) {
 }
 
 int makePrivateFolder(const fs::path& path) {
-    if (repeatsParent()) return kindOf(path, Links::not_followed) == FileKind::folder ? 0 : ENOENT;
+    if (repeatsParent()) return kindOf(path, Links::notFollowed) == FileKind::folder ? 0 : ENOENT;
     PrivateAccess access;
     return ::CreateDirectoryW(pathText(path).c_str(), access.attributes()) ? 0 : lastErrno();
 }

@@ -204,13 +204,13 @@ int renameDurably(const fs::path& from, const fs::path& to) {
 
 bool mustStay(const fs::path& path) {
     FileFacts old;
-    if (factsOf(path, Links::not_followed, old) != 0 || old.kind != FileKind::regular) return false;
+    if (factsOf(path, Links::notFollowed, old) != 0 || old.kind != FileKind::regular) return false;
     return old.names > 1 || !old.isOwn;  // keepAccess() copies access lists
 }
 
 int writeOver(const fs::path& path, std::span<const std::byte> bytes) {
     if (repeatsParent()) return 0;
-    if (kindOf(path, Links::not_followed) == FileKind::link) return ELOOP;
+    if (kindOf(path, Links::notFollowed) == FileKind::link) return ELOOP;
     const File file = openExisting(path, GENERIC_WRITE, 0);
     LARGE_INTEGER old{}, wanted{};
     if (!file || !::GetFileSizeEx(winOf(file), &old)) return file ? lastErrno() : errno;

@@ -34,8 +34,9 @@ Inheritance& inheritance() {
 
 }  // namespace
 
-void takeInheritance() {
-    inheritance();
+bool takeInheritance() {
+    const Inheritance& all = inheritance();
+    return !all.ofWorker.empty() || !all.ofChild.empty();
 }
 
 std::vector<std::uint64_t> inherited(const wchar_t* name) {

@@ -89,7 +89,7 @@ Desktop desktop(std::string&) {
     USEROBJECTFLAGS flags{};
     const bool isKnown = ::GetUserObjectInformationW(::GetProcessWindowStation(), UOI_FLAGS, &flags,
                                                      sizeof flags, nullptr) != 0;
-    return isKnown && (flags.dwFlags & WSF_VISIBLE) == 0 ? Desktop::no_display : Desktop::ready;
+    return isKnown && (flags.dwFlags & WSF_VISIBLE) == 0 ? Desktop::noDisplay : Desktop::ready;
 }
 
 std::filesystem::path fileOfThisCode() {

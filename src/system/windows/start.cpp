@@ -245,8 +245,9 @@ std::string openForUser(const fs::path& file) {
     const bool isAddress = name.starts_with(L"http://") || name.starts_with(L"https://");
     const FileKind kind = isAddress ? FileKind::other : kindOf(file, Links::followed);
     if (kind == FileKind::missing) return textOf(ERROR_FILE_NOT_FOUND);
-    // To open such a file would be to run it.
-    if (kind == FileKind::regular && ::AssocIsDangerous(file.extension().c_str())) return "it is a program";
+    // To open such a file would be to run it, or what it names.
+    const bool isRun = programAt(file) == file || ::AssocIsDangerous(file.extension().c_str());
+    if (kind == FileKind::regular && isRun) return "it is a program";
     std::error_code failure;
     const std::wstring whole = isAddress ? name : fs::absolute(file, failure).make_preferred().native();
     SHELLEXECUTEINFOW how{};

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "system/memory.h"
 #include "system/windows/win.h"
 
 #include <fcntl.h>
@@ -131,7 +132,7 @@ void restoreConsole() {
 
 bool openStandardFiles() noexcept {
     ::SetErrorMode(SEM_FAILCRITICALERRORS);  // no question about a drive without a disk
-    takeInheritance();
+    if (takeInheritance()) leaveNoCore();    // nobody looks at questions of a helper
     for (int number = 0; number <= 2; ++number) {
         const bool isOpen = ::_get_osfhandle(number) >= 0 && standardHandle(kStandard[number]) != nullptr;
         if (!isOpen && !openNull(number)) return false;

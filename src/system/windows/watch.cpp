@@ -37,10 +37,10 @@ std::optional<What> whatOf(DWORD action, const fs::path& file) {
     FileFacts facts;
     switch (action) {
         case FILE_ACTION_ADDED:
-            factsOf(file, Links::not_followed, facts);
-            return facts.kind == FileKind::regular && facts.size > 0 ? What::moved_in : What::made;
+            factsOf(file, Links::notFollowed, facts);
+            return facts.kind == FileKind::regular && facts.size > 0 ? What::movedIn : What::made;
         case FILE_ACTION_RENAMED_NEW_NAME:
-            return What::moved_in;
+            return What::movedIn;
         case FILE_ACTION_REMOVED:
         case FILE_ACTION_RENAMED_OLD_NAME:
             return What::removed;
@@ -90,7 +90,7 @@ struct FolderWatch::State {
             note(each, bytes);
             if (request(each)) return;
         }
-        if (!each.isRemoved) events.push_back({What::folder_gone, each.number, {}});
+        if (!each.isRemoved) events.push_back({What::folderGone, each.number, {}});
         folders.erase(found);
     }
 

@@ -154,8 +154,8 @@ inline constexpr int kHangup = 1, kKilled = 9, kAlarm = 14, kTimeLimit = 24;
 /// What a process gets from the one that has started it, in the variable `name`, at its first call; the
 /// variable is gone then, so that what it starts does not get it. Empty: nothing.
 std::vector<std::uint64_t> inherited(const wchar_t* name);
-/// To be called before anything is started.
-void takeInheritance();
+/// To be called before anything is started. True if there is something for this process.
+bool takeInheritance();
 inline constexpr const wchar_t *kWorkerVariable = L"GLIBRA_WORKER", *kChildVariable = L"GLIBRA_CHILD";
 /// Takes over a handle of an inherited list.
 File takeHandle(std::uint64_t value);
