@@ -31,6 +31,7 @@ ORDER = {
         "": set(),  # the headers, which know no system
         "posix": {""},
         "linux": {"", "posix"},
+        "windows": {""},
     },
     "geometry": {
         "": set(),
@@ -165,7 +166,7 @@ def named_rooms():
         for call in re.findall(r"^\s*glibra_room\(([^)]*)\)", text, re.MULTILINE):
             words = call.split()
             named = words[words.index("ROOMS") + 1:] if "ROOMS" in words else []
-            named = named[: named.index("LINK")] if "LINK" in named else named
+            named = list(itertools.takewhile(lambda word: word not in ("WITHOUT", "LINK"), named))
             for each in named:
                 if each not in rooms:
                     sys.exit(f"{file}: room {words[0]} names {each}, which is not declared before it")
@@ -269,7 +270,10 @@ def door_problem(file, line):
     if header and (header.group(1) == "csignal" or
                    (re.search(r"[./]", header.group(1)) and not header.group(1).startswith(LIBRARIES))):
         return f"<{header.group(1)}> is for src/system alone, unless it is a library's: then LIBRARIES names it"
-    word = SYSTEM_WORDS.search(re.sub(r"(^|\s)//.*", "", line))
+    code = re.sub(r"(^|\s)//.*", "", line)
+    if re.search(r"(?<!str)(\.|->)string\(\)", code):
+        return "string() of a path has other separators on Windows; generic_string() has the same everywhere"
+    word = SYSTEM_WORDS.search(code)
     return f"{word.group(0)} is for src/system alone" if word and file.as_posix() not in MAY_HAVE else None
 
 

@@ -1,6 +1,6 @@
 # Sourced by tools/package-windows and tools/test-windows: installs the cross-compiler, and builds the libraries for Windows
 # from the sources of their Debian packages, into build/windows-libraries.
-# shellcheck shell=sh disable=SC2034
+# shellcheck shell=sh disable=SC2034,SC2154
 
 windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev lld dpkg-dev"
 windows_test_packages="wine64 xvfb xauth"
