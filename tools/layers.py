@@ -17,6 +17,7 @@ file:line, and exits with status 1 if there is one.
 """
 
 import argparse
+import itertools
 import re
 import sys
 from pathlib import Path
