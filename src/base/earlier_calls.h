@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/workers.h"
-#include "system/worker.h"
+#include "base/outcome.h"
+#include "system/file.h"
 
 namespace glibra::base {
 

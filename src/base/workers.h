@@ -9,24 +9,10 @@
 #include <source_location>
 #include <string>
 
-#include "base/device_lost.h"
+#include "base/outcome.h"
 #include "system/sandbox.h"
 
 namespace glibra::base {
-
-/// How one piece of work ended.
-struct Outcome {
-    enum class End { finished, timedOut, crashed, stopped, deviceLost };
-    End end = End::finished;
-    std::string answer{};  ///< what the work returned, if it finished
-    int signal = 0;        ///< that ended the process, if it crashed; 0: it exited
-    int process = 0;       ///< the process id, if it did not finish
-    /// The process crashed and had used more than half of the memory that it may have: an allocation that
-    /// failed is a likely cause.
-    bool nearMemoryLimit = false;
-    DeviceLost lost{};      ///< if the graphics device was reset
-    bool wasAlone = false;  ///< no other piece was being done meanwhile
-};
 
 /// True if the end of a piece may be the fault of another one, or of another program: the device was reset,
 /// and not for its sake, or (`sharesDevice`) it was late because another one held the device. It is then done

@@ -29,7 +29,7 @@ std::string namesOf(const std::vector<const fs::path*>& files) {
     constexpr std::size_t kMostNames = 6;
     std::string names;
     for (std::size_t i = 0; i < std::min(files.size(), kMostNames); ++i)
-        names += fmt::format("{}'{}'", i == 0 ? "" : ", ", files[i]->string());
+        names += fmt::format("{}'{}'", i == 0 ? "" : ", ", files[i]->generic_string());
     return names + (files.size() > kMostNames ? ", ..." : "");
 }
 

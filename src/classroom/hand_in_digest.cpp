@@ -46,7 +46,7 @@ std::set<fs::path> filesReadBy(const fs::path& scene, const fs::path& folder,
         for (const fs::path& read : render::filesReadBy(scene, each).files) {
             const fs::path inside =
                 fs::absolute(read).lexically_normal().lexically_relative(fs::absolute(folder));
-            const std::string first = inside.empty() ? ".." : inside.begin()->string();
+            const std::string first = inside.empty() ? ".." : inside.begin()->generic_string();
             if (first != ".." && first != "shaders" && first != "textures") files.insert(inside);
         }
     return files;

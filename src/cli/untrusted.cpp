@@ -81,7 +81,7 @@ class Readable {
             problems_.push_back(diagnose(
                 "file-W18", fmt::format("--untrusted: '{}' is a link, which is not followed; name the "
                                         "folder that it leads to, as with --library",
-                                        link->string())));
+                                        link->generic_string())));
         }
     }
 
@@ -197,8 +197,8 @@ std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driv
     for (const system::Reach& folder : folders) {
         if (const std::optional<fs::path> link = linkOn(folder))
             problems.push_back(withoutId(
-                Severity::error,
-                fmt::format("--untrusted: '{}' on the way to what is written is a link", link->string())));
+                Severity::error, fmt::format("--untrusted: '{}' on the way to what is written is a link",
+                                             link->generic_string())));
         for (const system::Reach& each : readable.all())
             if (isBelow(each.whole(), folder.whole()))
                 problems.push_back(withoutId(

@@ -4,6 +4,7 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
+#include "glsl/parse/bodies.h"
 #include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"

@@ -7,9 +7,22 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/facts/assignment.h"
+#include "glsl/parse/unit.h"
 
 namespace glibra::glsl {
+
+/// A variable that may lack its value, or some parts of it.
+struct Unassigned {
+    enum class Kind { local, outParameter, output };
+    Kind kind = Kind::local;
+    std::string name;                ///< as in an expression: "sum", "gl_FragData[1]", "made.color"
+    std::string type;                ///< the type word
+    std::vector<std::string> sizes;  ///< of an array
+    /// View indices: of a local the last token of its declarator; of others the '{' after which a value can
+    /// be given.
+    std::uint32_t at = 0;
+    std::uint32_t statementEnd = kNone;  ///< the ';' of a local that is declared in a statement of its own
+};
 
 /// A variable that is followed. Its parts are the components of a vector, the columns of a matrix, the
 /// elements of an array, or the members of a structure; bit i stands for part i.

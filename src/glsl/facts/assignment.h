@@ -7,22 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "glsl/facts/assigned_parts.h"
 #include "glsl/parse/unit.h"
 
 namespace glibra::glsl {
-
-/// A variable that may lack its value, or some parts of it.
-struct Unassigned {
-    enum class Kind { local, outParameter, output };
-    Kind kind = Kind::local;
-    std::string name;                ///< as in an expression: "sum", "gl_FragData[1]", "made.color"
-    std::string type;                ///< the type word
-    std::vector<std::string> sizes;  ///< of an array
-    /// View indices: of a local the last token of its declarator; of others the '{' after which a value can
-    /// be given.
-    std::uint32_t at = 0;
-    std::uint32_t statementEnd = kNone;  ///< the ';' of a local that is declared in a statement of its own
-};
 
 /// A place that reads what no path has assigned.
 struct FirstRead {

@@ -175,8 +175,4 @@ struct Bodies {
     std::vector<std::uint32_t> memberDeclarations;  ///< view indices of all of these members
 };
 
-/// Parses all functions and initialisers, and sets Declaration::code and Declarator::value. The depth is
-/// limited, and the time is linear in the number of tokens.
-Bodies parseBodies(std::span<const ViewToken> view, Syntax& syntax);
-
 }  // namespace glibra::glsl

@@ -1,4 +1,4 @@
-#include "glsl/parse/tree.h"
+#include "glsl/parse/bodies.h"
 
 #include <algorithm>
 #include <initializer_list>
