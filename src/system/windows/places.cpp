@@ -45,6 +45,10 @@ fs::path homeFolder() {
 
 /// Fonts are installed for all users, or for one.
 fs::path fontFile(const std::string& name) {
+    // The package brings the letters that other systems have.
+    if (const fs::path own = programFile().parent_path() / L"fonts" / wideOf(name);
+        kindOf(own, Links::followed) == FileKind::regular)
+        return own;
     const std::pair<const wchar_t*, const wchar_t*> places[] = {
         {L"SystemRoot", L"Fonts"}, {L"LOCALAPPDATA", LR"(Microsoft\Windows\Fonts)"}};
     for (const auto& [variable, folder] : places) {
