@@ -84,7 +84,7 @@ ORDER = {
         "load": {"stats"},
         "draw": {"stats", "load"},
         "simulation": {"stats", "load", "draw"},
-        "": {"stats", "load", "draw", "simulation"},  # Pipeline, and SceneState, which draws pictures
+        "": {"stats", "load", "draw", "simulation"},  # Conductor, and SceneState, which draws pictures
         "live": {"stats", "load", "draw", "simulation", ""},
         "probe": {"stats", "load", "draw", "simulation", ""},
         "scene_renderer": {"stats", "load", "draw", "simulation", "", "probe"},

@@ -86,4 +86,11 @@ BufferTable tableOf(const BufferLayout& layout, const base::StorageBlock* block,
 /// The numbers of a member as text: "0.5 -1 2". `kinds` and `values` begin at the member.
 std::string cellText(std::span<const MemoryNumber> kinds, std::span<const double> values);
 
+// What dispatches and draws need of buffers and do not find, or do not reach (language, 12.7).
+
+/// memory-E12 for draws and dispatches whose counts their buffers do not hold, then memory-W05 for
+/// invocations, vertices and instances that use elements which their buffer does not have, and memory-W06 for
+/// dispatches with a single group along an axis along which a written image goes on.
+Diagnostics reachProblems(const scene::Scene& scene, const FramePlan& plan, const BufferLayouts& layouts);
+
 }  // namespace glibra::plan

@@ -1,4 +1,4 @@
-#include "plan/reach.h"
+#include "plan/buffers.h"
 
 #include <fmt/format.h>
 

@@ -67,6 +67,10 @@ plan::ProgramInterface samplersIn(const glsl::TranslatedProgram& program) {
 }  // namespace
 
 void SceneState::makeAhead() {
+    const RenderOptions& options = conductor.options;
+    const scene::Scene& scene = conductor.scene;
+    ProgramLibrary& programs = conductor.programs;
+    DeviceScene& device = conductor.device;
     if (options.maxError > 0) return;  // shapes are chosen after the programs are compiled
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return;
@@ -87,7 +91,7 @@ void SceneState::makeAhead() {
             answers.sight.add(each,
                               outOfSight(scene.frame.draw(each), scene.frame.passes[each.pass], nullptr));
     };
-    plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
+    plan::PlanOptions planOptions = planOptionsOf(conductor.context.capabilities());
     planOptions.overrides = std::move(*overrides);
     planOptions.lacksCompute = "nothing of it is known before its programs are compiled";
     planOptions.reportsNames = false;

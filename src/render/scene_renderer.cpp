@@ -7,110 +7,46 @@
 #include <map>
 #include <utility>
 
-#include "budget/budget.h"
 #include "gpu/object/readback.h"
 #include "plan/buffers.h"
 #include "render/consequences.h"
 #include "render/load/device_buffers.h"
-#include "render/probe/bound_probe.h"
-#include "render/probe/patch_probe.h"
-#include "render/probe/picture_probe.h"
-#include "render/probe/probe_options.h"
+#include "render/probe/choices.h"
 
 namespace glibra::render {
 namespace {
 
-/// Chooses the values of what the scene declares with Bound. Its state is then made anew.
-Result<std::unique_ptr<SceneState>> chooseValues(std::unique_ptr<SceneState> state, Stats& stats) {
-    const StageTimer timer(stats, "budget");
-    InterpretedScene interpreted{std::move(state->scene), state->source, state->inputs};
-    RenderOptions options = state->options;
-    budget::ChosenBounds chosen =
-        chooseBounds(state->context, interpreted, options, state->width, state->height);
-    stats.decisions.insert(stats.decisions.end(), chosen.decisions.begin(), chosen.decisions.end());
-    Result<std::unique_ptr<SceneState>> made = SceneState::of(
-        state->context, std::move(interpreted), options, stats, state->ownParts ? nullptr : state->parts);
-    if (made) (*made)->isIncomplete = state->isIncomplete;
-    made.diagnostics.insert(made.diagnostics.begin(), chosen.diagnostics.begin(), chosen.diagnostics.end());
-    return made;
-}
-
-/// Chooses counts for what a first plan of the scene needs, as it is at the moment of `state`. It is then
-/// planned again with the chosen shapes.
-Diagnostics chooseCounts(SceneState& state, plan::PlanOptions& planOptions, Stats& stats) {
-    scene::Scene& scene = state.scene;
-    RenderOptions& options = state.options;
-    const plan::FramePlan first = state.planList(scene.frame, planOptions);
-    if (hasError(first.diagnostics)) return {};
-    const StageTimer timer(stats, "budget");
-    const gpu::Capabilities& driver = state.context.capabilities();
-    const std::vector<double> moments =
-        state.changesWithTime ? std::vector{state.inputs.time} : momentsOf(options);
-    const PictureProbe pictures{state, moments};
-    PatchProbe probe(state, moments);
-    budget::Choice choice = budget::choose(
-        scene, first,
-        {.maxError = options.maxError,
-         .overrideCounts = options.overrideCounts,
-         .width = state.width,
-         .height = state.height,
-         .areSamplesFree = state.areSamplesChosen,
-         .mostSamples = driver.maxSamples,
-         .clipFromModel =
-             [&](const scene::Draw& draw, double aspect) {
-                 return state.view.projection(*draw.projection, aspect) * state.view.modelView(draw);
-             },
-         .contourShift = [&](const budget::Choice& from,
-                             const budget::Choice& to) { return pictures.shift(from, to); },
-         .mostLevel = driver.maxTessellationLevel,
-         .overrides = planOptions.overrides,
-         .patches = [&](std::size_t pass, std::size_t step,
-                        const budget::Levels& levels) { return probe.patches(pass, step, levels); }});
-    if (state.areSamplesChosen) options.samples = choice.samples;
-    for (const scene::ShapeIndex shape : budget::apply(choice, scene)) state.device.meshes().forget(shape);
-    planOptions.overrides.insert(planOptions.overrides.end(), choice.levels.begin(), choice.levels.end());
-    if (state.isMoving) return std::move(choice.diagnostics);  // decisions are those of the first picture
-    stats.decisions.insert(stats.decisions.end(), choice.decisions.begin(), choice.decisions.end());
-    if (state.changesWithTime && options.lastTime > options.time)
-        stats.decisions.push_back(
-            {"scene",
-             "it changes with time: each picture has its own choice; that of the first:",
-             {scene.path, 1, 1}});
-    std::ranges::stable_sort(stats.decisions, {}, [](const budget::Decision& each) {
-        return std::pair(each.place.line, each.what != "scene");
-    });
-    return std::move(choice.diagnostics);
-}
-
 /// Interprets a scene that changes with time for its first picture, so that choices are made for that.
-Diagnostics goToFirst(SceneState& state, Stats& stats) {
+Diagnostics goToFirst(Conductor& conductor, Stats& stats) {
     Diagnostics diagnostics;
-    scene::FrameInputs first = state.inputs;
-    first.time = state.options.time;
-    if (state.changesWithTime && state.interpret(first, diagnostics, stats))
-        state.lookFrom(state.options.viewState);
+    scene::FrameInputs first = conductor.inputs;
+    first.time = conductor.options.time;
+    if (conductor.changesWithTime && conductor.interpret(first, diagnostics, stats))
+        conductor.lookFrom(conductor.options.viewState);
     return diagnostics;
 }
 
 }  // namespace
 
 FrameDrawer& SceneRenderer::drawer() {
-    state_->forgetDrawn();  // whoever asks for it will draw
-    return *state_->drawer;
+    state_->conductor.forgetDrawn();  // whoever asks for it will draw
+    return *state_->conductor.drawer;
 }
 void SceneRenderer::setShift(const glm::dvec2& window, std::vector<glm::dvec2> textures) {
-    state_->forgetDrawn();
-    state_->drawer->setShift(window, std::move(textures));
+    state_->conductor.forgetDrawn();
+    state_->conductor.drawer->setShift(window, std::move(textures));
 }
 void SceneRenderer::measureGpu(GpuTimes& times) {
     state_->gpuTimes = &times;
-    if (state_->drawer) times.watch(*state_->drawer, state_->scene, state_->plan);
-    if (state_->simulation) times.watch(*state_->simulation, state_->scene);
+    Conductor& conductor = state_->conductor;
+    if (conductor.drawer) times.watch(*conductor.drawer, conductor.scene, conductor.plan);
+    if (conductor.simulation) times.watch(*conductor.simulation, conductor.scene);
 }
 std::optional<Moment> SceneRenderer::momentOf(double time) const {
     if (remembersFrames()) return std::nullopt;
     std::map<double, double> timers;  // by period
-    const plan::FramePlan& plan = state_->plan;
+    const Conductor& conductor = state_->conductor;
+    const plan::FramePlan& plan = conductor.plan;
     plan.visitStatements([&](const auto& planned, const auto& statement) {
         const double period = statement.timerPeriod;
         const plan::PlannedProgram& program = plan.programs[planned.program];
@@ -128,10 +64,10 @@ std::optional<Moment> SceneRenderer::momentOf(double time) const {
     });
     Moment moment;
     for (const auto& [period, timer] : timers) moment.push_back(timer);
-    if (state_->simulation)
-        for (const std::int64_t steps : state_->simulation->stepsAt(time))
+    if (conductor.simulation)
+        for (const std::int64_t steps : conductor.simulation->stepsAt(time))
             moment.push_back(static_cast<double>(steps));
-    if (state_->changesWithTime) moment.push_back(time);
+    if (conductor.changesWithTime) moment.push_back(time);
     return moment;
 }
 
@@ -145,7 +81,7 @@ PreparedScene SceneRenderer::begin(gpu::Context& context, const std::filesystem:
     const bool isWrong = hasError(begun.diagnostics_);
     if (interpreted && (!isWrong || options.incomplete))
         begun.state_ = SceneState::of(context, std::move(*interpreted), options, stats, shared);
-    if (begun.state_) (*begun.state_)->isIncomplete = isWrong;
+    if (begun.state_ && isWrong) (*begun.state_)->conductor.condition = Condition::incomplete;
     return begun;
 }
 
@@ -180,44 +116,40 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<SceneState>> 
     Diagnostics diagnostics = std::move(prepared.diagnostics);
     if (!prepared) return diagnostics;
     std::unique_ptr<SceneState> state = std::move(*prepared);
-    if (state->options.maxError > 0 && hasBounds(state->scene)) {
-        Result<std::unique_ptr<SceneState>> chosen = chooseValues(std::move(state), stats);
+    const bool isBounded = state->conductor.options.maxError > 0;
+    if (isBounded && hasBounds(state->conductor.scene)) {
+        Result<std::unique_ptr<SceneState>> chosen = chooseValues(*state, stats);
         append(diagnostics, std::move(chosen.diagnostics));
         if (!chosen) return diagnostics;
         state = std::move(*chosen);
     }
-    const bool isBounded = state->options.maxError > 0;
-    if (isBounded) append(diagnostics, goToFirst(*state, stats));
-    Result<plan::PlanOptions> planOptions = state->planOptions(false);
-    if (planOptions && isBounded) {
-        state->areSamplesChosen = state->options.samples == 0;
-        append(planOptions.diagnostics, chooseCounts(*state, *planOptions, stats));
+    if (isBounded) {
+        append(diagnostics, goToFirst(state->conductor, stats));
+        state->areSamplesChosen = state->conductor.options.samples == 0;
         state->choose = chooseCounts;
     }
-    append(diagnostics, state->preparePlan(std::move(planOptions), stats));
-    if (!state->makeReady(diagnostics, stats)) return diagnostics;
+    append(diagnostics, state->conductor.prepare(state->request()));
+    if (!state->makeReady(diagnostics)) return diagnostics;
     return {SceneRenderer(std::move(state)), std::move(diagnostics)};
 }
 
 void SceneRenderer::drawAhead(double time, Stats& stats) {
     SceneState& state = *state_;
+    Conductor& conductor = state.conductor;
     SceneState::Ahead& ahead = state.ahead.emplace_back();
     Diagnostics& diagnostics = ahead.diagnostics;
-    if (!state.stream) state.stream.emplace(state.context.capabilities());
+    if (!state.stream) state.stream.emplace(conductor.context.capabilities());
     append(diagnostics, state.moveTo(time, stats));
-    const plan::StillNodes still =
-        hasError(diagnostics) ? plan::StillNodes() : state.stillNodes(state.width, state.height);
-    if (!state.isStopped(diagnostics)) {
-        append(diagnostics, state.drawTile(0, time, still, stats));
+    if (!conductor.stopsWith(diagnostics)) {
+        state.drawTile(0, diagnostics, stats);
         Diagnostics unread = state.stream->begin(state.window->readable(), 0,
                                                  {0, 0, state.width, state.height}, state.pixelLayout());
         ahead.isRead = unread.empty();
         append(diagnostics, std::move(unread));
     }
     state.endFrame(diagnostics, stats);
-    ahead.isStopped = state.isStopped(diagnostics);
-    ahead.isIncomplete = state.isIncomplete;
-    if (!ahead.isStopped) ahead.labels = state.labels();
+    ahead.condition = conductor.stopsWith(diagnostics) ? Condition::stopped : conductor.condition;
+    if (ahead.condition != Condition::stopped) ahead.labels = state.labels();
 }
 
 Result<image::Image> SceneRenderer::takeDrawn(Stats& stats) {
@@ -228,27 +160,28 @@ Result<image::Image> SceneRenderer::takeDrawn(Stats& stats) {
     if (ahead.isRead) {
         const StageTimer timer(stats, "readback");
         Diagnostics unread = state.stream->take(picture.data);
-        ahead.isIncomplete = ahead.isIncomplete || hasError(unread);
-        ahead.isStopped = state.isStopped(unread) || ahead.isStopped;
+        state.conductor.note(unread);
+        if (state.conductor.stopsWith(unread)) ahead.condition = Condition::stopped;
+        if (hasError(unread) && ahead.condition == Condition::whole) ahead.condition = Condition::incomplete;
         append(ahead.diagnostics, std::move(unread));
     }
-    if (ahead.isStopped) return std::move(ahead.diagnostics);
-    SceneState::finishPicture(picture, ahead.labels, ahead.isIncomplete);
+    if (ahead.condition == Condition::stopped) return std::move(ahead.diagnostics);
+    SceneState::finishPicture(picture, ahead.labels, ahead.condition == Condition::incomplete);
     return {std::move(picture), std::move(ahead.diagnostics)};
 }
 
 Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pass, int color, double time,
                                               Stats& stats) {
-    SceneState& state = *state_;
-    state.drawer->setDrawLimit(draws);
+    Conductor& conductor = state_->conductor;
+    conductor.drawer->setDrawLimit(draws);
     Result<image::Image> window = draw(time, stats);
-    state.drawer->setDrawLimit(std::numeric_limits<std::size_t>::max());
-    const scene::Pass& drawn = state.plan.passOf(state.plan.passes[pass]);
+    conductor.drawer->setDrawLimit(std::numeric_limits<std::size_t>::max());
+    const scene::Pass& drawn = conductor.plan.passOf(conductor.plan.passes[pass]);
     if (!window || drawn.isWindow) return window;
-    const Result<const gpu::Target*> target = state.device.target(drawn);
+    const Result<const gpu::Target*> target = conductor.device.target(drawn);
     if (!target) return target.diagnostics;
     image::Image content{(*target)->width(), (*target)->height(), 4, image::Component::f32, {}};
-    auto pixels = gpu::readPixels(state.context.capabilities(), (*target)->readable(), color,
+    auto pixels = gpu::readPixels(conductor.context.capabilities(), (*target)->readable(), color,
                                   {0, 0, content.width, content.height}, {4, gpu::TexelType::f32});
     if (!pixels) return std::move(pixels.diagnostics);
     content.data = std::move(*pixels);
@@ -256,17 +189,17 @@ Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pas
 }
 
 Result<BufferContent> SceneRenderer::bufferContent(const scene::BufferView& view) {
-    const DeviceBuffers& buffers = state_->device.buffers();
+    const DeviceBuffers& buffers = state_->conductor.device.buffers();
     const gpu::Buffer* buffer = buffers.buffer(view);
     const plan::BufferLayout* layout = buffers.layout(view.buffer);
     if (buffer == nullptr || layout == nullptr) {
-        const scene::Buffer& declared = state_->scene.buffers[view.buffer];
+        const scene::Buffer& declared = state_->conductor.scene.buffers[view.buffer];
         return diagnose("memory-E16",
                         fmt::format("buffer '{}' is not used, so it has no content to save", declared.name),
                         declared.place);
     }
     std::optional<base::StorageBlock> block;
-    for (const plan::FramePlan* each : state_->plans())
+    for (const plan::FramePlan* each : state_->conductor.plans())
         if (!block) block = plan::blockOf(*each, view.buffer);
     return contentOf(*layout, block ? &*block : nullptr, *buffer);
 }

@@ -65,7 +65,7 @@ class SceneRenderer {
     /// True if the driver draws while this process does other work, so that drawAhead() saves time. Pictures
     /// in tiles, and those of a driver that draws on the processor, are read at once.
     [[nodiscard]] bool gainsFromDrawingAhead() const {
-        return state_->tiles.size() == 1 && !state_->context.capabilities().isSoftware;
+        return state_->tiles.size() == 1 && !state_->conductor.context.capabilities().isSoftware;
     }
     /// Begins to draw the picture at `time`, which takeDrawn() gives. At most kMostAhead pictures may be
     /// begun and not taken. Only for pictures of one tile.
@@ -85,11 +85,11 @@ class SceneRenderer {
     /// layers needs one (`view.layer`); the rows of a face of a cube map are those of its files. The texture
     /// must be among options.wantedObjects or seen in the picture.
     Result<image::Image> textureImage(const scene::TextureView& view) {
-        return state_->device.textures().imageOf(view);
+        return state_->conductor.device.textures().imageOf(view);
     }
     /// The same as DeviceTextures::numbersOf gives it.
     Result<TexelNumbers> textureNumbers(const scene::TextureView& view) {
-        return state_->device.textures().numbersOf(view);
+        return state_->conductor.device.textures().numbersOf(view);
     }
 
     /// The content of a buffer after the last picture, with the members that the first program which uses it
@@ -106,16 +106,16 @@ class SceneRenderer {
 
     /// The parts of the renderer, for measurements between two draws.
     FrameDrawer& drawer();
-    [[nodiscard]] const DeviceScene& device() const { return state_->device; }
-    [[nodiscard]] const scene::Scene& scene() const { return state_->scene; }
-    [[nodiscard]] const plan::FramePlan& plan() const { return state_->plan; }
+    [[nodiscard]] const DeviceScene& device() const { return state_->conductor.device; }
+    [[nodiscard]] const scene::Scene& scene() const { return state_->conductor.scene; }
+    [[nodiscard]] const plan::FramePlan& plan() const { return state_->conductor.plan; }
     [[nodiscard]] int width() const { return state_->width; }
     [[nodiscard]] int height() const { return state_->height; }
     /// True if a picture may depend on earlier ones, through rendered textures or images that a shader writes
     /// to. Otherwise each picture is the one that a newly loaded scene gives.
-    [[nodiscard]] bool remembersFrames() const { return state_->plan.showsEarlierFrames; }
+    [[nodiscard]] bool remembersFrames() const { return state_->conductor.plan.showsEarlierFrames; }
     /// True if the scene has Once or Step blocks. A picture is drawn faster after an earlier one than alone.
-    [[nodiscard]] bool runsSteps() const { return state_->simulation.has_value(); }
+    [[nodiscard]] bool runsSteps() const { return state_->conductor.simulation.has_value(); }
     /// Pictures with equal moments are equal. Nothing if remembersFrames().
     [[nodiscard]] std::optional<Moment> momentOf(double time) const;
 

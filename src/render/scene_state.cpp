@@ -60,6 +60,24 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 30;
 
 }  // namespace
 
+SceneState::SceneState(gpu::Context& usedContext, const RenderOptions& usedOptions,
+                       InterpretedScene interpreted, bool isTiled, Stats& stats, SharedParts* shared)
+    : conductor(usedContext, usedOptions, std::move(interpreted), stats,
+                {.isTiled = isTiled,
+                 .hasProbes = usedOptions.maxError > 0 && usedOptions.skip,
+                 .shared = shared,
+                 .watchesLoops = true,
+                 .onError = usedOptions.incomplete ? OnError::mark : OnError::stop,
+                 .interpreted = [this] { conductor.lookFrom(conductor.options.viewState); },
+                 .request = [this] { return request(); },
+                 .planned =
+                     [this](bool isFirst) {
+                         if (isFirst) listSkipped();
+                         return std::exchange(ofMeshes_, {});
+                     },
+                 .simulationPlanned = [this] { explainSimulation(); },
+                 .equip = [this](FrameDrawer& drawer) { equip(drawer); }}) {}
+
 Result<std::unique_ptr<SceneState>> SceneState::of(gpu::Context& context, InterpretedScene interpreted,
                                                    const RenderOptions& options, Stats& stats,
                                                    SharedParts* shared) {
@@ -83,8 +101,8 @@ Result<std::unique_ptr<SceneState>> SceneState::of(gpu::Context& context, Interp
     state->tiles = std::move(grid.tiles);
     state->tileParts = std::move(grid.parts);
     Diagnostics diagnostics;
-    state->placeEye(static_cast<double>(width) / height, diagnostics, stats);
-    state->lookFrom(options.viewState);
+    state->conductor.placeEye(static_cast<double>(width) / height, diagnostics, stats);
+    state->conductor.lookFrom(options.viewState);
     return {std::move(state), std::move(diagnostics)};
 }
 
@@ -93,22 +111,18 @@ Result<std::unique_ptr<SceneState>> SceneState::load(gpu::Context& context, Inte
                                                      SharedParts* shared) {
     Result<std::unique_ptr<SceneState>> made = of(context, std::move(interpreted), options, stats, shared);
     if (!made) return made;
-    append(made.diagnostics, (*made)->preparePlan((*made)->planOptions(false), stats));
-    if (!(*made)->makeReady(made.diagnostics, stats)) made.value.reset();
+    append(made.diagnostics, (*made)->conductor.prepare((*made)->request()));
+    if (!(*made)->makeReady(made.diagnostics)) made.value.reset();
     return made;
 }
 
-bool SceneState::isStopped(const Diagnostics& diagnostics) {
-    if (!hasError(diagnostics)) return false;
-    isIncomplete = options.incomplete;
-    return isBroken || !options.incomplete;
-}
-
 Result<plan::PlanOptions> SceneState::planOptions(bool everything) {
-    isBroken = true;  // until there is a plan
+    const RenderOptions& options = conductor.options;
+    const scene::Scene& scene = conductor.scene;
+    const gpu::Capabilities& driver = conductor.context.capabilities();
     Result<std::vector<plan::Override>> overrides = parseOverrides(options.set);
     if (!overrides) return std::move(overrides.diagnostics);
-    plan::PlanOptions made = planOptionsOf(context.capabilities());
+    plan::PlanOptions made = planOptionsOf(driver);
     made.overrides = std::move(*overrides);
     std::erase_if(made.overrides, [&](const plan::Override& each) {
         return each.program.empty() && scene.usedVariables.contains(each.name);
@@ -129,55 +143,54 @@ Result<plan::PlanOptions> SceneState::planOptions(bool everything) {
     for (const scene::Print& each : scene.prints) made.roots.emplace_back(each.buffer);
     made.everything = everything || !options.skip;
     made.shareMeshes = options.skip;
-    made.reportsNames = !hasBlocks();
+    made.reportsNames = !conductor.hasBlocks();
     made.shareTargets = options.skip && !options.checkNan;  // the search looks into every target
     Diagnostics problems;
-    if (options.checkUndefined && !context.capabilities().compute)
+    if (options.checkUndefined && !driver.compute)
         problems.push_back(diagnose("check-E03",
                                     fmt::format("--check-undefined needs OpenGL 4.3; this driver has {}.{}",
-                                                context.capabilities().major, context.capabilities().minor),
+                                                driver.major, driver.minor),
                                     {scene.path, 1, 1}));
     return {std::move(made), std::move(problems)};
 }
 
-Diagnostics SceneState::preparePlan(Result<plan::PlanOptions> asked, Stats& stats) {
-    Diagnostics diagnostics = std::move(asked.diagnostics);
-    if (!asked) return diagnostics;
+Result<PlanRequest> SceneState::request(bool everything) {
+    Result<plan::PlanOptions> planned = planOptions(everything);
+    if (!planned) return std::move(planned.diagnostics);
+    if (choose) append(planned.diagnostics, choose(*this, *planned));
+    RenderOptions& options = conductor.options;
     options.samples = std::max(1, options.samples);
-    Diagnostics meshDiagnostics;
     // Primitives out of sight count, too.
-    const bool countsPrimitives = options.checks && std::ranges::any_of(scene.checks, [](const auto& each) {
-                                      return each.kind == scene::Check::Kind::primitives;
-                                  });
-    OutOfSight unseen;
-    if (!asked->everything && !countsPrimitives)
-        unseen = [&](const scene::Draw& draw, const scene::Pass& pass) {
-            return outOfSight(draw, pass, &meshDiagnostics);
+    const bool countsPrimitives =
+        options.checks && std::ranges::any_of(conductor.scene.checks, [](const auto& each) {
+            return each.kind == scene::Check::Kind::primitives;
+        });
+    PlanRequest made{std::move(*planned), {}, conductor.changesWithTime};
+    if (!made.options.everything && !countsPrimitives)
+        made.outOfSight = [this](const scene::Draw& draw, const scene::Pass& pass) {
+            return outOfSight(draw, pass, &ofMeshes_);
         };
-    plan = planList(scene.frame, *asked, unseen);
-    isBroken = false;
-    if (!isMoving) {
-        stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
-        listFoundByName(stats);
-    }
-    append(diagnostics, std::exchange(plan.diagnostics, {}));
-    append(diagnostics, std::move(meshDiagnostics));
-    const bool isFirst = !simulation;
-    const auto add = [&](Diagnostics ofSteps) {
-        isBroken = hasError(ofSteps);
-        append(diagnostics, std::move(ofSteps));
-    };
-    if (!isStopped(diagnostics)) {
-        add(planSimulation(*asked, changesWithTime));
-        if (isFirst && simulation) explainSimulation(stats);
-    }
-    if (!isStopped(diagnostics)) append(diagnostics, device.prepare(plan, programs));
-    if (!isStopped(diagnostics) && isFirst && simulation) add(simulation->make());
-    return diagnostics;
+    return {std::move(made), std::move(planned.diagnostics)};
+}
+
+void SceneState::listSkipped() {
+    Stats& stats = conductor.loadStats;
+    const plan::FramePlan& plan = conductor.plan;
+    stats.skipped.insert(stats.skipped.begin(), plan.skipped.begin(), plan.skipped.end());
+    std::set<std::pair<scene::ProgramIndex, std::string>> seen;  // draws may have variants of a program
+    for (const plan::PlannedProgram& each : plan.programs)
+        for (const std::string& found : each.foundByName)
+            if (seen.emplace(each.variant.program, found).second) {
+                const scene::Program& program = conductor.scene.programs[each.variant.program];
+                stats.foundByName.push_back({"'" + program.name + "'", found, program.place});
+            }
 }
 
 /// Nodes of all lists may be skipped; what one of them uses is not.
-void SceneState::explainSimulation(Stats& stats) const {
+void SceneState::explainSimulation() {
+    Stats& stats = conductor.loadStats;
+    const scene::Scene& scene = conductor.scene;
+    const std::optional<Simulation>& simulation = conductor.simulation;
     std::vector<Place> used;
     for (const plan::FramePlan* each : simulation->plans()) {
         for (const plan::PlannedProgram& program : each->programs) {
@@ -206,19 +219,12 @@ void SceneState::explainSimulation(Stats& stats) const {
         std::copy_if(each->skipped.begin(), each->skipped.end(), std::back_inserter(stats.skipped), isNode);
 }
 
-void SceneState::listFoundByName(Stats& stats) const {
-    std::set<std::pair<scene::ProgramIndex, std::string>> seen;  // draws may have variants of a program
-    for (const plan::PlannedProgram& each : plan.programs)
-        for (const std::string& found : each.foundByName)
-            if (seen.emplace(each.variant.program, found).second)
-                stats.foundByName.push_back({"'" + scene.programs[each.variant.program].name + "'", found,
-                                             scene.programs[each.variant.program].place});
-}
-
 std::string SceneState::outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks) {
+    const scene::Scene& scene = conductor.scene;
+    const RenderOptions& options = conductor.options;
     const geometry::Topology topology = scene::topologyOf(scene.shapes[draw.shape]);
     const plan::ProgramVariant variant = plan::variantOf(scene, draw, pass);
-    const glsl::Placement placement = programs.placementOf(variant);
+    const glsl::Placement placement = conductor.programs.placementOf(variant);
     if (topology == geometry::Topology::patches || placement == glsl::Placement::unknown ||
         !isPlacedByMatrices(draw) || scene.shapes[draw.shape].bare)
         return {};
@@ -232,9 +238,11 @@ std::string SceneState::outOfSight(const scene::Draw& draw, const scene::Pass& p
         screen = {
             targetWidth, targetHeight, {0, 0, targetWidth, targetHeight}, samples, options.tileSize > 0};
     }
-    const VertexBox& bounds = device.meshes().bounds(draw.shape, programs.mayReadTangents(variant), remarks);
-    const ViewMatrices seen = isMoved(scene.frame, pass) ? view.shifted(pass.shift) : view.unmoved();
-    const DrawView drawView = drawViewOf(draw, topology, seen, screen, context.capabilities());
+    const VertexBox& bounds =
+        conductor.device.meshes().bounds(draw.shape, conductor.programs.mayReadTangents(variant), remarks);
+    const ViewMatrices seen =
+        isMoved(scene.frame, pass) ? conductor.view.shifted(pass.shift) : conductor.view.unmoved();
+    const DrawView drawView = drawViewOf(draw, topology, seen, screen, conductor.context.capabilities());
     return std::string(describe(sightOf(placed(bounds, placement), drawView)));
 }
 
@@ -242,6 +250,7 @@ std::string SceneState::outOfSight(const scene::Draw& draw, const scene::Pass& p
 Diagnostics SceneState::checkTiles() const {
     if (tiles.size() == 1) return {};
     Diagnostics found;
+    const plan::FramePlan& plan = conductor.plan;
     plan.visitDraws([&](const plan::PlannedDraw& each, const scene::Draw& draw, const scene::Pass& pass) {
         if (!found.empty() || !pass.isWindow ||
             !plan::writesMemory(plan.programs[each.program], each.textures))
@@ -255,85 +264,66 @@ Diagnostics SceneState::checkTiles() const {
     return found;
 }
 
-void SceneState::makePictureDrawer(Stats& stats) {
-    makeDrawer(stats);
-    recordLoops(plan);
-    if (options.skip && tiles.size() > 1) drawer->cullToTile(options.samples);
-    if (options.skip && !options.floatPixels) drawer->skipOpaqueBlending();
-    if (areSamplesChosen && options.samples > 1) drawer->shadeSamples();
-    if (gpuTimes) gpuTimes->watch(*drawer, scene, plan);
+void SceneState::equip(FrameDrawer& drawer) {
+    const RenderOptions& options = conductor.options;
+    conductor.recordLoops(conductor.plan);
+    if (options.skip && tiles.size() > 1) drawer.cullToTile(options.samples);
+    if (options.skip && !options.floatPixels) drawer.skipOpaqueBlending();
+    if (areSamplesChosen && options.samples > 1) drawer.shadeSamples();
+    if (gpuTimes) gpuTimes->watch(drawer, conductor.scene, conductor.plan);
 }
 
-bool SceneState::makeReady(Diagnostics& diagnostics, Stats& stats) {
+bool SceneState::makeReady(Diagnostics& diagnostics) {
+    const RenderOptions& options = conductor.options;
     const auto refuse = [&] {
         applyStrict(diagnostics, options.strict);
         return false;
     };
-    explainRemovedLoops(scene, plan, programs, diagnostics);
+    explainRemovedLoops(conductor.scene, conductor.plan, conductor.programs, diagnostics);
     applyStrict(diagnostics, options.strict);
-    if (isStopped(diagnostics)) return false;
+    conductor.note(diagnostics);
+    if (conductor.stopsWith(diagnostics)) return false;
 
     const Diagnostics ofTiles = checkTiles();
     append(diagnostics, ofTiles);
     if (hasError(ofTiles)) return refuse();
-    makePictureDrawer(stats);
-    device.meshes().release();
+    conductor.makeDrawer();
+    conductor.device.meshes().release();
 
     Result<gpu::Target> made =
-        gpu::Target::window(context.capabilities(), tiles.front().width, tiles.front().height,
+        gpu::Target::window(conductor.context.capabilities(), tiles.front().width, tiles.front().height,
                             options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
                             options.samples, kDepthFormat);
     append(diagnostics, std::move(made.diagnostics));
     if (!made) return refuse();
     window = std::move(made.value);
-    if (options.axes) append(diagnostics, makeAxes());
-    append(diagnostics, context.debugLog().takeDiagnostics());
+    if (options.axes) append(diagnostics, conductor.makeAxes());
+    append(diagnostics, conductor.context.debugLog().takeDiagnostics());
     applyStrict(diagnostics, options.strict);
-    return !isStopped(diagnostics);
+    conductor.note(diagnostics);
+    return !conductor.stopsWith(diagnostics);
 }
 
 // Draws the pictures of a SceneState.
 
 Diagnostics SceneState::moveTo(double time, Stats& stats) {
     Diagnostics diagnostics;
-    bool isOther = false;
-    if (changesWithTime && inputs.time != time) {
-        scene::FrameInputs wanted = inputs;
-        wanted.time = time;
-        isOther = interpret(wanted, diagnostics, stats);
-    }
-    inputs.time = time;
-    if (isOther) {
-        lookFrom(options.viewState);
-        isMoving = true;
-        Result<plan::PlanOptions> asked = planOptions(false);
-        if (asked && choose) append(asked.diagnostics, choose(*this, *asked, stats));
-        append(diagnostics, preparePlan(std::move(asked), stats));
-        if (isStopped(diagnostics)) return diagnostics;
-    }
-    if (simulation) append(diagnostics, simulation->advance(inputs));
-    if (isOther && !isStopped(diagnostics)) makePictureDrawer(loadStats);
+    scene::FrameInputs wanted = conductor.inputs;
+    wanted.time = time;
+    if (conductor.changesWithTime) conductor.moveTo(wanted, diagnostics, stats);
+    conductor.inputs.time = time;
+    if (!conductor.stopsWith(diagnostics)) append(diagnostics, conductor.simulate());
+    conductor.note(diagnostics);
     return diagnostics;
 }
 
-Diagnostics SceneState::drawTile(std::size_t index, double time, const plan::StillNodes& still,
-                                 Stats& stats) {
+void SceneState::drawTile(std::size_t index, Diagnostics& diagnostics, Stats& stats) {
     const StageTimer timer(stats, "draw");
-    const bool textures = index == 0 || !texturesComeFirst(plan);
-    Diagnostics diagnostics = drawer->draw(*window, {.view = view,
-                                                     .width = width,
-                                                     .height = height,
-                                                     .tile = tiles[index],
-                                                     .time = time,
-                                                     .texturePasses = textures,
-                                                     .still = &still,
-                                                     .recordsLoops = recordsLoops()});
-    if (axes) axes->draw(*window, scene, view, tiles[index], width, height);
+    conductor.draw(*window, {width, height, tiles[index], index == 0, conductor.options.axes}, diagnostics);
     const bool isTimed = gpuTimes != nullptr && window->samples() > 1;
     if (isTimed) gpuTimes->beginWork({"means of the window's samples", 0});
     window->resolve();
     if (isTimed) gpuTimes->endWork();
-    return diagnostics;
 }
 
 Diagnostics SceneState::readTile(std::size_t index, image::Image& picture, Stats& stats) {
@@ -342,30 +332,32 @@ Diagnostics SceneState::readTile(std::size_t index, image::Image& picture, Stats
     const StageTimer timer(stats, "readback");
     const gpu::PixelRectangle rectangle{part.x - tile.x, part.y - tile.y, part.width, part.height};
     if (tiles.size() == 1)
-        return gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, pixelLayout(),
-                               picture.data);
-    auto pixels = gpu::readPixels(context.capabilities(), window->readable(), 0, rectangle, pixelLayout());
+        return gpu::readPixels(conductor.context.capabilities(), window->readable(), 0, rectangle,
+                               pixelLayout(), picture.data);
+    auto pixels =
+        gpu::readPixels(conductor.context.capabilities(), window->readable(), 0, rectangle, pixelLayout());
     if (pixels) pasteTile(*pixels, part, picture);
     return std::move(pixels.diagnostics);
 }
 
 std::optional<LabelBlock> SceneState::labels() const {
-    if (options.labels == LabelCorner::none) return std::nullopt;
-    return labelBlock(width, height, labelsOf(scene, plans()), options.labels);
+    if (conductor.options.labels == LabelCorner::none) return std::nullopt;
+    return labelBlock(width, height, labelsOf(conductor.scene, conductor.plans()), conductor.options.labels);
 }
 
 image::Image SceneState::emptyPicture() const {
     image::Image picture{width,
                          height,
-                         options.alpha ? 4 : 3,
-                         options.floatPixels ? image::Component::f32 : image::Component::u8,
+                         conductor.options.alpha ? 4 : 3,
+                         conductor.options.floatPixels ? image::Component::f32 : image::Component::u8,
                          {}};
     picture.data.resize(picture.rowBytes() * static_cast<std::size_t>(height));
     return picture;
 }
 
 gpu::PixelLayout SceneState::pixelLayout() const {
-    return {options.alpha ? 4 : 3, options.floatPixels ? gpu::TexelType::f32 : gpu::TexelType::u8};
+    return {conductor.options.alpha ? 4 : 3,
+            conductor.options.floatPixels ? gpu::TexelType::f32 : gpu::TexelType::u8};
 }
 
 void SceneState::finishPicture(image::Image& picture, const std::optional<LabelBlock>& labels,
@@ -375,25 +367,25 @@ void SceneState::finishPicture(image::Image& picture, const std::optional<LabelB
 }
 
 void SceneState::endFrame(Diagnostics& diagnostics, Stats& stats) {
-    noteDrawn(width, height, diagnostics);
-    append(diagnostics, takeCutLoops());
+    conductor.noteDrawn(width, height, diagnostics);
+    append(diagnostics, conductor.takeCutLoops());
     stats.add("frames", 1);
-    append(diagnostics, context.debugLog().takeDiagnostics());
-    if (options.checkUndefined) append(diagnostics, programs.takeUndefined());
-    applyStrict(diagnostics, options.strict);
+    append(diagnostics, conductor.context.debugLog().takeDiagnostics());
+    if (conductor.options.checkUndefined) append(diagnostics, conductor.programs.takeUndefined());
+    applyStrict(diagnostics, conductor.options.strict);
+    conductor.note(diagnostics);
 }
 
 Result<image::Image> SceneState::draw(double time, Stats& stats) {
     image::Image picture = emptyPicture();
     Diagnostics diagnostics = moveTo(time, stats);
-    const plan::StillNodes still = hasError(diagnostics) ? plan::StillNodes() : stillNodes(width, height);
-    for (std::size_t i = 0; i < tiles.size() && !isStopped(diagnostics); ++i) {
-        append(diagnostics, drawTile(i, time, still, stats));
+    for (std::size_t i = 0; i < tiles.size() && !conductor.stopsWith(diagnostics); ++i) {
+        drawTile(i, diagnostics, stats);
         append(diagnostics, readTile(i, picture, stats));
     }
     endFrame(diagnostics, stats);
-    if (isStopped(diagnostics)) return diagnostics;
-    finishPicture(picture, labels(), isIncomplete);
+    if (conductor.stopsWith(diagnostics)) return diagnostics;
+    finishPicture(picture, labels(), conductor.condition == Condition::incomplete);
     return {std::move(picture), std::move(diagnostics)};
 }
 

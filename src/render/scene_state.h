@@ -1,6 +1,6 @@
 #pragma once
-// A scene that draws its own pictures: the plan, what it needs on the device, tiles and readback. It draws no
-// small pictures first, whatever options.maxError is.
+// Takes pictures of a scene: what they ask of its conductor, tiles and readback. It draws no small pictures
+// first, whatever options.maxError is.
 
 #include <glibra/render.h>
 
@@ -14,19 +14,19 @@
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/pixel_stream.h"
 #include "image/image.h"
+#include "render/conductor.h"
 #include "render/draw/axes.h"
 #include "render/draw/tiles.h"
 #include "render/gpu_times.h"
-#include "render/pipeline.h"
 #include "render/scene_file.h"
 
 namespace glibra::render {
 
-struct SceneState : Pipeline {
+struct SceneState {
     SceneState(gpu::Context& usedContext, const RenderOptions& usedOptions, InterpretedScene interpreted,
-               bool isTiled, Stats& stats, SharedParts* shared)
-        : Pipeline(usedContext, usedOptions, std::move(interpreted), stats,
-                   {isTiled, usedOptions.maxError > 0 && usedOptions.skip, shared, true}) {}
+               bool isTiled, Stats& stats, SharedParts* shared);
+    SceneState(const SceneState&) = delete;
+    SceneState& operator=(const SceneState&) = delete;
 
     /// Needs no GL. Reports glib-E15 for a picture that is too large.
     static Result<std::unique_ptr<SceneState>> of(gpu::Context& context, InterpretedScene interpreted,
@@ -37,6 +37,7 @@ struct SceneState : Pipeline {
                                                     const RenderOptions& options, Stats& stats,
                                                     SharedParts* shared);
 
+    Conductor conductor;
     std::vector<Tile> tiles;      ///< with their margins
     std::vector<Tile> tileParts;  ///< the part of each tile that goes into the picture
     std::optional<gpu::Target> window;
@@ -45,32 +46,21 @@ struct SceneState : Pipeline {
     struct Ahead {
         Diagnostics diagnostics;
         std::optional<LabelBlock> labels;
-        bool isIncomplete = false;
-        bool isRead = false;     ///< by `stream`
-        bool isStopped = false;  ///< there is no picture
+        Condition condition = Condition::whole;
+        bool isRead = false;  ///< by `stream`
     };
     std::deque<Ahead> ahead;
     std::optional<gpu::PixelStream> stream;
-    bool isIncomplete = false;     ///< an error has cost a part of the picture (options.incomplete)
-    bool isBroken = false;         ///< nothing can be drawn, in spite of options.incomplete
-    bool isMoving = false;         ///< the plan is made for another moment than the first
     GpuTimes* gpuTimes = nullptr;  ///< SceneRenderer::measureGpu()
-    /// Chooses counts for a scene that has been interpreted for another moment, before it is planned with
-    /// these options. May be empty.
-    std::function<Diagnostics(SceneState& state, plan::PlanOptions& planOptions, Stats& stats)> choose;
+    /// Chooses counts for the scene as it is now, before it is planned with these options. May be empty.
+    std::function<Diagnostics(SceneState& state, plan::PlanOptions& planOptions)> choose;
     bool areSamplesChosen = false;  ///< by options.maxError
 
-    /// True if nothing can be drawn because of an error. With options.incomplete errors of single things are
-    /// noted in isIncomplete instead.
-    [[nodiscard]] bool isStopped(const Diagnostics& diagnostics);
-    /// What the plan must know. No value if an option names what the scene does not have.
-    [[nodiscard]] Result<plan::PlanOptions> planOptions(bool everything);
-    /// Plans the frame and its blocks, and makes what the plans need. The result begins with the diagnostics
-    /// of `asked`.
-    Diagnostics preparePlan(Result<plan::PlanOptions> asked, Stats& stats);
+    /// What is asked of a plan. No value if an option names what the scene does not have.
+    [[nodiscard]] Result<PlanRequest> request(bool everything = false);
     /// Makes what draws the pictures of the plan. `diagnostics` are those of the scene so far. False if
     /// nothing can be drawn.
-    bool makeReady(Diagnostics& diagnostics, Stats& stats);
+    bool makeReady(Diagnostics& diagnostics);
     /// Interprets and plans the scene for this time, if it is another one.
     Diagnostics moveTo(double time, Stats& stats);
     /// Translates programs, makes meshes and reads textures that the plan will probably need. Needs no GL.
@@ -86,22 +76,24 @@ struct SceneState : Pipeline {
     /// Draws over a picture what belongs to it.
     static void finishPicture(image::Image& picture, const std::optional<LabelBlock>& labels,
                               bool isIncomplete);
-    /// Draws a tile into `window`.
-    Diagnostics drawTile(std::size_t index, double time, const plan::StillNodes& still, Stats& stats);
+    /// Draws a tile into `window`, and adds what it reports.
+    void drawTile(std::size_t index, Diagnostics& diagnostics, Stats& stats);
     /// What is true after a frame, whether it could be drawn or not.
     void endFrame(Diagnostics& diagnostics, Stats& stats);
 
   private:
-    void explainSimulation(Stats& stats) const;
-    /// Pipeline::makeDrawer, for pictures and tiles.
-    void makePictureDrawer(Stats& stats);
+    [[nodiscard]] Result<plan::PlanOptions> planOptions(bool everything);
+    void listSkipped();
+    void explainSimulation();
+    void equip(FrameDrawer& drawer);
     [[nodiscard]] Diagnostics checkTiles() const;
-    void listFoundByName(Stats& stats) const;
     /// Why nothing of the draw can be seen, or an empty text. Without `remarks` the diagnostics of its mesh
     /// are reported later.
     std::string outOfSight(const scene::Draw& draw, const scene::Pass& pass, Diagnostics* remarks);
     /// Reads the tile that was drawn.
     Diagnostics readTile(std::size_t index, image::Image& picture, Stats& stats);
+
+    Diagnostics ofMeshes_;  ///< that outOfSight() has found for the plan that is being made
 };
 
 }  // namespace glibra::render

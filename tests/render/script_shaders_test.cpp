@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "render/pipeline.h"
+#include "render/conductor.h"
 #include "script_problems.h"
 
 namespace glibra::test {

@@ -41,8 +41,8 @@ scene::ObjectView wholeOf(const scene::ObjectView& view) {
 }
 
 /// The first statement whose shaders store in what they also read; nothing if there is none.
-std::optional<Place> storingPlace(const Pipeline& pipeline) {
-    for (const plan::FramePlan* plan : pipeline.plans())
+std::optional<Place> storingPlace(const Conductor& conductor) {
+    for (const plan::FramePlan* plan : conductor.plans())
         for (std::size_t node = 0; node < plan->accesses.size(); ++node)
             if (std::ranges::any_of(plan->accesses[node].uses,
                                     [](const plan::ObjectUse& each) { return each.stores && each.reads; }))
@@ -50,8 +50,8 @@ std::optional<Place> storingPlace(const Pipeline& pipeline) {
     return std::nullopt;
 }
 
-std::vector<Written> writtenBy(const SceneState& state) {
-    std::vector<const plan::FramePlan*> plans = state.plans();
+std::vector<Written> writtenBy(const Conductor& conductor) {
+    std::vector<const plan::FramePlan*> plans = conductor.plans();
     std::ranges::rotate(plans, plans.begin() + 1);  // the frame comes last
     std::vector<Written> all;
     for (const plan::FramePlan* plan : plans)
@@ -91,24 +91,24 @@ std::optional<Made> make(gpu::Context& context, const std::filesystem::path& pat
     if (!interpreted) return std::nullopt;
     auto state = SceneState::of(context, std::move(*interpreted), options, stats, nullptr);
     if (!state) return std::nullopt;
-    SceneState& scene = **state;
+    Conductor& conductor = (*state)->conductor;
     if (!isReversed) {  // most scenes store nothing, and need not be compiled to know it
         bool stores = false;
-        for (const scene::ProgramIndex each : scene.scene.programs.indices())
-            stores = stores || scene.programs.mayWriteImages(each);
+        for (const scene::ProgramIndex each : conductor.scene.programs.indices())
+            stores = stores || conductor.programs.mayWriteImages(each);
         if (!stores) return std::nullopt;
     }
-    if (isReversed) scene.programs.reverseOrder();
-    Diagnostics diagnostics = scene.preparePlan(scene.planOptions(false), stats);
-    if (hasError(diagnostics) || !mayDependOnOrder(scene) || !scene.makeReady(diagnostics, stats))
+    if (isReversed) conductor.programs.reverseOrder();
+    Diagnostics diagnostics = conductor.prepare((*state)->request());
+    if (hasError(diagnostics) || !mayDependOnOrder(conductor) || !(*state)->makeReady(diagnostics))
         return std::nullopt;
-    Result<image::Image> picture = scene.draw(options.time, stats);
+    Result<image::Image> picture = (*state)->draw(options.time, stats);
     if (!picture) return std::nullopt;
-    Made made{std::move(*picture), writtenBy(scene), {}, {}, storingPlace(scene).value_or(Place{})};
+    Made made{std::move(*picture), writtenBy(conductor), {}, {}, storingPlace(conductor).value_or(Place{})};
     for (const Written& each : made.written) {
-        Result<Content> content = contentOf(scene.scene, scene.device, each.object);
+        Result<Content> content = contentOf(conductor.scene, conductor.device, each.object);
         made.contents.push_back(std::move(content.value));
-        made.areWanted.push_back(isWanted(scene.scene, plan::objectOf(each.object)));
+        made.areWanted.push_back(isWanted(conductor.scene, plan::objectOf(each.object)));
     }
     return made;
 }
@@ -137,8 +137,8 @@ std::size_t differingPixels(const image::Image& a, const image::Image& b) {
 
 }  // namespace
 
-bool mayDependOnOrder(const Pipeline& pipeline) {
-    return storingPlace(pipeline).has_value();
+bool mayDependOnOrder(const Conductor& conductor) {
+    return storingPlace(conductor).has_value();
 }
 
 Diagnostics checkOrder(gpu::Context& context, const std::filesystem::path& scene,

@@ -10,11 +10,11 @@
 
 namespace glibra::render {
 
-struct Pipeline;
+struct Conductor;
 
 /// True if a program of the scene stores in a texture or buffer that its shaders also read, as atomic
 /// operations do. The plans must have been made.
-bool mayDependOnOrder(const Pipeline& pipeline);
+bool mayDependOnOrder(const Conductor& conductor);
 
 /// Draws the picture at options.time twice from the beginning: as it is, and with the invocations of compute
 /// programs in reverse, and those of draws whose fragment stages alone store in parts of the target in

@@ -94,7 +94,8 @@ std::vector<Check> OpenChecks::unanswered() const {
 }
 
 Content windowContent(const SceneState& state, std::vector<std::byte> pixels) {
-    Content content{"window", state.width, state.height, 1, 4, state.options.floatPixels ? 0 : 1.0 / 255, {}};
+    Content content{
+        "window", state.width, state.height, 1, 4, state.conductor.options.floatPixels ? 0 : 1.0 / 255, {}};
     content.values.resize(content.size() * 4);
     const std::size_t row = static_cast<std::size_t>(state.width) * 4;
     const auto* floats = reinterpret_cast<const float*>(pixels.data());
@@ -108,8 +109,8 @@ Content windowContent(const SceneState& state, std::vector<std::byte> pixels) {
 Result<Content> readWindow(SceneState& state) {
     if (state.tiles.size() > 1)
         return diagnose("check-E02", "a picture that is drawn in tiles cannot be checked",
-                        {state.scene.path, 1, 1});
-    auto pixels = gpu::readPixels(state.context.capabilities(), state.window->readable(), 0,
+                        {state.conductor.scene.path, 1, 1});
+    auto pixels = gpu::readPixels(state.conductor.context.capabilities(), state.window->readable(), 0,
                                   {0, 0, state.width, state.height}, {4, gpu::TexelType::f32});
     if (!pixels) return std::move(pixels.diagnostics);
     return windowContent(state, std::move(*pixels));
@@ -121,10 +122,10 @@ bool hasMessage(const Diagnostics& all, const Diagnostic& one) {
     });
 }
 
-Diagnostics printedBy(SceneState& state) {
+Diagnostics printedBy(Conductor& conductor) {
     Diagnostics notes;
-    for (const scene::Print& each : state.scene.prints) {
-        const Result<Content> content = contentOf(state.scene, state.device, each.buffer);
+    for (const scene::Print& each : conductor.scene.prints) {
+        const Result<Content> content = contentOf(conductor.scene, conductor.device, each.buffer);
         append(notes, content ? printedElements(each, *content) : Diagnostics(content.diagnostics));
     }
     return notes;
@@ -132,26 +133,27 @@ Diagnostics printedBy(SceneState& state) {
 
 /// Draws the picture of `moment` and answers the checks that ask for it. What drawing reports comes first.
 Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& stats) {
+    Conductor& conductor = state.conductor;
     const auto isCounted = [](const scene::Check& each) {
         return each.kind == scene::Check::Kind::primitives || each.kind == scene::Check::Kind::samples;
     };
     // What Once and Step draw is not counted, so they run before.
     Diagnostics wrong;
-    const bool counts = std::ranges::any_of(state.scene.checks, isCounted);
+    const bool counts = std::ranges::any_of(conductor.scene.checks, isCounted);
     if (counts) {
         Result<image::Image> before = state.draw(moment, stats);
         append(wrong, std::move(before.diagnostics));
         if (!before) return wrong;
     }
-    state.forgetDrawn();  // all nodes count
-    state.drawer->setCounted(counts);
+    conductor.forgetDrawn();  // all nodes count
+    conductor.drawer->setCounted(counts);
     const gpu::Query primitives(GL_PRIMITIVES_GENERATED), samples(GL_SAMPLES_PASSED);
     primitives.begin();
     samples.begin();
     Result<image::Image> picture = state.draw(moment, stats);
     samples.end();
     primitives.end();
-    if (state.drawer) state.drawer->setCounted(false);
+    if (conductor.drawer) conductor.drawer->setCounted(false);
     append(wrong, std::move(picture.diagnostics));
     if (!picture) return wrong;
     CheckQuestions questions;
@@ -159,7 +161,7 @@ Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& 
     questions.samples = [&] { return samples.result(); };
     std::optional<Content> window;
     questions.contentOf = [&](const std::optional<scene::ObjectView>& object) -> Result<Content> {
-        if (object) return contentOf(state.scene, state.device, *object);
+        if (object) return contentOf(conductor.scene, conductor.device, *object);
         if (window) return *window;
         Result<Content> read = readWindow(state);
         if (read) window = *read;
@@ -167,16 +169,17 @@ Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& 
     };
     questions.condition = [&](const scene::Check& check) {
         return scene::answerCondition(check, [&](const std::string& name) {
-            for (const scene::BufferIndex each : state.scene.buffers.indices()) {
-                if (state.scene.buffers[each].name != name) continue;
-                Result<Content> content = contentOf(state.scene, state.device, scene::BufferView{each});
+            for (const scene::BufferIndex each : conductor.scene.buffers.indices()) {
+                if (conductor.scene.buffers[each].name != name) continue;
+                Result<Content> content =
+                    contentOf(conductor.scene, conductor.device, scene::BufferView{each});
                 if (content) return std::move(content->values);
             }
             return std::vector<double>();
         });
     };
-    if (moment == open.time()) append(wrong, printedBy(state));
-    for (const scene::Check& each : open.take(moment, state.scene.checks))
+    if (moment == open.time()) append(wrong, printedBy(conductor));
+    for (const scene::Check& each : open.take(moment, conductor.scene.checks))
         if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
     return wrong;
 }
@@ -195,7 +198,7 @@ std::vector<scene::Check> checksOf(const std::filesystem::path& path, const Rend
 }  // namespace
 
 Diagnostics printed(SceneRenderer& renderer) {
-    return printedBy(renderer.state());
+    return printedBy(renderer.state().conductor);
 }
 
 bool hasChecks(const scene::Scene& scene) {
@@ -207,9 +210,10 @@ bool hasChecks(const scene::Scene& scene) {
 Diagnostics answerChecks(SceneRenderer& renderer, double time, Diagnostics& reported, Stats& stats) {
     SceneState& state = renderer.state();
     Diagnostics found = state.moveTo(time, stats);
-    applyStrict(found, state.options.strict);
-    OpenChecks open(state.scene, time);
-    if (!state.isStopped(found))
+    applyStrict(found, state.conductor.options.strict);
+    OpenChecks open(state.conductor.scene, time);
+    state.conductor.note(found);
+    if (!state.conductor.stopsWith(found))
         for (const double each : open.times()) append(found, answerAt(state, each, open, stats));
     Diagnostics wrong;
     const auto sort = [&](Diagnostics diagnostics) {
@@ -221,7 +225,7 @@ Diagnostics answerChecks(SceneRenderer& renderer, double time, Diagnostics& repo
         }
     };
     Diagnostics idle = reportIdle(open.idle());
-    applyStrict(idle, state.options.strict);
+    applyStrict(idle, state.conductor.options.strict);
     append(found, std::move(idle));
     sort(std::move(found));
     Diagnostics unexplained = std::exchange(reported, {});
@@ -247,7 +251,7 @@ Diagnostics runChecks(gpu::Context& context, const std::filesystem::path& path, 
     if (!renderer) return answerWithoutPicture(path, options, std::move(reported));
     Diagnostics wrong = answerChecks(*renderer, options.time, reported, stats);
     append(reported, std::move(wrong));
-    const bool isOpen = mayDependOnOrder(renderer->state());
+    const bool isOpen = mayDependOnOrder(renderer->state().conductor);
     renderer.value.reset();  // its memory is needed no longer
     if (isOpen) append(reported, checkOrder(context, path, options));
     if (options.checkNan)

@@ -55,9 +55,9 @@ constexpr const char* kNotShown =
     "GLIBRA_PATH\n";
 
 std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
-    const scene::Scene& scene = state.scene;
+    const scene::Scene& scene = state.conductor.scene;
     std::map<plan::ProgramVariant, const plan::PlannedProgram*> programs;  // uniforms do not matter
-    for (const plan::FramePlan* plan : state.plans())
+    for (const plan::FramePlan* plan : state.conductor.plans())
         for (const plan::PlannedProgram& each : plan->programs) programs.emplace(each.variant, &each);
     std::vector<TranslatedShader> shaders;
     std::size_t number = 0;
@@ -66,7 +66,7 @@ std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
         std::string name = program ? scene.programs[program].name : "built-in";
         for (char& c : name)
             if (!base::isOfName(c)) c = '_';
-        const bool isHidden = !state.programs.hiddenSource(program).empty();
+        const bool isHidden = !state.conductor.programs.hiddenSource(program).empty();
         for (const glsl::TranslatedStage& each : planned->interface->facts.stages)
             shaders.push_back({fmt::format("{}-{}.{}", number, name, suffix(each.stage)),
                                isHidden ? std::string(kNotShown) : portable(each.source)});
@@ -88,10 +88,11 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
     if (interpreted) {
         // A scene with errors in its text is checked further, because its shaders may have errors too.
         SceneState state(context, compiled, std::move(*interpreted), false, stats, shared);
-        Result<plan::PlanOptions> everything = state.planOptions(true);
-        if (everything) everything->idleNoise = false;
-        append(result.diagnostics, state.preparePlan(std::move(everything), stats));
-        for (const scene::Buffer& each : state.scene.buffers)  // also of those that no program reads
+        Result<PlanRequest> everything = state.request(true);
+        if (everything) everything->options.idleNoise = false;
+        append(result.diagnostics, state.conductor.prepare(std::move(everything)));
+        for (const scene::Buffer& each :
+             state.conductor.scene.buffers)  // also of those that no program reads
             for (Diagnostic& problem : each.values.takeProblems())
                 if (std::ranges::none_of(result.diagnostics, [&](const Diagnostic& known) {
                         return known.place == problem.place && known.text == problem.text;

@@ -39,9 +39,10 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         loading.isPreviousLost = previous != nullptr;  // until the new scene is complete
         append(loading.diagnostics, state->prepare(previous ? previous->state_.get() : nullptr));
         if (!earlierSteps.empty() && state->sourceOfSteps() == earlierSteps)
-            state->simulation->takeOver(*previous->state_->simulation);
+            state->conductor.simulation->takeOver(*previous->state_->conductor.simulation);
         applyStrict(loading.diagnostics, false);
-        explainRemovedLoops(state->scene, state->plan, state->programs, loading.diagnostics);
+        explainRemovedLoops(state->conductor.scene, state->conductor.plan, state->conductor.programs,
+                            loading.diagnostics);
         loading.scene.reset(new LiveScene(std::move(state)));
         loading.isPreviousLost = false;
     } catch (const std::bad_alloc&) {
@@ -50,29 +51,24 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
     return loading;
 }
 
-const scene::Scene& LiveScene::scene() const {
-    return state_->scene;
-}
-const plan::FramePlan& LiveScene::plan() const {
-    return state_->plan;
-}
 std::vector<Knob> LiveScene::knobs() const {
-    return knobsOf(state_->scene, state_->plans());
+    return knobsOf(state_->conductor.scene, state_->conductor.plans());
 }
 std::vector<Knob> LiveScene::unsetKnobs() const {
-    return render::unsetKnobs(state_->scene, state_->plans());
+    return render::unsetKnobs(state_->conductor.scene, state_->conductor.plans());
 }
 
 std::vector<std::string> LiveScene::labels(std::span<const std::string> only) const {
-    return onlyLabels(labelsOf(state_->scene, state_->plans()), only);
+    return onlyLabels(labelsOf(state_->conductor.scene, state_->conductor.plans()), only);
 }
 
 bool LiveScene::isAnimated() const {
     using expression::Depends;
-    if (!state_->scene.steps.empty()) return true;
-    if (state_->source && any(state_->source->depends() & (Depends::time | Depends::frame | Depends::tick)))
+    if (!state_->conductor.scene.steps.empty()) return true;
+    if (state_->conductor.source &&
+        any(state_->conductor.source->depends() & (Depends::time | Depends::frame | Depends::tick)))
         return true;
-    for (const plan::PlannedProgram& program : state_->plan.programs)
+    for (const plan::PlannedProgram& program : state_->conductor.plan.programs)
         for (const plan::UniformBinding& each : program.values)
             if (const auto* supplied = std::get_if<plan::Supplied>(&each.value))
                 if (supplied->value == glsl::Builtin::timer) return true;
@@ -80,33 +76,34 @@ bool LiveScene::isAnimated() const {
 }
 
 bool LiveScene::showsEarlierProgram(scene::ProgramIndex program) const {
-    return std::ranges::any_of(state_->plan.programs, [&](const plan::PlannedProgram& each) {
+    return std::ranges::any_of(state_->conductor.plan.programs, [&](const plan::PlannedProgram& each) {
         const BuiltProgram* built =
-            each.variant.program == program ? state_->programs.find(each.variant) : nullptr;
+            each.variant.program == program ? state_->conductor.programs.find(each.variant) : nullptr;
         return built != nullptr && built->isLastGood;
     });
 }
 
 std::vector<std::filesystem::path> LiveScene::files() const {
-    std::vector<std::filesystem::path> files{state_->scene.path};
-    std::set<std::filesystem::path> known{state_->scene.path};
+    std::vector<std::filesystem::path> files{state_->conductor.scene.path};
+    std::set<std::filesystem::path> known{state_->conductor.scene.path};
     const auto add = [&](const std::filesystem::path& file) {
         if (!file.empty() && known.insert(file).second) files.push_back(file);
     };
-    for (const scene::FileReference& each : state_->scene.files) add(each.path);
-    for (const std::filesystem::path& each : state_->programs.filesRead()) add(each);
+    for (const scene::FileReference& each : state_->conductor.scene.files) add(each.path);
+    for (const std::filesystem::path& each : state_->conductor.programs.filesRead()) add(each);
     return files;
 }
 
 scene::SearchFolders LiveScene::searchFolders() const {
-    return scene::searchFolders(state_->scene.path, {.libraryRoots = state_->options.libraryRoots});
+    return scene::searchFolders(state_->conductor.scene.path,
+                                {.libraryRoots = state_->conductor.options.libraryRoots});
 }
 
 std::vector<std::filesystem::path> LiveScene::missingFiles() const {
-    const std::set<std::filesystem::path>& included = state_->programs.filesMissing();
+    const std::set<std::filesystem::path>& included = state_->conductor.programs.filesMissing();
     std::vector<std::filesystem::path> paths(included.begin(), included.end());
     std::optional<scene::SearchFolders> folders;
-    for (const scene::FileReference& each : state_->scene.files) {
+    for (const scene::FileReference& each : state_->conductor.scene.files) {
         if (!each.path.empty()) continue;
         if (!folders) folders = searchFolders();
         for (std::filesystem::path& place : scene::placesOf(each.name, *folders))
@@ -115,46 +112,34 @@ std::vector<std::filesystem::path> LiveScene::missingFiles() const {
     return paths;
 }
 
-std::vector<glsl::EmittedLine> LiveScene::translatedLines(const Place& place) const {
-    return state_->programs.refusedLines(place);
-}
-
-const Stats& LiveScene::loadStats() const {
-    return state_->loadStats;
-}
-
-const Stats& LiveScene::drawStats() const {
-    return state_->drawStats;
-}
-
 bool LiveScene::keepTextures(Diagnostics& diagnostics) {
     LiveState& state = *state_;
-    if (std::exchange(state.keepsTextures, true) || state.plan.sharing.empty()) return false;
-    state.forgetDrawn();
-    state.device.beginMoment(state.plan);
+    if (std::exchange(state.keepsTextures, true) || state.conductor.plan.sharing.empty()) return false;
+    state.conductor.forgetDrawn();
+    state.conductor.device.beginMoment(state.conductor.plan);
     append(diagnostics, state.makePlan());
     return true;
 }
 
 bool LiveScene::observe(const BuiltProgram& program, const glsl::MainWrapper& fragment) {
-    if (!state_->programs.observe(program, fragment)) return false;
+    if (!state_->conductor.programs.observe(program, fragment)) return false;
     state_->planAgain();
     return true;
 }
 
 void LiveScene::stopObserving() {
-    state_->programs.stopObserving();
+    state_->conductor.programs.stopObserving();
     state_->planAgain();
 }
 
 void LiveScene::drawOutOfSight(bool on) {
     state_->drawsOutOfSight = on;
-    state_->drawer->cullToTile(on ? 0 : state_->samples);
+    state_->conductor.drawer->cullToTile(on ? 0 : state_->samples);
 }
 
 void LiveScene::setValue(const Knob& knob) {
     LiveState& state = *state_;
-    state.watchLoops(false);
+    state.conductor.watchLoops(false);
     if (!knob.program) {
         state.variables[knob.tag] = knob.current;
         return;
@@ -162,35 +147,36 @@ void LiveScene::setValue(const Knob& knob) {
     std::erase_if(state.changedKnobs,
                   [&](const Knob& each) { return each.program == knob.program && each.tag == knob.tag; });
     state.changedKnobs.push_back(knob);
-    state.changeValues([&](plan::FramePlan& plan) { return apply(state.scene, {&knob, 1}, plan); });
+    state.conductor.changeValues(
+        [&](plan::FramePlan& plan) { return apply(state.conductor.scene, {&knob, 1}, plan); });
 }
 
 Diagnostics LiveScene::longLoops() {
     Diagnostics diagnostics;
-    for (const plan::PlannedProgram& each : state_->plan.programs)
-        append(diagnostics, plan::reportLongLoops(each, [this] { return state_->loopLimit(); }));
+    for (const plan::PlannedProgram& each : state_->conductor.plan.programs)
+        append(diagnostics, plan::reportLongLoops(each, [this] { return state_->conductor.loopLimit(); }));
     applyStrict(diagnostics, false);  // programs may share a file
     return diagnostics;
 }
 
 bool LiveScene::hasLoopsToWatch() {
-    return std::ranges::any_of(state_->plans(), hasOpenLoops) && state_->loopLimit() > 0;
+    return std::ranges::any_of(state_->conductor.plans(), hasOpenLoops) && state_->conductor.loopLimit() > 0;
 }
 
 void LiveScene::watchLoops() {
-    state_->watchLoops(true);
-    state_->forgetDrawn();
+    state_->conductor.watchLoops(true);
+    state_->conductor.forgetDrawn();
     // What only Once makes is made once more in the same way.
-    if (state_->simulation && state_->scene.steps.empty() &&
-        std::ranges::any_of(state_->simulation->plans(), hasOpenLoops))
-        state_->simulation->forget();
+    if (state_->conductor.simulation && state_->conductor.scene.steps.empty() &&
+        std::ranges::any_of(state_->conductor.simulation->plans(), hasOpenLoops))
+        state_->conductor.simulation->forget();
 }
 
 std::vector<Place> LiveScene::openLoops() {
     std::vector<Place> places;
-    for (const plan::FramePlan* plan : state_->plans())
+    for (const plan::FramePlan* plan : state_->conductor.plans())
         for (const plan::PlannedProgram& each : plan->programs) {
-            const glsl::TranslatedProgram* text = state_->programs.translated(each.variant);
+            const glsl::TranslatedProgram* text = state_->conductor.programs.translated(each.variant);
             if (text == nullptr || !each.interface->usable) continue;
             const auto value = [&](std::string_view name) -> std::optional<double> {
                 const auto& uniforms = each.interface->uniforms;
@@ -203,7 +189,7 @@ std::vector<Place> LiveScene::openLoops() {
                 return std::nullopt;
             };
             // An expression may give another value in the next frame.
-            const bool isKnown = !state_->changesWithTime && !readsMouse();
+            const bool isKnown = !state_->conductor.changesWithTime && !readsMouse();
             for (const glsl::TranslatedStage& stage : text->stages)
                 for (Place& place : render::openLoops(
                          stage, isKnown ? glsl::UniformValue(value)
@@ -214,8 +200,8 @@ std::vector<Place> LiveScene::openLoops() {
 }
 
 bool LiveScene::moveTo(int width, int height, double time, Diagnostics& diagnostics) {
-    if (!state_->source) return false;
-    scene::FrameInputs wanted = state_->inputs;
+    if (!state_->conductor.source) return false;
+    scene::FrameInputs wanted = state_->conductor.inputs;
     wanted.time = time;
     wanted.width = width;
     wanted.height = height;
@@ -223,14 +209,16 @@ bool LiveScene::moveTo(int width, int height, double time, Diagnostics& diagnost
     wanted.mouseY = state_->mouseY;
     wanted.isMouseDown = state_->isMouseDown;
     for (const auto& [name, values] : state_->variables) wanted.variables[name] = values;
-    return state_->moveTo(wanted, diagnostics);
+    if (!state_->conductor.moveTo(wanted, diagnostics, state_->drawStats)) return false;
+    append(diagnostics, state_->conductor.context.debugLog().takeDiagnostics());
+    return true;
 }
 
 bool LiveScene::look(int width, int height, const ViewState& view, double time, Diagnostics& diagnostics) {
     LiveState& state = *state_;
     const bool isNew = moveTo(width, height, time, diagnostics);
-    state.placeEye(static_cast<double>(width) / height, diagnostics, state.drawStats);
-    state.lookFrom(view);
+    state.conductor.placeEye(static_cast<double>(width) / height, diagnostics, state.drawStats);
+    state.conductor.lookFrom(view);
     return isNew;
 }
 
@@ -238,64 +226,39 @@ Diagnostics LiveScene::draw(const gpu::Target& target, const ViewState& view, do
     LiveState& state = *state_;
     Diagnostics diagnostics;
     look(target.width(), target.height(), view, time, diagnostics);
-    const Tile whole{0, 0, target.width(), target.height()};
-    if (state.simulation && !state.isSimulationWrong) {
-        state.inputs.time = time;
-        append(diagnostics, state.simulation->advance(state.inputs));
-    }
-    append(diagnostics, state.drawFrame(target, time));
-    if (axes) append(diagnostics, state.makeAxes());
-    if (axes && state.axes)
-        state.axes->draw(target, state.scene, state.view, whole, target.width(), target.height());
+    state.conductor.inputs.time = time;
+    append(diagnostics, state.conductor.simulate());
+    append(diagnostics, state.drawFrame(target, axes));
     target.resolve();
-    append(diagnostics, state.context.debugLog().takeDiagnostics());
+    append(diagnostics, state.conductor.context.debugLog().takeDiagnostics());
     return diagnostics;
 }
 
-const ViewMatrices& LiveScene::view() const {
-    return state_->view;
-}
-double LiveScene::eyeDistance() const {
-    return state_->eyeDistance;
-}
 FrameDrawer& LiveScene::drawer() {
-    state_->forgetDrawn();
-    return *state_->drawer;
+    state_->conductor.forgetDrawn();
+    return *state_->conductor.drawer;
 }
 const VertexBox* LiveScene::boxOf(const plan::PlannedDraw& draw) {
     LiveState& state = *state_;
-    const plan::PlannedMesh& mesh = state.plan.meshes[draw.mesh];
-    const plan::ProgramVariant& variant = state.plan.programs[draw.program].variant;
-    if (state.programs.placementOf(variant) == glsl::Placement::unknown) return nullptr;
-    const VertexBox& box = state.device.meshes().bounds(mesh.shape, hasTangents(mesh), nullptr);
+    const plan::PlannedMesh& mesh = state.conductor.plan.meshes[draw.mesh];
+    const plan::ProgramVariant& variant = state.conductor.plan.programs[draw.program].variant;
+    if (state.conductor.programs.placementOf(variant) == glsl::Placement::unknown) return nullptr;
+    const VertexBox& box = state.conductor.device.meshes().bounds(mesh.shape, hasTangents(mesh), nullptr);
     return box.isKnown ? &box : nullptr;
 }
 const geometry::Mesh* LiveScene::meshOf(const plan::PlannedDraw& draw) {
-    const plan::PlannedMesh& planned = state_->plan.meshes[draw.mesh];
+    const plan::PlannedMesh& planned = state_->conductor.plan.meshes[draw.mesh];
     Diagnostics alreadyReported;
-    return state_->device.meshes().mesh(planned.shape, hasTangents(planned), &alreadyReported);
+    return state_->conductor.device.meshes().mesh(planned.shape, hasTangents(planned), &alreadyReported);
 }
 const DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
-    return state_->device.meshes().onDevice(state_->plan, draw.mesh);
-}
-const gpu::Texture* LiveScene::texture(scene::TextureIndex index) const {
-    return state_->device.textures().texture(index);
+    return state_->conductor.device.meshes().onDevice(state_->conductor.plan, draw.mesh);
 }
 const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
-    return state_->device.textures().completed({.texture = index, .isPrevious = isPrevious});
+    return state_->conductor.device.textures().completed({.texture = index, .isPrevious = isPrevious});
 }
-Result<TexelNumbers> LiveScene::numbersOf(const scene::TextureView& view) {
-    return state_->device.textures().numbersOf(view);
-}
-const DeviceScene& LiveScene::device() const {
-    return state_->device;
-}
-const DeviceBuffers& LiveScene::buffers() const {
-    return state_->device.buffers();
-}
-
 const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
-    for (const plan::FramePlan* each : state_->plans())
+    for (const plan::FramePlan* each : state_->conductor.plans())
         if (std::optional<base::StorageBlock> found = plan::blockOf(*each, buffer))
             return &state_->askedBlocks.insert_or_assign(buffer, std::move(*found)).first->second;
     return nullptr;
@@ -303,15 +266,15 @@ const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
 
 void LiveScene::setCamera(const std::string& name) {
     LiveState& state = *state_;
-    state.forgetDrawn();
+    state.conductor.forgetDrawn();
     state.takeTriedBack();
     if (state.ownFrame) {
-        state.scene.frame = *state.ownFrame;
-        state.scene.view = state.ownView;
+        state.conductor.scene.frame = *state.ownFrame;
+        state.conductor.scene.view = state.ownView;
     }
     state.camera = name;
     state.lookThrough();
-    state.forgetView();
+    state.conductor.forgetView();
 }
 
 void LiveScene::tryStates(TriedStates states) {
@@ -322,10 +285,6 @@ void LiveScene::tryStates(TriedStates states) {
     state.planAgain();
 }
 
-const std::vector<scene::NamedCamera>& LiveScene::cameras() const {
-    return state_->cameras;
-}
-
 void LiveScene::setMouse(double x, double y, bool isDown) {
     state_->mouseX = x;
     state_->mouseY = y;
@@ -333,20 +292,20 @@ void LiveScene::setMouse(double x, double y, bool isDown) {
 }
 
 bool LiveScene::readsMouse() const {
-    return state_->source && any(state_->source->depends() & expression::Depends::mouse);
+    return state_->conductor.source && any(state_->conductor.source->depends() & expression::Depends::mouse);
 }
 
 void LiveScene::restart() {
-    if (state_->simulation) state_->simulation->forget();
+    if (state_->conductor.simulation) state_->conductor.simulation->forget();
 }
 
 std::vector<Simulation::Progress> LiveScene::steps() const {
-    if (!state_->simulation) return {};
-    return state_->simulation->progress();
+    if (!state_->conductor.simulation) return {};
+    return state_->conductor.simulation->progress();
 }
 
 void LiveScene::setRunHook(Simulation::RunHook hook) {
-    if (state_->simulation) state_->simulation->setRunHook(std::move(hook));
+    if (state_->conductor.simulation) state_->conductor.simulation->setRunHook(std::move(hook));
 }
 
 }  // namespace glibra::render

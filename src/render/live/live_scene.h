@@ -43,8 +43,8 @@ class LiveScene {
     LiveScene& operator=(const LiveScene&) = delete;
     ~LiveScene();
 
-    [[nodiscard]] const scene::Scene& scene() const;
-    [[nodiscard]] const plan::FramePlan& plan() const;
+    [[nodiscard]] const scene::Scene& scene() const { return state_->conductor.scene; }
+    [[nodiscard]] const plan::FramePlan& plan() const { return state_->conductor.plan; }
     [[nodiscard]] std::vector<Knob> knobs() const;
     /// Knobs of uniforms that nothing sets, until setValue() does so.
     [[nodiscard]] std::vector<Knob> unsetKnobs() const;
@@ -61,13 +61,15 @@ class LiveScene {
     /// The paths at which files that are missing would be found (scene::placesOf).
     [[nodiscard]] std::vector<std::filesystem::path> missingFiles() const;
     /// The core GLSL that was made from a shader's line, if the driver rejected that shader; otherwise empty.
-    [[nodiscard]] std::vector<glsl::EmittedLine> translatedLines(const Place& place) const;
+    [[nodiscard]] std::vector<glsl::EmittedLine> translatedLines(const Place& place) const {
+        return state_->conductor.programs.refusedLines(place);
+    }
     /// Times and counts of the last loading: translating, compiling, reading files.
-    [[nodiscard]] const Stats& loadStats() const;
+    [[nodiscard]] const Stats& loadStats() const { return state_->loadStats; }
 
     /// Counts over all frames: "draws", "draws out of their tile", which were skipped, and passes and
     /// dispatches that were not repeated because they are as in the frame before (plan::StillNodes).
-    [[nodiscard]] const Stats& drawStats() const;
+    [[nodiscard]] const Stats& drawStats() const { return state_->drawStats; }
 
     void setValue(const Knob& knob);
     /// The camera that the picture is seen from in place of the scene's own, where the window's transforms
@@ -77,7 +79,7 @@ class LiveScene {
     /// those. Indices into an earlier plan are not valid any more.
     void tryStates(TriedStates states);
     /// The cameras that the scene declares, sorted by name.
-    [[nodiscard]] const std::vector<scene::NamedCamera>& cameras() const;
+    [[nodiscard]] const std::vector<scene::NamedCamera>& cameras() const { return state_->cameras; }
     /// Where the mouse is, 0..1 from the lower left corner, and whether its left button is down.
     void setMouse(double x, double y, bool isDown);
     /// True if the scene reads `mouse`.
@@ -119,9 +121,9 @@ class LiveScene {
     /// Draws a frame into the target, in the target's size. `time` is in seconds.
     Diagnostics draw(const gpu::Target& target, const ViewState& view, double time, bool axes);
     /// The matrices of the last frame.
-    [[nodiscard]] const ViewMatrices& view() const;
+    [[nodiscard]] const ViewMatrices& view() const { return state_->conductor.view; }
     /// How far the view policy moved the eye back in the last frame, in units of eye space.
-    [[nodiscard]] double eyeDistance() const;
+    [[nodiscard]] double eyeDistance() const { return state_->conductor.eyeDistance; }
     /// Gives access to single draws; see FrameDrawer. It may draw anything, so the next frame is drawn whole.
     FrameDrawer& drawer();
     /// The box around what the draw draws, in model space, without what its shaders do; nothing if it is not
@@ -131,14 +133,18 @@ class LiveScene {
     const geometry::Mesh* meshOf(const plan::PlannedDraw& draw);
     [[nodiscard]] const DeviceMesh* deviceMeshOf(const plan::PlannedDraw& draw) const;
     /// Null if it is not on the device.
-    [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex index) const;
+    [[nodiscard]] const gpu::Texture* texture(scene::TextureIndex index) const {
+        return state_->conductor.device.textures().texture(index);
+    }
     /// What samplers read of the texture: with its samples resolved and its mipmaps made. Null if it is not
     /// on the device. `isPrevious`: the other copy of a texture with history.
     const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
     /// DeviceTextures::numbersOf.
-    Result<TexelNumbers> numbersOf(const scene::TextureView& view);
-    [[nodiscard]] const DeviceBuffers& buffers() const;
-    [[nodiscard]] const DeviceScene& device() const;
+    Result<TexelNumbers> numbersOf(const scene::TextureView& view) {
+        return state_->conductor.device.textures().numbersOf(view);
+    }
+    [[nodiscard]] const DeviceBuffers& buffers() const { return state_->conductor.device.buffers(); }
+    [[nodiscard]] const DeviceScene& device() const { return state_->conductor.device; }
     /// The block through which a program uses the buffer, as a storage block; null if none does. Valid until
     /// the next call for that buffer.
     [[nodiscard]] const base::StorageBlock* blockOf(scene::BufferIndex buffer) const;

@@ -72,21 +72,53 @@ bool hasTangents(const plan::PlannedMesh& mesh) {
     return std::ranges::find(mesh.attributes, geometry::kTangent) != mesh.attributes.end();
 }
 
+LiveState::LiveState(gpu::Context& context, RenderOptions options, InterpretedScene interpreted)
+    : conductor(context, std::move(options), std::move(interpreted), loadStats,
+                {.onError = OnError::leaveOut,
+                 .interpreted =
+                     [this] {
+                         cameras = conductor.source->cameras();
+                         lookThrough();
+                     },
+                 .request = [this] { return Result<PlanRequest>(request()); },
+                 .adjustPlan = [this](plan::FramePlan& made) { apply(conductor.scene, changedKnobs, made); },
+                 .planned =
+                     [this](bool) {
+                         // Picking draws the window's passes again, after the frame.
+                         if (!texturesComeFirst(conductor.plan)) conductor.plan.sharing.clear();
+                         isWireframe = conductor.drawer && conductor.drawer->isWireframe();
+                         return Diagnostics();
+                     },
+                 .measure = [this] { return findBounds(); },
+                 .equip =
+                     [this](FrameDrawer& drawer) {
+                         drawer.setWireframe(isWireframe);
+                         drawer.cullToTile(drawsOutOfSight ? 0 : samples);
+                     },
+                 .drawStats = &drawStats}) {
+    if (conductor.source) cameras = conductor.source->cameras();
+    for (const scene::FileReference& each : conductor.scene.files) {
+        std::error_code missing;
+        fileTimes.emplace(each.path, std::filesystem::last_write_time(each.path, missing));
+    }
+}
+
 Diagnostics LiveState::prepare(LiveState* previous) {
     if (previous) {
-        programs.inherit(previous->programs);
-        device.inherit(previous->device);
+        conductor.programs.inherit(previous->conductor.programs);
+        conductor.device.inherit(previous->conductor.device);
         keepsTextures = previous->keepsTextures;
     }
     Diagnostics diagnostics = makePlan();
-    programs.forgetPrevious();
+    conductor.programs.forgetPrevious();
     return diagnostics;
 }
 
 /// What decides the content of what lasts, besides values that the window changes.
 std::string LiveState::sourceOfSteps() const {
-    if (!simulation || isSimulationWrong || !source) return {};
-    std::string text = stepText(source->scripts());
+    const scene::Scene& scene = conductor.scene;
+    if (!conductor.runsBlocks() || !conductor.source) return {};
+    std::string text = stepText(conductor.source->scripts());
     const auto addFile = [&](scene::FileIndex index) {
         if (!index) return;
         const auto time = fileTimes.find(scene.files[index].path);
@@ -94,9 +126,9 @@ std::string LiveState::sourceOfSteps() const {
                             time == fileTimes.end() ? 0 : time->second.time_since_epoch().count());
     };
     for (const scene::Shape& each : scene.shapes) addFile(each.file);
-    for (const plan::FramePlan* each : simulation->plans()) {
+    for (const plan::FramePlan* each : conductor.simulation->plans()) {
         for (const plan::PlannedProgram& planned : each->programs) {
-            const BuiltProgram* built = programs.find(planned.variant);
+            const BuiltProgram* built = conductor.programs.find(planned.variant);
             text += fmt::format("program {}\n", built && built->program ? built->program->id() : 0);
         }
         for (const scene::TextureIndex texture : each->textures)
@@ -107,79 +139,46 @@ std::string LiveState::sourceOfSteps() const {
     return text;
 }
 
-/// Interprets the scene for other inputs, if it depends on what has changed, and plans it.
-bool LiveState::moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics) {
-    // A step may read the size of the window.
-    const bool variablesDiffer = wanted.variables != inputs.variables || wanted.width != inputs.width ||
-                                 wanted.height != inputs.height;
-    if (!interpret(wanted, diagnostics, drawStats)) return false;
-    cameras = source->cameras();
-    lookThrough();
-    append(diagnostics, makePlan(variablesDiffer));
-    return true;
+PlanRequest LiveState::request() const {
+    plan::PlanOptions options = planOptionsOf(conductor.context.capabilities());
+    options.shareTargets = !keepsTextures;
+    options.reportsNames = !conductor.hasBlocks();
+    // Frames of a window may differ in what they read, so all nodes that write something are kept.
+    return {std::move(options)};
 }
 
-Diagnostics LiveState::makePlan(bool variablesDiffer) {
-    plan::PlanOptions planOptions = planOptionsOf(context.capabilities());
-    planOptions.shareTargets = !keepsTextures;
-    planOptions.reportsNames = !hasBlocks();
-    plan = planList(scene.frame, planOptions);
-    // Picking draws the window's passes again, after the frame.
-    if (!texturesComeFirst(plan)) plan.sharing.clear();
-    Diagnostics diagnostics = std::move(plan.diagnostics);
-    plan.diagnostics.clear();
-    const bool isNew = !simulation;
-    if (hasBlocks()) {
-        // Frames of a window may differ in what they read, so all nodes that write something are kept.
-        const Diagnostics ofSteps = planSimulation(planOptions, true);
-        isSimulationWrong = hasError(ofSteps);
-        append(diagnostics, ofSteps);
-    }
-    const auto findBounds = [&] {
-        for (const plan::PlannedMesh& each : plan.meshes)
-            device.meshes().bounds(each.shape, hasTangents(each), &diagnostics);
-    };
-    findBounds();
-    append(diagnostics, device.prepare(plan, programs));
-    if (variablesDiffer && !isNew && !isSimulationWrong) {
-        const Diagnostics found = simulation->variablesChanged();
-        isSimulationWrong = hasError(found);
-        append(diagnostics, found);
-        findBounds();
-    }
-    if (isNew && simulation && !isSimulationWrong) append(diagnostics, simulation->make());
-    const bool isWireframe = drawer && drawer->isWireframe();
-    makeDrawer(drawStats);
-    drawer->setWireframe(isWireframe);
-    drawer->cullToTile(drawsOutOfSight ? 0 : samples);
-    append(diagnostics, context.debugLog().takeDiagnostics());
+Diagnostics LiveState::findBounds() {
+    Diagnostics diagnostics;
+    for (const plan::PlannedMesh& each : conductor.plan.meshes)
+        conductor.device.meshes().bounds(each.shape, hasTangents(each), &diagnostics);
+    return diagnostics;
+}
+
+Diagnostics LiveState::makePlan() {
+    Diagnostics diagnostics = conductor.prepare(request());
+    conductor.makeDrawer();
+    append(diagnostics, conductor.context.debugLog().takeDiagnostics());
     return diagnostics;
 }
 
 /// Plans the same scene with other programs. Its diagnostics are known already.
 void LiveState::planAgain() {
-    forgetDrawn();
-    const bool wasSimulationWrong = isSimulationWrong;
-    device.beginMoment(plan);
+    conductor.forgetDrawn();
+    const Condition before = conductor.condition;
+    conductor.device.beginMoment(conductor.plan);
     makePlan();
-    isSimulationWrong = wasSimulationWrong;
+    conductor.condition = before;
 }
 
-Diagnostics LiveState::drawFrame(const gpu::Target& target, double time) {
+Diagnostics LiveState::drawFrame(const gpu::Target& target, bool axes) {
     const int width = target.width(), height = target.height();
     samples = target.samples();
-    drawer->cullToTile(drawsOutOfSight ? 0 : samples);
-    const plan::StillNodes still = stillNodes(width, height);
-    const bool records = recordsLoops();
-    Diagnostics diagnostics = drawer->draw(target, {.view = view,
-                                                    .width = width,
-                                                    .height = height,
-                                                    .tile = {0, 0, width, height},
-                                                    .time = time,
-                                                    .still = &still,
-                                                    .recordsLoops = records});
-    noteDrawn(width, height, diagnostics);
-    if (records) append(diagnostics, takeCutLoops());
+    conductor.drawer->cullToTile(drawsOutOfSight ? 0 : samples);
+    const bool records = conductor.recordsLoops();
+    Diagnostics diagnostics;
+    conductor.draw(target, {width, height, {0, 0, width, height}, true, axes}, diagnostics);
+    conductor.noteDrawn(width, height, diagnostics);
+    if (records) append(diagnostics, conductor.takeCutLoops());
     return diagnostics;
 }
 
@@ -192,6 +191,7 @@ void LiveState::lookThrough() {
     };
     const auto wanted = find(camera);
     if (wanted == cameras.end()) return giveTried();
+    scene::Scene& scene = conductor.scene;
     ownFrame = scene.frame;
     ownView = std::exchange(scene.view, wanted->view);
     for (scene::Pass& pass : scene.frame.passes) {
@@ -213,7 +213,7 @@ void LiveState::lookThrough() {
 /// Gives the draws of the frame the states that are tried.
 void LiveState::giveTried() {
     if (tried.empty()) return;
-    auto& passes = scene.frame.passes;
+    auto& passes = conductor.scene.frame.passes;
     for (std::size_t pass = 0; pass < passes.size(); ++pass)
         for (std::size_t step = 0; step < passes[pass].steps.size(); ++step) {
             auto* draw = std::get_if<scene::Draw>(&passes[pass].steps[step]);
@@ -228,7 +228,7 @@ void LiveState::giveTried() {
 
 void LiveState::takeTriedBack() {
     for (const auto& [at, raster] : untried)
-        std::get<scene::Draw>(scene.frame.passes.at(at.pass).steps.at(at.step)).raster = raster;
+        std::get<scene::Draw>(conductor.scene.frame.passes.at(at.pass).steps.at(at.step)).raster = raster;
     untried.clear();
 }
 

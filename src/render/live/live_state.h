@@ -19,8 +19,8 @@
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "plan/frame_plan.h"
+#include "render/conductor.h"
 #include "render/live/knobs.h"
-#include "render/pipeline.h"
 #include "render/stats.h"
 #include "scene/scene.h"
 
@@ -45,29 +45,19 @@ std::string stepText(std::span<const glib::Script* const> scripts);
 /// True if the mesh is made with tangents.
 bool hasTangents(const plan::PlannedMesh& mesh);
 
-/// Declared apart because a pipeline notes in it what loading takes.
-struct LiveStats {
-    Stats ofLoading;
-};
+struct LiveState {
+    LiveState(gpu::Context& context, RenderOptions options, InterpretedScene interpreted);
+    LiveState(const LiveState&) = delete;
+    LiveState& operator=(const LiveState&) = delete;
 
-struct LiveState : LiveStats, Pipeline {
-    LiveState(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted)
-        : Pipeline(usedContext, std::move(usedOptions), std::move(interpreted), ofLoading, {}) {
-        adjustPlan = [this](plan::FramePlan& made) { apply(scene, changedKnobs, made); };
-        if (source) cameras = source->cameras();
-        for (const scene::FileReference& each : scene.files) {
-            std::error_code missing;
-            fileTimes.emplace(each.path, std::filesystem::last_write_time(each.path, missing));
-        }
-    }
-
-    Stats drawStats;
-    bool isSimulationWrong = false;  ///< its blocks have errors; they do not run
+    Stats loadStats, drawStats;
+    Conductor conductor;
     std::map<std::string, std::vector<double>, std::less<>> variables;  ///< as the user set them
     std::vector<Knob> changedKnobs;  ///< of programs, set by the user; a new plan does not know them
     bool drawsOutOfSight = false;
     int samples = 1;             ///< per pixel of the last frame
     bool keepsTextures = false;  ///< textures do not share memory
+    bool isWireframe = false;    ///< as the drawer of the plan before was
 
     /// When the files were last written, as they were read.
     std::map<std::filesystem::path, std::filesystem::file_time_type> fileTimes;
@@ -83,14 +73,17 @@ struct LiveState : LiveStats, Pipeline {
     bool isMouseDown = false;
 
     Diagnostics prepare(LiveState* previous);
-    Diagnostics makePlan(bool variablesDiffer = false);
+    Diagnostics makePlan();
     void planAgain();
     [[nodiscard]] std::string sourceOfSteps() const;
     void lookThrough();
     void giveTried();
     void takeTriedBack();
-    bool moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics);
-    Diagnostics drawFrame(const gpu::Target& target, double time);
+    Diagnostics drawFrame(const gpu::Target& target, bool axes);
+
+  private:
+    [[nodiscard]] PlanRequest request() const;
+    Diagnostics findBounds();
 };
 
 }  // namespace glibra::render

@@ -10,7 +10,6 @@
 
 #include "base/text.h"
 #include "image/file.h"
-#include "plan/reach.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::render {

@@ -176,14 +176,15 @@ budget::Patch captured(GLenum primitives, const gpu::Buffer& buffer, const Draw&
 
 PatchProbe::PatchProbe(const SceneState& state, std::vector<double> moments)
     : state_(state),
-      options_(probeOptions(state.options, state.width, state.height, kLargestSide).options),
+      options_(probeOptions(state.conductor.options, state.width, state.height, kLargestSide).options),
       moments_(std::move(moments)) {}
 
 bool PatchProbe::prepare() {
     if (loaded_) return true;
-    auto made = SceneState::load(state_.context, {state_.scene, state_.source, state_.inputs}, options_,
-                                 stats_, &parts_);
-    const int level = state_.context.capabilities().maxTessellationLevel;
+    const Conductor& conductor = state_.conductor;
+    auto made = SceneState::load(conductor.context, {conductor.scene, conductor.source, conductor.inputs},
+                                 options_, stats_, &parts_);
+    const int level = conductor.context.capabilities().maxTessellationLevel;
     // Two triangles per square of the finest grid. Lines need less.
     const auto bytes = static_cast<std::size_t>(level + 1) * static_cast<std::size_t>(level + 1) * 6 *
                        kPatchFloats * sizeof(float);
@@ -197,7 +198,7 @@ bool PatchProbe::prepare() {
 const gpu::Program* PatchProbe::capturingFor(const BuiltProgram& built) {
     for (const auto& [known, program] : programs_)
         if (known == &built) return &program;
-    std::optional<gpu::Program> made = capturingPatches(state_.context.capabilities(), built);
+    std::optional<gpu::Program> made = capturingPatches(state_.conductor.context.capabilities(), built);
     if (!made) return nullptr;
     return &programs_.emplace_back(&built, std::move(*made)).second;
 }
@@ -205,7 +206,7 @@ const gpu::Program* PatchProbe::capturingFor(const BuiltProgram& built) {
 PatchProbe::Captured PatchProbe::capture(const plan::PlannedDraw& draw, const budget::Levels& levels,
                                          const FrameDrawer::Elements& elements,
                                          const std::vector<Place>& places) {
-    const BuiltProgram& built = *loaded_->drawer->programOf(draw);
+    const BuiltProgram& built = *loaded_->conductor.drawer->programOf(draw);
     const gpu::Program* program = capturingFor(built);
     if (program == nullptr) return std::nullopt;
     program->use();
@@ -218,7 +219,7 @@ PatchProbe::Captured PatchProbe::capture(const plan::PlannedDraw& draw, const bu
     glUniform1f(glGetUniformLocation(program->id(), kLevel), static_cast<float>(levels.all));
     const GLint instance = glGetUniformLocation(program->id(), kInstance);
     std::array<float, 6> stated{1, 1, 1, 1, 1, 1};
-    if (const auto& given = loaded_->plan.drawOf(draw).tessellationLevels)
+    if (const auto& given = loaded_->conductor.plan.drawOf(draw).tessellationLevels)
         std::ranges::transform(*given, stated.begin(), [](double each) { return static_cast<float>(each); });
     const bool areLines = makesLines(built);
     if (!hasControlStage(built)) setDefaultLevels(stated, areLines, levels.all);
@@ -264,12 +265,12 @@ PatchProbe::Captured PatchProbe::worst(const plan::PlannedDraw& draw, const Fram
 }
 
 PatchProbe::Captured PatchProbe::captureChosen(const plan::PlannedDraw& draw, const budget::Levels& levels) {
-    const BuiltProgram* built = loaded_->drawer->programOf(draw);
+    const BuiltProgram* built = loaded_->conductor.drawer->programOf(draw);
     const int vertices = draw.submission.patchVertices;
     if (built == nullptr || vertices <= 0 ||
-        loaded_->device.meshes().onDevice(loaded_->plan, draw.mesh) == nullptr)
+        loaded_->conductor.device.meshes().onDevice(loaded_->conductor.plan, draw.mesh) == nullptr)
         return std::nullopt;
-    const FrameDrawer::Elements elements = loaded_->drawer->submittedBy(draw);
+    const FrameDrawer::Elements elements = loaded_->conductor.drawer->submittedBy(draw);
     const bool readsBase = std::ranges::any_of(built->interface.facts.stages, [](const auto& each) {
         return each.source.find("gl_BaseInstance") != std::string::npos;
     });
@@ -294,13 +295,13 @@ std::optional<std::vector<budget::Patch>> PatchProbe::patches(std::size_t pass, 
     const scene::StepIndex wanted{pass, step};
     std::vector<budget::Patch> all;
     for (const double moment : moments_) {
-        state.forgetDrawn();
+        state.conductor.forgetDrawn();
         Captured found;
-        state.drawer->setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
+        state.conductor.drawer->setDrawHook([&](const plan::PlannedDraw& draw, bool, bool begins) {
             if (begins && draw.step == wanted) found = captureChosen(draw, levels);
         });
         const Result<image::Image> drawn = state.draw(moment, stats_);
-        state.drawer->setDrawHook({});
+        state.conductor.drawer->setDrawHook({});
         if (!drawn || !found) return std::nullopt;
         std::ranges::move(*found, std::back_inserter(all));
     }

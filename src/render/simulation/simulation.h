@@ -51,7 +51,7 @@ struct SimulationParts {
     /// Plans a node list of the scene. The nodes that `roots` depend on are needed.
     std::function<plan::FramePlan(const scene::NodeList& nodes, std::vector<scene::ObjectView> roots)>
         planList;
-    /// Pipeline::recordLoops.
+    /// Conductor::recordLoops.
     std::function<void(const plan::FramePlan& plan)> recordLoops;
 };
 

@@ -1,4 +1,4 @@
-#include "render/pipeline.h"
+#include "render/conductor.h"
 
 #include <algorithm>
 #include <bit>
@@ -23,8 +23,8 @@ plan::PlanOptions planOptionsOf(const gpu::Capabilities& driver) {
     return made;
 }
 
-Pipeline::Pipeline(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted,
-                   Stats& stats, const Setup& setup)
+Conductor::Conductor(gpu::Context& usedContext, RenderOptions usedOptions, InterpretedScene interpreted,
+                     Stats& stats, Direction given)
     : context(usedContext),
       loadStats(stats),
       options(std::move(usedOptions)),
@@ -32,19 +32,19 @@ Pipeline::Pipeline(gpu::Context& usedContext, RenderOptions usedOptions, Interpr
       source(std::move(interpreted.source)),
       inputs(std::move(interpreted.inputs)),
       scene(std::move(interpreted.scene)),
-      ownParts(setup.hasProbes && !setup.shared ? std::make_unique<SharedParts>() : nullptr),
-      parts(ownParts ? ownParts.get() : setup.shared),
-      programs(context, scene, options, setup.isTiled, stats, parts),
+      ownParts(given.hasProbes && !given.shared ? std::make_unique<SharedParts>() : nullptr),
+      parts(ownParts ? ownParts.get() : given.shared),
+      programs(context, scene, options, given.isTiled, stats, parts),
       device(context, scene, stats, parts, options.skip),
-      watchesLoops_(setup.watchesLoops) {}
+      direction_(std::move(given)) {}
 
-int Pipeline::loopLimit() {
+int Conductor::loopLimit() {
     if (!loopLimit_) loopLimit_ = gpu::measureLoopLimit(context);
     return *loopLimit_;
 }
 
-plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
-                                   const OutOfSight& outOfSight) {
+plan::FramePlan Conductor::planList(const scene::NodeList& nodes, const plan::PlanOptions& planOptions,
+                                    const OutOfSight& outOfSight) {
     const auto answer = [&](const plan::Questions& asked, plan::Answers& answers) {
         for (const plan::ProgramVariant& each : asked.interfaces)
             answers.interfaces.emplace(each, &programs.interfaceOf(each));
@@ -57,14 +57,14 @@ plan::FramePlan Pipeline::planList(const scene::NodeList& nodes, const plan::Pla
     plan::Answers known;
     known.seesAll = !outOfSight;
     plan::FramePlan made = plan::planFrame(scene, nodes, std::move(known), planOptions, answer);
-    if (adjustPlan) adjustPlan(made);
+    if (direction_.adjustPlan) direction_.adjustPlan(made);
     return made;
 }
 
-Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool framesDiffer) {
+Diagnostics Conductor::planSimulation(const PlanRequest& asked) {
     if (!hasBlocks()) return {};
     if (simulation) return simulation->check(plan);
-    plan::PlanOptions listOptions = planOptions;
+    plan::PlanOptions listOptions = asked.options;
     listOptions.shareTargets = false;
     simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, loadStats,
                                        [this, listOptions](const scene::NodeList& nodes,
@@ -74,58 +74,136 @@ Diagnostics Pipeline::planSimulation(const plan::PlanOptions& planOptions, bool 
                                        },
                                        [this](const plan::FramePlan& of) { recordLoops(of); }},
                        options.steps);
-    Diagnostics diagnostics = simulation->plan(plan, framesDiffer, planOptions.roots);
+    Diagnostics diagnostics = simulation->plan(plan, asked.framesDiffer, asked.options.roots);
     std::vector<const plan::FramePlan*> all = simulation->plans();
     all.push_back(&plan);
-    append(diagnostics, plan::reportNames(scene, all, planOptions.overrides));
+    append(diagnostics, plan::reportNames(scene, all, asked.options.overrides));
     return diagnostics;
 }
 
-std::vector<const plan::FramePlan*> Pipeline::plans() const {
+std::vector<const plan::FramePlan*> Conductor::plans() const {
     std::vector<const plan::FramePlan*> all{&plan};
     if (simulation) std::ranges::copy(simulation->plans(), std::back_inserter(all));
     return all;
 }
 
-void Pipeline::recordLoops(const plan::FramePlan& of) {
+void Conductor::recordLoops(const plan::FramePlan& of) {
     const bool isOpen = std::ranges::any_of(of.programs, &plan::PlannedProgram::hasOpenLoops);
-    if (watchesLoops_ && isOpen && loopLimit() > 0) programs.countLoops(of);
+    if (direction_.watchesLoops && isOpen && loopLimit() > 0) programs.countLoops(of);
 }
 
-void Pipeline::watchLoops(bool on) {
-    watchesLoops_ = on;
+void Conductor::watchLoops(bool on) {
+    direction_.watchesLoops = on;
     if (!on) return;
     frames_ = 0;
     programs.forgetCutLoops();
     for (const plan::FramePlan* each : plans()) recordLoops(*each);
 }
 
-bool Pipeline::recordsLoops() const {
-    return watchesLoops_ && std::has_single_bit(frames_ + 1);
+bool Conductor::recordsLoops() const {
+    return direction_.watchesLoops && std::has_single_bit(frames_ + 1);
 }
 
-Diagnostics Pipeline::takeCutLoops() {
+Diagnostics Conductor::takeCutLoops() {
     return loopLimit_.value_or(0) > 0 ? programs.takeCutLoops(*loopLimit_) : Diagnostics();
 }
 
-void Pipeline::makeDrawer(Stats& stats) {
-    drawer.emplace(context, plan, programs, device, stats);
-    if (std::ranges::all_of(plan.programs,
-                            [](const plan::PlannedProgram& each) { return each.interface->usable; }))
-        return;
-    const plan::ProgramVariant builtin{{}, false, 1};
-    programs.interfaceOf(builtin);
-    drawer->setFallback(programs.find(builtin));
+bool Conductor::moveTo(const scene::FrameInputs& wanted, Diagnostics& diagnostics, Stats& stats) {
+    const bool inputsDiffer = wanted.variables != inputs.variables || wanted.width != inputs.width ||
+                              wanted.height != inputs.height;
+    if (!interpret(wanted, diagnostics, stats)) return false;
+    if (direction_.interpreted) direction_.interpreted();
+    append(diagnostics, prepare(direction_.request(), inputsDiffer));
+    if (!stopsWith(diagnostics)) makeDrawer();
+    return true;
 }
 
-Diagnostics Pipeline::makeAxes() {
+Diagnostics Conductor::prepare(Result<PlanRequest> asked, bool inputsDiffer) {
+    Diagnostics diagnostics = std::move(asked.diagnostics);
+    if (!asked) {
+        condition = Condition::stopped;
+        return diagnostics;
+    }
+    const bool isMarked = condition == Condition::incomplete ||
+                          (condition == Condition::stopped && direction_.onError == OnError::mark);
+    condition = isMarked ? Condition::incomplete : Condition::whole;
+    note(diagnostics);
+    const auto add = [&](Diagnostics found, bool ofBlocks = false) {
+        note(found, ofBlocks);
+        append(diagnostics, std::move(found));
+    };
+    const auto measure = [&] { return direction_.measure ? direction_.measure() : Diagnostics(); };
+    const bool isFirstPlan = !hasPlan(), isFirst = !simulation;
+    plan = planList(scene.frame, asked->options, asked->outOfSight);
+    add(std::exchange(plan.diagnostics, {}));
+    if (direction_.planned) add(direction_.planned(isFirstPlan));
+    if (!stopsWith(diagnostics)) {
+        add(planSimulation(*asked), true);
+        if (isFirst && simulation && direction_.simulationPlanned) direction_.simulationPlanned();
+    }
+    if (stopsWith(diagnostics)) return diagnostics;
+    add(measure());
+    add(device.prepare(plan, programs));
+    if (inputsDiffer && !isFirst && runsBlocks()) {
+        add(simulation->variablesChanged(), true);
+        add(measure());
+    }
+    if (isFirst && runsBlocks() && !stopsWith(diagnostics)) add(simulation->make(), true);
+    return diagnostics;
+}
+
+void Conductor::makeDrawer() {
+    drawer.emplace(context, plan, programs, device, direction_.drawStats ? *direction_.drawStats : loadStats);
+    const bool isUsable = std::ranges::all_of(
+        plan.programs, [](const plan::PlannedProgram& each) { return each.interface->usable; });
+    if (!isUsable) {
+        const plan::ProgramVariant builtin{{}, false, 1};
+        programs.interfaceOf(builtin);
+        drawer->setFallback(programs.find(builtin));
+    }
+    if (direction_.equip) direction_.equip(*drawer);
+}
+
+Diagnostics Conductor::simulate() {
+    return runsBlocks() ? simulation->advance(inputs) : Diagnostics();
+}
+
+void Conductor::draw(const gpu::Target& target, const Shot& shot, Diagnostics& diagnostics) {
+    const plan::StillNodes still =
+        hasError(diagnostics) ? plan::StillNodes() : stillNodes(shot.width, shot.height);
+    append(diagnostics, drawer->draw(target, {.view = view,
+                                              .width = shot.width,
+                                              .height = shot.height,
+                                              .tile = shot.tile,
+                                              .time = inputs.time,
+                                              .texturePasses = shot.isFirst || !texturesComeFirst(plan),
+                                              .still = &still,
+                                              .recordsLoops = recordsLoops()}));
+    if (!shot.axes) return;
+    append(diagnostics, makeAxes());
+    if (axes) axes->draw(target, scene, view, shot.tile, shot.width, shot.height);
+}
+
+bool Conductor::stopsWith(const Diagnostics& diagnostics) const {
+    return hasError(diagnostics) && (condition == Condition::stopped || direction_.onError == OnError::stop);
+}
+
+void Conductor::note(const Diagnostics& diagnostics, bool ofBlocks) {
+    if (!hasError(diagnostics)) return;
+    if (ofBlocks)
+        condition = direction_.onError == OnError::leaveOut ? Condition::withoutSteps : Condition::stopped;
+    else if (direction_.onError == OnError::mark && condition == Condition::whole)
+        condition = Condition::incomplete;
+}
+
+Diagnostics Conductor::makeAxes() {
     if (axes) return {};
     Result<Axes> made = Axes::create(context);
     axes = std::move(made.value);
     return std::move(made.diagnostics);
 }
 
-bool Pipeline::interpret(const scene::FrameInputs& wanted, Diagnostics& diagnostics, Stats& stats) {
+bool Conductor::interpret(const scene::FrameInputs& wanted, Diagnostics& diagnostics, Stats& stats) {
     using expression::Depends;
     using Inputs = scene::FrameInputs;
     if (!source || wanted == inputs) return false;
@@ -158,7 +236,7 @@ bool Pipeline::interpret(const scene::FrameInputs& wanted, Diagnostics& diagnost
     return true;
 }
 
-void Pipeline::placeEye(double aspect, Diagnostics& diagnostics, Stats& stats) {
+void Conductor::placeEye(double aspect, Diagnostics& diagnostics, Stats& stats) {
     if (eyeAspect_ == aspect) return;
     eyeAspect_ = aspect;
     eyeDistance = 0;
@@ -173,14 +251,14 @@ void Pipeline::placeEye(double aspect, Diagnostics& diagnostics, Stats& stats) {
 
 /// Setting a view copies the transforms of objects, which allocates memory. An unchanged view is not set
 /// again.
-void Pipeline::lookFrom(const ViewState& state) {
+void Conductor::lookFrom(const ViewState& state) {
     if (isViewSet_ && state == view.state() && setEyeDistance_ == eyeDistance) return;
     view = ViewMatrices(state, scene.view, eyeDistance);
     setEyeDistance_ = eyeDistance;
     isViewSet_ = true;
 }
 
-void Pipeline::changeValues(
+void Conductor::changeValues(
     const std::function<std::vector<plan::PlannedProgramIndex>(plan::FramePlan&)>& change) {
     noteChange(false);
     frames_ = 0;
@@ -188,7 +266,7 @@ void Pipeline::changeValues(
     if (simulation) simulation->changeValues(change);
 }
 
-void Pipeline::noteChange(bool ofScene) {
+void Conductor::noteChange(bool ofScene) {
     if (!isDrawn_ || (drawnBefore_ && (!ofScene || drawnBefore_->scene))) return;
     if (!ofScene) {
         drawnBefore_ = Drawn{{}, plan};
@@ -199,7 +277,7 @@ void Pipeline::noteChange(bool ofScene) {
     drawnBefore_->plan.nodes = &drawnBefore_->scene->frame;
 }
 
-plan::StillNodes Pipeline::stillNodes(int width, int height) const {
+plan::StillNodes Conductor::stillNodes(int width, int height) const {
     const ViewState& now = view.state();
     const bool isComparable = options.skip && isDrawn_ && drawer->drawsPlainly() && width == drawnWidth_ &&
                               height == drawnHeight_ && now.projection == ProjectionMode::scene &&
@@ -234,7 +312,7 @@ plan::StillNodes Pipeline::stillNodes(int width, int height) const {
     return still;
 }
 
-void Pipeline::noteDrawn(int width, int height, const Diagnostics& diagnostics) {
+void Conductor::noteDrawn(int width, int height, const Diagnostics& diagnostics) {
     ++frames_;
     drawnBefore_.reset();
     isDrawn_ = drawer && drawer->drawsPlainly() && !hasError(diagnostics);
@@ -245,7 +323,7 @@ void Pipeline::noteDrawn(int width, int height, const Diagnostics& diagnostics) 
     drawnChanges_ = simulation ? simulation->changes() : 0;
 }
 
-void Pipeline::forgetDrawn() {
+void Conductor::forgetDrawn() {
     isDrawn_ = false;
     drawnBefore_.reset();
 }
