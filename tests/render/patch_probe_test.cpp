@@ -33,7 +33,7 @@ TEST(PatchProbe, GivesEachPatchItsNumberWithinTheWholeDraw) {
     ASSERT_TRUE(interpreted) << test::text(interpreted.diagnostics);
     const auto state = render::SceneState::of(sharedContext(), std::move(*interpreted), {}, stats, nullptr);
     ASSERT_TRUE(state) << test::text(state.diagnostics);
-    const scene::Scene* scene = &(*state)->scene;
+    const scene::Scene* scene = &(*state)->conductor.scene;
     render::PatchProbe probe(**state, {0.});
     for (std::size_t pass = 0; pass < scene->frame.passes.size(); ++pass)
         for (std::size_t step = 0; step < scene->frame.passes[pass].steps.size(); ++step) {
