@@ -1,5 +1,5 @@
 ; The installer for one user: no administrator, no registry of the machine. tools/package-windows gives VERSION, TREE, OUT.
-Unicode true
+Target amd64-unicode
 Name "glibra ${VERSION}"
 OutFile "${OUT}"
 RequestExecutionLevel user
