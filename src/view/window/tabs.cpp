@@ -149,7 +149,7 @@ void Tabs::updateTitles() {
     shared_.tabs.resize(tabs_.size());
     for (std::size_t i = 0; i < tabs_.size(); ++i)
         areOld = areOld || shared_.tabs[i].label.empty() ||
-                 shared_.tabs[i].path != tabs_[i]->session.path().generic_string();
+                 shared_.tabs[i].path.native() != tabs_[i]->session.path().native();
     if (areOld) {
         std::vector<fs::path> paths;
         for (const std::unique_ptr<Tab>& each : tabs_)
@@ -157,7 +157,7 @@ void Tabs::updateTitles() {
         const std::vector<std::string> names = namesApart(paths);
         for (std::size_t i = 0; i < tabs_.size(); ++i) {
             shared_.tabs[i].label = tabs_[i]->session.hasScene() ? names[i] : "empty";
-            shared_.tabs[i].path = tabs_[i]->session.path().generic_string();
+            shared_.tabs[i].path = tabs_[i]->session.path();
         }
     }
     shared_.shownTab = shown_;

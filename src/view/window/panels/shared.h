@@ -18,7 +18,8 @@ namespace glibra::view {
 
 /// A tab in the tab bar.
 struct TabTitle {
-    std::string label, path;
+    std::string label;
+    std::filesystem::path path;
     int id = 0;  ///< does not change when other tabs are closed
     bool isUnsaved = false, hasError = false;
 };

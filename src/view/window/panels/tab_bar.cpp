@@ -60,7 +60,8 @@ void tabBar(Ui& ui) {
                 fmt::format("{}###{}", shortened(each.label, room), each.id).c_str(), &stays, flags);
             if (each.hasError) ImGui::PopStyleColor();
             mark(ui, "tab/{}", i);
-            if (ImGui::IsItemHovered() && !each.path.empty()) ImGui::SetTooltip("%s", each.path.c_str());
+            if (ImGui::IsItemHovered() && !each.path.empty())
+                ImGui::SetTooltip("%s", each.path.generic_string().c_str());
             if (isChosen) ImGui::EndTabItem();
             if (isChosen && !isShown && !isGiven) ui.requests.showTab = i;
             if (!stays) ui.requests.closeTab = i;
