@@ -53,6 +53,7 @@ windows_libraries() (
     mkdir -p "$folder/include" "$folder/share/cmake"
     for each in glm CLI nlohmann toml++ stb boost; do ln -s "/usr/include/$each" "$folder/include/$each"; done
     for each in glm nlohmann_json CLI11; do cp -r "/usr/share/cmake/$each" "$folder/share/cmake"; done
+    install -D -m 644 /usr/x86_64-w64-mingw32/lib/libz.a "$folder/lib/libz.a"  # not the one beside it, of a DLL
     say "building the libraries for Windows"
     log=$folder/log
     if ! { cmake -S tools/windows/libraries -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
