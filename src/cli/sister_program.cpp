@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "cli/commands.h"
+#include "system/library.h"
 #include "system/places.h"
 #include "system/process.h"
 
@@ -16,8 +17,9 @@ namespace fs = std::filesystem;
 
 /// Empty if the program is missing. GLIBRA_PROGRAMS_DIR may be one folder deeper than lib, as in
 /// lib/x86_64-linux-gnu.
-fs::path find(const char* name) {
+fs::path find(const char* program) {
     std::error_code failure;
+    const std::string name = system::programName(program);
     const fs::path folder = system::programFile().parent_path();
     for (const fs::path& each :
          {folder / name, folder / "../lib/glibra" / name, folder / ".." / GLIBRA_PROGRAMS_DIR / name})

@@ -33,6 +33,8 @@ class Library {
 
 /// The file of a module of ours: "glibra_server" with the system's suffix for libraries.
 std::string moduleName(std::string_view name);
+/// The file of a program of ours: "glibra-view", on Windows with its suffix.
+std::string programName(std::string_view name);
 /// A function that this process has, in the common scope, or of a library that is loaded already; null if
 /// there is none.
 void* loadedFunction(const char* library, const char* name);

@@ -159,7 +159,7 @@ function(glibra_on_windows program)
     if("WINDOW" IN_LIST ARGN)
         set(no_console -mwindows)
     endif()
-    target_link_options(${program} PRIVATE -static ${no_console})
+    target_link_options(${program} PRIVATE -static -Wl,--no-insert-timestamp ${no_console})
 endfunction()
 
 # glibra_rooms_of(RESULT TARGET): the rooms that a room is linked with, directly and through others.

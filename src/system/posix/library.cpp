@@ -29,6 +29,10 @@ std::string moduleName(std::string_view name) {
     return std::string(name) + ".so";
 }
 
+std::string programName(std::string_view name) {
+    return std::string(name);
+}
+
 void* loadedFunction(const char* library, const char* name) {
     if (void* here = ::dlsym(RTLD_DEFAULT, name)) return here;
     void* loaded = ::dlopen(library, RTLD_NOW | RTLD_NOLOAD);

@@ -63,6 +63,10 @@ std::string moduleName(std::string_view name) {
     return std::string(name) + ".dll";
 }
 
+std::string programName(std::string_view name) {
+    return std::string(name) + ".exe";
+}
+
 void* loadedFunction(const char* library, const char* name) {
     if (void* here = asPointer(::GetProcAddress(::GetModuleHandleW(nullptr), name))) return here;
     const HMODULE loaded = ::GetModuleHandleW(wideOf(library).c_str());
