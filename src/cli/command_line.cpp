@@ -392,7 +392,8 @@ Option CommandLine::choice(const std::string& name, const std::vector<std::strin
 }
 
 Option CommandLine::driver(Driver& to) {
-    return choice("--driver", to, kDriverWords, "the OpenGL driver: auto, egl, egl-device, osmesa or wgl (Windows)")
+    return choice("--driver", to, kDriverWords,
+                  "the OpenGL driver: auto, egl, egl-device, osmesa or wgl (Windows)")
         .placeholder("DRIVER");
 }
 
@@ -431,6 +432,7 @@ bool CommandLine::isGiven() const {
 
 Program::Program(const char* description, const char* examples, const char* name)
     : app_(std::make_unique<CLI::App>(description, name)) {
+    app_->allow_windows_style_options(false);  // "/tmp/a.glib" is a path everywhere
     app_->set_help_flag("-h,--help", "print this help, without rare options");
     app_->set_help_all_flag("--help-all", "print this help with all options");
     app_->formatter(std::make_shared<ExamplesFirst>(examples));
