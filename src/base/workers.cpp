@@ -435,7 +435,7 @@ void repeat(const std::vector<WorkerEvent>& events, const WorkerOptions& options
 
 /// Comes to the same state as the parent, or serves it.
 void runStartedAgain(std::size_t count, const WorkerOptions& options, const Work& work, const Done& done,
-                     const Progress& progress, std::string place) {
+                     const Progress& progress, const std::string& place) {
     static Calls calls;
     const std::uint64_t call = numberOfCall(place, calls.passed[place]++);
     if (calls.ends) {

@@ -11,7 +11,7 @@ class HiddenWindow {
     HiddenWindow();
     HiddenWindow(const HiddenWindow&) = delete;
     HiddenWindow& operator=(const HiddenWindow&) = delete;
-    ~HiddenWindow();
+    ~HiddenWindow();  // NOLINT(performance-trivially-destructible): not on Windows
 
     /// False if there is no window or no such format.
     [[nodiscard]] bool isOpen() const { return context_ != nullptr; }

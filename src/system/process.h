@@ -29,7 +29,7 @@ class Process {
     explicit Process(std::intptr_t handle) : handle_(handle) {}
     Process(Process&& other) noexcept : handle_(other.handle_) { other.handle_ = kNoHandle; }
     Process& operator=(Process&& other) noexcept;
-    ~Process();
+    ~Process();  // NOLINT(performance-trivially-destructible): not on Windows
     /// By which users and the system name it.
     [[nodiscard]] int number() const;
     [[nodiscard]] std::intptr_t handle() const { return handle_; }
