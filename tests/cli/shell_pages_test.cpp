@@ -117,7 +117,8 @@ TEST(Completion, OfBashOffersCommandsOptionsWordsAndFiles) {
         for (const std::string& option : listedOptions(folder, each))
             EXPECT_TRUE(has.contains(option)) << each << " " << option;
     }
-    EXPECT_EQ(bashOffers(folder, "glibra render dots.glib --driver ''"), "auto\negl\negl-device\nosmesa\nwgl\n");
+    EXPECT_EQ(bashOffers(folder, "glibra render dots.glib --driver ''"),
+              "auto\negl\negl-device\nosmesa\nwgl\n");
     EXPECT_EQ(bashOffers(folder, "glibra render do"), "dots.glib\n");
     EXPECT_EQ(bashOffers(folder, "glibra help ren"), "render\n");
 }

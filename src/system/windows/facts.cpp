@@ -93,8 +93,7 @@ GraphicsCard graphicsCard(const std::filesystem::path& devices) {
     DISPLAY_DEVICEW found{};
     found.cb = sizeof found;
     for (DWORD i = 0; ::EnumDisplayDevicesW(nullptr, i, &found, 0); ++i)
-        if (!std::wstring_view(found.DeviceString).starts_with(L"Microsoft "))
-            return GraphicsCard::ownDriver;
+        if (!std::wstring_view(found.DeviceString).starts_with(L"Microsoft ")) return GraphicsCard::ownDriver;
     return GraphicsCard::none;
 }
 
