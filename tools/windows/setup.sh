@@ -2,7 +2,7 @@
 # from the sources of their Debian packages, into build/windows-libraries.
 # shellcheck shell=sh disable=SC2034,SC2154
 
-windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev lld dpkg-dev"
+windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev"
 windows_test_packages="wine64 xvfb xauth"
 # Debian's sources of what is linked, and the packages that consist of headers.
 windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip cpp-httplib"
