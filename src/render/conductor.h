@@ -43,7 +43,7 @@ enum class OnError {
 
 /// What errors have cost so far.
 enum class Condition {
-    whole,         ///< nothing that is told apart from the whole
+    whole,         ///< nothing, or nothing that OnError takes into account
     incomplete,    ///< a part of the picture (OnError::mark), for good
     withoutSteps,  ///< the Once and Step blocks, which do not run (OnError::leaveOut)
     stopped        ///< all of it, until another moment is planned

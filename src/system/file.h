@@ -63,7 +63,7 @@ FileIdentity identityOf(const std::filesystem::path& path);
 File openToRead(const std::filesystem::path& path, Links links);
 /// For devices and pipes that the user named. Waits for somebody who reads from a pipe.
 File openToOverwrite(const std::filesystem::path& path);
-/// What is written goes behind the end, whatever other processes write. Links are not followed.
+/// Every write goes to the end of the file, also when other processes write to it. Links are not followed.
 File openToAppend(const std::filesystem::path& path);
 /// Makes a file that did not exist, with the permissions that are usual for the user. EEXIST: it exists.
 File makeNewFile(const std::filesystem::path& path);

@@ -68,7 +68,7 @@ std::string processorModel();
 enum class GraphicsCard {
     none,
     mesa,  ///< one that Mesa drives, or the one of Windows as WSL shows it: Mesa may be told not to use it
-    ownDriver  ///< one that draws whatever Mesa is told
+    ownDriver  ///< one with a driver of its own, which no setting of Mesa changes
 };
 /// `devices`: a folder in place of the system's own.
 GraphicsCard graphicsCard(const std::filesystem::path& devices = {});

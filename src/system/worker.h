@@ -21,7 +21,7 @@ struct WorkerEnds {
     File requests{};           ///< it reads
     File answers{};            ///< it writes
     std::uint64_t memory = 0;  ///< bytes that it may take for good, as it was started
-    std::uint64_t call = 0;    ///< that it serves, as startWorker() was told
+    std::uint64_t call = 0;    ///< the call that it serves: the number that startWorker() was given
 };
 /// Does not return.
 using Serve = std::function<void(const WorkerEnds& ends)>;

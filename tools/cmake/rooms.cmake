@@ -99,7 +99,7 @@ function(glibra_files_of_system result system)
             endif()
         endforeach()
     endif()
-    set(${result} ${sources} PARENT_SCOPE)
+    set(${result} ${sources} ${PROJECT_SOURCE_DIR}/src/system/common.cpp PARENT_SCOPE)
 endfunction()
 
 # glibra_room(NAME [SYSTEM system] [QUICK_TO_COMPILE [OFTEN_RUN pattern...]] [ROOMS room...] [WITHOUT name...]

@@ -57,15 +57,6 @@ News receive(const File& from, int milliseconds, const Waker* waker, std::string
     return News::bytes;
 }
 
-SharedFile::SharedFile(SharedFile&& other) noexcept
-    : file_(std::move(other.file_)), bytes_(std::exchange(other.bytes_, {})) {}
-
-SharedFile& SharedFile::operator=(SharedFile&& other) noexcept {
-    std::swap(file_, other.file_);
-    std::swap(bytes_, other.bytes_);
-    return *this;
-}
-
 bool SharedFile::make() {
     file_ = File(openMemoryFile("glibra picture"));
     return static_cast<bool>(file_);
@@ -97,12 +88,6 @@ std::optional<ChildProcess> startChild(const std::vector<std::string>& words) {
                           {{numberOf(theirs), kChannel}, {numberOf(child.memory.file()), kMemory}});
     if (!child.process) return std::nullopt;
     return child;
-}
-
-void end(ChildProcess& child) {
-    kill(child.process);
-    waitFor(child.process);
-    child = ChildProcess();
 }
 
 ParentEnds endsOfThisChild() {

@@ -20,7 +20,7 @@ inline int numberOf(const File& file) {
 
 /// Both ends, which no other program inherits. False: errno.
 bool openPipe(int (&ends)[2]);
-/// Two connected sockets of which the same is true.
+/// Two connected sockets, which are closed in programs that this one starts, too.
 bool openSockets(int (&ends)[2]);
 
 /// How a folder is opened that is only gone through.

@@ -38,11 +38,6 @@ int take(int result, const struct stat& status, FileFacts& facts) {
 
 }  // namespace
 
-File& File::operator=(File&& other) noexcept {
-    std::swap(handle_, other.handle_);
-    return *this;
-}
-
 File::~File() {
     const int problem = errno;  // the caller still needs it
     close();
@@ -64,18 +59,6 @@ int factsOf(const fs::path& path, Links links, FileFacts& facts) {
 int factsOf(const File& file, FileFacts& facts) {
     struct stat status{};
     return take(::fstat(numberOf(file), &status), status, facts);
-}
-
-FileKind kindOf(const fs::path& path, Links links) {
-    FileFacts facts;
-    factsOf(path, links, facts);
-    return facts.kind;
-}
-
-FileIdentity identityOf(const fs::path& path) {
-    FileFacts facts;
-    factsOf(path, Links::followed, facts);
-    return {facts.device, facts.number, facts.size, facts.seconds, facts.nanoseconds};
 }
 
 File openToRead(const fs::path& path, Links links) {

@@ -80,11 +80,6 @@ Process spawn(const char* program, const std::vector<std::string>& words, const 
     return failure == 0 ? Process(process) : Process();
 }
 
-Process& Process::operator=(Process&& other) noexcept {
-    std::swap(handle_, other.handle_);
-    return *this;
-}
-
 Process::~Process() = default;  // a number is nothing to give back
 
 int Process::number() const {

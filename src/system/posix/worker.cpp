@@ -78,16 +78,6 @@ Received receive(const Worker& worker, std::string& to) {
     return got <= 0 ? Received::ended : Received::some;
 }
 
-void send(const Worker& worker, std::span<const std::byte> bytes) {
-    writeAll(worker.requests, bytes);
-}
-
-End end(Worker& worker) {
-    worker.requests.close();
-    worker.answers.close();
-    return waitFor(worker.process);
-}
-
 struct BrokenPipesAreErrors::State {
     struct sigaction before{};
 };

@@ -53,15 +53,6 @@ News receive(const File& from, int milliseconds, const Waker* waker, std::string
 /// Three times the largest picture.
 static constexpr std::uint64_t kRange = std::uint64_t{1} << 32U;
 
-SharedFile::SharedFile(SharedFile&& other) noexcept
-    : file_(std::move(other.file_)), bytes_(std::exchange(other.bytes_, {})) {}
-
-SharedFile& SharedFile::operator=(SharedFile&& other) noexcept {
-    std::swap(file_, other.file_);
-    std::swap(bytes_, other.bytes_);
-    return *this;
-}
-
 bool SharedFile::make() {
     file_ = ownOf(::CreateFileMappingW(INVALID_HANDLE_VALUE, nullptr, PAGE_READWRITE | SEC_RESERVE,
                                        static_cast<DWORD>(kRange >> 32U), 0, nullptr));
@@ -99,12 +90,6 @@ std::optional<ChildProcess> startChild(const std::vector<std::string>& words) {
                            .variable = kChildVariable + std::wstring(L"=0")});
     if (!child.process) return std::nullopt;
     return child;
-}
-
-void end(ChildProcess& child) {
-    kill(child.process);
-    waitFor(child.process);
-    child = ChildProcess();
 }
 
 ParentEnds endsOfThisChild() {

@@ -67,11 +67,6 @@ DWORD writeOnce(HANDLE file, std::span<const std::byte> bytes, std::size_t& coun
 
 }  // namespace
 
-File& File::operator=(File&& other) noexcept {
-    std::swap(handle_, other.handle_);
-    return *this;
-}
-
 File::~File() {
     const int problem = errno;  // the caller still needs it
     const DWORD error = ::GetLastError();
@@ -134,18 +129,6 @@ int factsOf(const fs::path& path, Links links, FileFacts& facts) {
 
 int factsOf(const File& file, FileFacts& facts) {
     return takeFacts(winOf(file), facts);
-}
-
-FileKind kindOf(const fs::path& path, Links links) {
-    FileFacts facts;
-    factsOf(path, links, facts);
-    return facts.kind;
-}
-
-FileIdentity identityOf(const fs::path& path) {
-    FileFacts facts;
-    factsOf(path, Links::followed, facts);
-    return {facts.device, facts.number, facts.size, facts.seconds, facts.nanoseconds};
 }
 
 /// Opens a file that is no link. It is opened twice: a handle to a link itself would also be one to the

@@ -70,11 +70,6 @@ double secondsOf(const FILETIME& time) {
 
 }  // namespace
 
-Process& Process::operator=(Process&& other) noexcept {
-    std::swap(handle_, other.handle_);
-    return *this;
-}
-
 Process::~Process() {
     if (handle_ != kNoHandle) std::unique_ptr<Started>(reinterpret_cast<Started*>(handle_));
 }

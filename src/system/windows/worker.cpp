@@ -18,7 +18,7 @@
 namespace glibra::system {
 namespace {
 
-/// What a process that is to be a worker was told.
+/// What a process that was started as a worker has got from its parent.
 struct Order {
     std::uint64_t call = 0, memory = 0;
     File requests{}, answers{}, errors{};
@@ -132,16 +132,6 @@ Received receive(const Worker& worker, std::string& to) {
     readOnce(winOf(worker.answers), to.data() + had, kPortion, got);
     to.resize(had + got);
     return got == 0 ? Received::ended : Received::some;
-}
-
-void send(const Worker& worker, std::span<const std::byte> bytes) {
-    writeAll(worker.requests, bytes);
-}
-
-End end(Worker& worker) {
-    worker.requests.close();
-    worker.answers.close();
-    return waitFor(worker.process);
 }
 
 // Windows has no signal for such pipes.
