@@ -62,6 +62,9 @@ TEST_F(SafetyCopiesTest, OfALivingWindowAreNotOffered) {
 TEST_F(SafetyCopiesTest, OfAWindowThatWasKilledAreOfferedTheNewestFirst) {
     keepAndDie(folder, file, "older");
     keepAndDie(folder, file, "newer");
+    // The clock of a file system may stand still between the two.
+    const fs::file_time_type time = fs::last_write_time(file);
+    for (const auto& each : fs::directory_iterator(folder / "unsaved")) fs::last_write_time(each, time);
     SafetyCopies copies(folder);
     SafetyCopies::Others others = copies.othersOf(file);
     EXPECT_FALSE(others.isOpen);

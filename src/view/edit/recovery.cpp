@@ -31,8 +31,9 @@ std::string nameOf(const fs::path& file) {
     return suite::toText(suite::hashOf(std::as_bytes(std::span(path))));
 }
 
-std::string timeNow() {
-    const std::tm local = system::localTime(std::time(nullptr)).value_or(system::LocalTime()).time;
+std::string asDate(std::chrono::system_clock::time_point time) {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
+    const std::tm local = system::localTime(seconds).value_or(system::LocalTime()).time;
     std::array<char, 32> text{};
     return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local)};
 }
@@ -50,7 +51,9 @@ std::optional<RecoveredText> readCopy(const fs::path& copy) {
                                                                                : std::string();
     };
     if (!json.is_object() || !json.contains("text")) return std::nullopt;
-    return RecoveredText{word("text"), word("when"), copy};
+    const auto written = json.find("written");
+    const bool isKnown = written != json.end() && written->is_number_integer();
+    return RecoveredText{word("text"), word("when"), copy, isKnown ? written->get<std::int64_t>() : 0};
 }
 
 }  // namespace
@@ -96,8 +99,11 @@ void SafetyCopies::keep(const fs::path& file, const std::string& text) {
     if (!own()) return;
     std::error_code failure;
     fs::create_directories(folder_ / "unsaved", failure);
-    const nlohmann::ordered_json json{
-        {"file", fs::absolute(file, failure).generic_string()}, {"when", timeNow()}, {"text", text}};
+    const auto now = std::chrono::system_clock::now();
+    const nlohmann::ordered_json json{{"file", fs::absolute(file, failure).generic_string()},
+                                      {"when", asDate(now)},
+                                      {"written", now.time_since_epoch().count()},
+                                      {"text", text}};
     const std::string bytes = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
     const fs::path copy = copyOf(file);
     image::writeFileAtomically(copy, std::as_bytes(std::span(bytes)));
@@ -129,7 +135,6 @@ SafetyCopies::Others SafetyCopies::othersOf(const fs::path& file) const {
     if (folder_.empty()) return others;
     const std::string name = nameOf(file);
     std::error_code failure;
-    fs::file_time_type newest;
     for (fs::directory_iterator each(folder_ / "unsaved", failure), end; !failure && each != end;
          each.increment(failure)) {
         // NAME.OWNER.json, or NAME.json of earlier versions
@@ -143,13 +148,8 @@ SafetyCopies::Others SafetyCopies::othersOf(const fs::path& file) const {
             others.isOpen = true;
             continue;
         }
-        std::error_code unknown;
-        const fs::file_time_type time = fs::last_write_time(path, unknown);
-        if (others.left && time <= newest) continue;
-        if (std::optional<RecoveredText> text = readCopy(path)) {
-            others.left = std::move(text);
-            newest = time;
-        }
+        std::optional<RecoveredText> text = readCopy(path);
+        if (text && (!others.left || text->written > others.left->written)) others.left = std::move(text);
     }
     return others;
 }
