@@ -45,6 +45,7 @@ struct CheckArguments {
     int jobs = 0;  ///< 0: gpu::usualWorkers()
     bool untrusted = false;
     bool run = false;
+    bool web = false;
 };
 
 /// Writes each shader to the folder, which is made if it does not exist.
@@ -106,7 +107,8 @@ class SceneChecker {
         return pack(guarded(scene, [&] {
             const RenderOptions options =
                 optionsFor(scene, arguments_.standardInput, arguments_.picture.options);
-            render::CheckResult checked = render::checkScene(*context_, scene, options, &shared_);
+            render::CheckResult checked =
+                render::checkScene(*context_, scene, options, &shared_, arguments_.web);
             if (arguments_.translated.empty()) checked.shaders.clear();
             if (arguments_.run) checked.diagnostics = runOf(scene, options, std::move(checked.diagnostics));
             // The limit of time is that of a picture, and an exercise has several.
@@ -256,6 +258,12 @@ void addCheck(CommandLine& program, int& status) {
                 "folder for the shaders after translation, as the driver compiles them; with several scenes "
                 "each has a folder of its name there")
         .written()
+        .rare();
+    command
+        .flag("--web", arguments->web,
+              "report what WebGL 2, which browsers have, lacks for the shaders; --translated then writes "
+              "them in "
+              "GLSL ES 3.00")
         .rare();
     command.find("--untrusted").rare();
     command.flag(

@@ -13,10 +13,11 @@ KEYS = {"Escape": "\ue00c", "Enter": "\ue007"}
 
 
 class Browser:
-    """One window. Leaves nothing behind when its `with` ends."""
+    """One window. Leaves nothing behind when its `with` ends. `gl`: pages get WebGL 2, by Chromium's own rasteriser."""
 
-    def __init__(self, width=1400, height=900):
+    def __init__(self, width=1400, height=900, gl=False):
         self.size = (width, height)
+        self.gl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if gl else ["--disable-gpu"]
 
     def __enter__(self):
         try:
@@ -40,7 +41,7 @@ class Browser:
             raise RuntimeError("chromedriver did not start")
         options = {
             "binary": shutil.which("chromium"),
-            "args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+            "args": ["--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run", *self.gl,
                      "--remote-debugging-pipe",  # needs no name of this machine
                      "--disable-background-networking", "--disable-component-update", "--disable-sync",
                      "--disable-dev-shm-usage", "--force-device-scale-factor=1",

@@ -151,7 +151,7 @@ class Emitter {
 TranslatedStage emit(Unit& unit) {
     const Target& target = unit.request->target;
     Emitter emitter(unit);
-    emitter.own("#version " + std::to_string(target.version) + " core");
+    emitter.own("#version " + std::to_string(target.version) + (target.isEs ? " es" : " core"));
     if (target.lineDirectiveTakesFileName) emitter.own("#extension GL_ARB_shading_language_include : enable");
     for (const std::string& each : unit.extensions) emitter.own(each);
     const auto ownLines = [&](const std::vector<std::string>& lines) {

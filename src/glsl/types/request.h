@@ -37,6 +37,7 @@ enum class SamplerKind { sampler1D, sampler2D, sampler3D, samplerCube };
 /// What the driver can do.
 struct Target {
     int version = 450;                        ///< the #version to emit, core profile
+    bool isEs = false;                        ///< `version` is one of GLSL ES
     bool lineDirectiveTakesFileName = false;  ///< GL_ARB_shading_language_include: #line N "file"
     int maxGeometryOutputVertices = 256;
     int maxGeometryTotalOutputComponents = 1024;

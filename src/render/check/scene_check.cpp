@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/text.h"
+#include "glsl/es/es.h"
 #include "render/consequences.h"
 #include "render/scene_state.h"
 
@@ -54,7 +55,15 @@ constexpr const char* kNotShown =
     "#error not shown: a source lies outside of the scene's folder and the library; add its folder to "
     "GLIBRA_PATH\n";
 
-std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
+void addUnknown(Diagnostics& all, Diagnostics more) {
+    for (Diagnostic& problem : more)
+        if (std::ranges::none_of(all, [&](const Diagnostic& known) {
+                return known.place == problem.place && known.text == problem.text;
+            }))
+            all.push_back(std::move(problem));
+}
+
+std::vector<TranslatedShader> translatedShaders(SceneState& state, bool isForWeb, Diagnostics& diagnostics) {
     const scene::Scene& scene = state.conductor.scene;
     std::map<plan::ProgramVariant, const plan::PlannedProgram*> programs;  // uniforms do not matter
     for (const plan::FramePlan* plan : state.conductor.plans())
@@ -67,7 +76,11 @@ std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
         for (char& c : name)
             if (!base::isOfName(c)) c = '_';
         const bool isHidden = !state.conductor.programs.hiddenSource(program).empty();
-        for (const glsl::TranslatedStage& each : planned->interface->facts.stages)
+        glsl::EsProgram es;
+        const glsl::TranslatedProgram* core = state.conductor.programs.translated(variant);
+        if (isForWeb && core && !hasError(core->diagnostics)) es = glsl::toEs(*core);
+        addUnknown(diagnostics, std::move(es.diagnostics));
+        for (const glsl::TranslatedStage& each : isForWeb ? es.stages : planned->interface->facts.stages)
             shaders.push_back({fmt::format("{}-{}.{}", number, name, suffix(each.stage)),
                                isHidden ? std::string(kNotShown) : portable(each.source)});
         ++number;
@@ -78,7 +91,7 @@ std::vector<TranslatedShader> translatedShaders(const SceneState& state) {
 }  // namespace
 
 CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path, const RenderOptions& options,
-                       SharedParts* shared) {
+                       SharedParts* shared, bool isForWeb) {
     Stats stats;
     RenderOptions compiled = options;
     compiled.checkUndefined = false;  // nothing is drawn
@@ -93,12 +106,8 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
         append(result.diagnostics, state.conductor.prepare(std::move(everything)));
         for (const scene::Buffer& each :
              state.conductor.scene.buffers)  // also of those that no program reads
-            for (Diagnostic& problem : each.values.takeProblems())
-                if (std::ranges::none_of(result.diagnostics, [&](const Diagnostic& known) {
-                        return known.place == problem.place && known.text == problem.text;
-                    }))
-                    result.diagnostics.push_back(std::move(problem));
-        result.shaders = translatedShaders(state);
+            addUnknown(result.diagnostics, each.values.takeProblems());
+        result.shaders = translatedShaders(state, isForWeb, result.diagnostics);
     }
     append(result.diagnostics, context.debugLog().takeDiagnostics());
     applyStrict(result.diagnostics, options.strict);

@@ -26,7 +26,8 @@ struct CheckResult {
 
 /// Resolves and reads every file, computes every buffer, and compiles and links every program. Draws nothing
 /// and skips nothing but built-in noise that no sampler reads. `shared`: parts of other scenes, or null.
+/// `isForWeb`: the shaders are those of GLSL ES 3.00 (glsl/es/es.h), with what that lacks.
 CheckResult checkScene(gpu::Context& context, const std::filesystem::path& scene,
-                       const RenderOptions& options, SharedParts* shared = nullptr);
+                       const RenderOptions& options, SharedParts* shared = nullptr, bool isForWeb = false);
 
 }  // namespace glibra::render

@@ -20,34 +20,34 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 
-struct Entry {
-    FileFacts facts;
-    bool isChanging = false;  ///< another one than at the look before: its writer may not be done
-};
-
 bool isSame(const FileFacts& a, const FileFacts& b) {
     return a.kind == b.kind && a.device == b.device && a.number == b.number && a.size == b.size &&
            a.seconds == b.seconds && a.nanoseconds == b.nanoseconds;
 }
 
-struct Watched {
-    fs::path path;
-    FileFacts facts;
-    std::map<std::string, Entry> entries;
-    bool isGone = false;
-};
-
-std::map<std::string, Entry> entriesOf(const fs::path& folder) {
-    std::map<std::string, Entry> entries;
-    std::error_code failure;
-    for (fs::directory_iterator each(folder, failure), end; !failure && each != end; each.increment(failure))
-        factsOf(each->path(), Links::notFollowed, entries[each->path().filename().string()].facts);
-    return entries;
-}
-
 }  // namespace
 
 struct FolderWatch::State {
+    struct Entry {
+        FileFacts facts;
+        bool isChanging = false;  ///< another one than at the look before: its writer may not be done
+    };
+    struct Watched {
+        fs::path path;
+        FileFacts facts;
+        std::map<std::string, Entry> entries;
+        bool isGone = false;
+    };
+
+    static std::map<std::string, Entry> entriesOf(const fs::path& folder) {
+        std::map<std::string, Entry> entries;
+        std::error_code failure;
+        for (fs::directory_iterator each(folder, failure), end; !failure && each != end;
+             each.increment(failure))
+            factsOf(each->path(), Links::notFollowed, entries[each->path().filename().string()].facts);
+        return entries;
+    }
+
     std::mutex mutex;
     std::condition_variable changed;
     std::map<int, Watched> folders;
@@ -106,7 +106,7 @@ std::optional<int> FolderWatch::add(const fs::path& folder) {
         return std::nullopt;
     for (const auto& [number, each] : state_->folders)
         if (!each.isGone && each.path == folder) return number;
-    state_->folders[state_->next] = {folder, facts, entriesOf(folder)};
+    state_->folders[state_->next] = {folder, facts, State::entriesOf(folder)};
     return state_->next++;
 }
 

@@ -1,0 +1,468 @@
+#include "glsl/es/es.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "glsl/emit/emit.h"
+#include "glsl/emit/log_line.h"
+#include "glsl/es/constants.h"
+#include "glsl/es/conversions.h"
+#include "glsl/parse/bodies.h"
+#include "glsl/parse/lexical.h"
+#include "glsl/parse/usage.h"
+#include "glsl/parse/variables.h"
+#include "glsl/read/source.h"
+#include "glsl/read/words.h"
+#include "glsl/rules/rules.h"
+
+namespace glibra::glsl {
+namespace {
+
+constexpr int kEsVersion = 300;
+
+/// Functions and variables of the core profile that GLSL ES 3.00 lacks.
+constexpr std::string_view kMissingNames =
+    " textureGather textureGatherOffset textureGatherOffsets textureQueryLevels textureQueryLod "
+    "textureSamples bitfieldExtract bitfieldInsert bitfieldReverse frexp ldexp "
+    "uaddCarry usubBorrow umulExtended imulExtended packUnorm4x8 packSnorm4x8 unpackUnorm4x8 unpackSnorm4x8 "
+    "packDouble2x32 unpackDouble2x32 interpolateAtCentroid interpolateAtSample interpolateAtOffset imageLoad "
+    "imageStore imageSize atomicCounter atomicCounterIncrement atomicCounterDecrement memoryBarrier "
+    "gl_PrimitiveID gl_SampleID gl_SamplePosition gl_SampleMask gl_SampleMaskIn gl_NumSamples gl_Layer "
+    "gl_ViewportIndex gl_ClipDistance gl_CullDistance gl_HelperInvocation gl_BaseVertex gl_BaseInstance "
+    "gl_DrawID gl_BaseVertexARB gl_BaseInstanceARB gl_DrawIDARB ";
+
+/// The samplers that GLSL ES 3.00 has, without the i and u of those of integers.
+constexpr std::string_view kSamplers =
+    " sampler2D sampler3D samplerCube sampler2DArray sampler2DShadow samplerCubeShadow sampler2DArrayShadow ";
+
+/// What a name of the core profile is written as.
+struct Renamed {
+    std::string_view name, written;
+};
+constexpr std::array kRenamed = std::to_array<Renamed>({
+    {"dFdxFine", "dFdx"},
+    {"dFdyFine", "dFdy"},
+    {"fwidthFine", "fwidth"},
+    {"dFdxCoarse", "dFdx"},
+    {"dFdyCoarse", "dFdy"},
+    {"fwidthCoarse", "fwidth"},
+});
+
+/// A function of the core profile in GLSL ES: `T` stands for each of the types.
+struct Written {
+    std::string_view name;
+    std::string_view types;
+    std::string_view text;
+};
+constexpr std::array kWritten = std::to_array<Written>({
+    {"fma", "float vec2 vec3 vec4", "T glibra_fma(T a, T b, T c) { return a * b + c; }"},
+    {"bitCount", "int uint",
+     "int glibra_bitCount(T x) { int n = 0; for (int i = 0; i < 32; ++i) n += int(uint(x) >> i & 1u); return "
+     "n; }"},
+    {"findLSB", "int uint",
+     "int glibra_findLSB(T x) { for (int i = 0; i < 32; ++i) if ((uint(x) >> i & 1u) != 0u) return i; return "
+     "-1; }"},
+    {"findMSB", "int uint",
+     "int glibra_findMSB(T x) { uint b = x < T(0) ? ~uint(x) : uint(x); for (int i = 31; i >= 0; --i) if ((b "
+     ">> i & "
+     "1u) != 0u) return i; return -1; }"},
+});
+
+std::string_view stageName(Stage stage) {
+    switch (stage) {
+        case Stage::tessControl:
+        case Stage::tessEvaluation:
+            return "tessellation";
+        case Stage::geometry:
+            return "geometry";
+        case Stage::compute:
+            return "compute";
+        default:
+            return "";
+    }
+}
+
+bool isLineNumber(std::string_view line) {
+    return line.starts_with("#line ");
+}
+
+std::vector<std::string_view> textLines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+/// The text with empty lines in place of #extension and #line, so that its lines keep their numbers.
+std::string withoutDirectives(std::string_view source) {
+    std::string text;
+    for (const std::string_view line : textLines(source)) {
+        if (!isLineNumber(line) && !line.starts_with("#extension ")) text += line;
+        text += '\n';
+    }
+    return text;
+}
+
+/// One stage, from the core text to that of GLSL ES.
+class EsStage {
+  public:
+    EsStage(const TranslatedStage& core, Unit& unit, Report& report)
+        : core_(core), unit_(unit), report_(report) {}
+
+    void adapt(std::vector<InitialValue>& initialValues) {
+        for (const Declaration& each : unit_.syntax.declarations) declaration(each);
+        for (Variable& each : unit_.variables) variable(each, initialValues);
+        for (std::uint32_t i = 0; i < unit_.view.size(); ++i)
+            if (unit_.view[i].kind == TokenKind::word) word(i);
+        const std::vector<std::string_view> core = coreFunctions();
+        for (const auto& [name, at] : unit_.declared)
+            if (unit_.function(name) && std::ranges::find(core, name) != core.end())
+                unit_.renames[name] = std::string(kOwnOverload) + name;
+        for (const Call& each : unit_.bodies.calls) call(each);
+        writeConversions(unit_);
+        begin();
+    }
+
+    [[nodiscard]] TranslatedStage take() {
+        adaptToTarget(unit_);
+        renderVariables(unit_);
+        applyRenames(unit_, TokenWalk(unit_));
+        TranslatedStage stage = emit(unit_);
+        // Its map leads to lines of the core text, whose map leads to the user's. The #line directives of
+        // that text go where it had them, with plain numbers of sources.
+        stage.lineMap.files = core_.lineMap.files;
+        stage.lineMap.macros = core_.lineMap.macros;
+        const std::vector<std::string_view> coreLines = textLines(core_.source);
+        const std::string emitted = std::exchange(stage.source, {});
+        std::size_t i = 0;
+        for (const std::string_view line : textLines(emitted)) {
+            LineOrigin& origin = stage.lineMap.lines[i];
+            const auto at = static_cast<std::size_t>(origin.line) - 1;
+            const bool isOfCore = origin.file >= 0 && at < coreLines.size();
+            const bool isNumber = isOfCore && isLineNumber(coreLines[at]);
+            std::ranges::copy_if(isNumber ? coreLines[at] : line, std::back_inserter(stage.source),
+                                 [&](char c) { return !isNumber || c != '"'; });
+            stage.source += '\n';
+            origin = isOfCore ? core_.lineMap.lines[at] : LineOrigin();
+            stage.lineMap.columns[i] = isOfCore ? core_.lineMap.columns[at] : std::vector<ColumnShift>();
+            ++i;
+        }
+        stage.path = core_.path;
+        stage.firstLine = core_.firstLine;
+        stage.facts = core_.facts;
+        return stage;
+    }
+
+    void lacks(const char* id, std::string text, std::uint32_t at) {
+        report_.reportOnce(core_.path + text, id, text, userPlaceOf(at));
+    }
+
+    /// The place of the user's text that the core text has there; the file's first line for what the
+    /// translation added.
+    [[nodiscard]] Place userPlaceOf(std::uint32_t at) const {
+        const Token& token = unit_.tokens[unit_.view[at].raw];
+        const auto line = static_cast<std::size_t>(token.line) - 1;
+        if (line >= core_.lineMap.lines.size() || core_.lineMap.lines[line].file < 0)
+            return {core_.path, core_.firstLine, 1};
+        const UserPlace user = userPlace(core_, {line, token.column});
+        return {core_.lineMap.files[static_cast<std::size_t>(user.line.file)], user.line.line, user.column};
+    }
+
+    [[nodiscard]] Unit& unit() { return unit_; }
+
+  private:
+    void declaration(const Declaration& each) {
+        if (each.kind == DeclarationKind::precision ||
+            (each.kind == DeclarationKind::layoutOnly && unit_.stage == Stage::fragment))
+            return unit_.remove(each.tokens);
+        if (each.kind == DeclarationKind::block) block(each);
+        for (const Declarator& name : each.declarators)
+            if (each.type.dimensions.size() + name.dimensions.size() > 1)
+                lacks("web-E04",
+                      "'" + std::string(unit_.text(name.name)) +
+                          "' is an array of arrays, which GLSL ES 3.00 (WebGL 2) has not",
+                      name.name);
+    }
+
+    /// Blocks between stages become variables, one for each member.
+    void block(const Declaration& each) {
+        const std::string name(unit_.text(each.name));
+        if (each.qualifiers.storage == Storage::buffer)
+            return lacks("web-E04", "the storage block '" + name + "' is not possible in WebGL 2", each.name);
+        if (each.qualifiers.storage != Storage::input && each.qualifiers.storage != Storage::output) return;
+        if (name == "gl_PerVertex") return unit_.remove(each.tokens);
+        const std::string word(each.qualifiers.storage == Storage::input ? "in " : "out ");
+        unit_.remove({each.tokens.first, each.body.first + 1});
+        unit_.remove({each.body.end - 1, each.tokens.end});
+        const std::string_view instance =
+            each.declarators.empty() ? std::string_view() : unit_.text(each.declarators.front().name);
+        for (const Declaration& member : each.members) {
+            const Range qualifiers = member.qualifiers.tokens;
+            unit_.remove(qualifiers);
+            std::string before = member.qualifiers.interpolation.empty() ? each.qualifiers.interpolation
+                                                                         : member.qualifiers.interpolation;
+            if (typeOfWord(member.type.name).integral()) before = "flat";
+            if (before == "noperspective") noPerspective(member.type.tokens.first);
+            if (before == "noperspective" || before == "smooth") before.clear();
+            if (!before.empty()) before += ' ';
+            if (member.qualifiers.centroid || each.qualifiers.centroid) before += "centroid ";
+            unit_.edits.before(unit_.view[member.type.tokens.first].raw, before + word);
+            for (const Declarator& one : member.declarators) {
+                const std::string own(unit_.text(one.name));
+                const std::string variable = "glibra_" + name + "_" + own;
+                unit_.edits.replace(unit_.view[one.name].raw, variable);
+                if (instance.empty())
+                    unit_.renames[own] = variable;
+                else
+                    members_[{std::string(instance), own}] = variable;
+            }
+        }
+    }
+
+    void noPerspective(std::uint32_t at) {
+        lacks("web-E04", "'noperspective' is not in GLSL ES 3.00, which browsers compile for WebGL 2", at);
+    }
+
+    void variable(Variable& each, std::vector<InitialValue>& initialValues) {
+        if (each.name.starts_with("gl_")) {
+            each.removed = true;
+            return;
+        }
+        if (!each.precision.empty() || each.precise || each.sample) each.changed = true;
+        each.precision.clear();
+        each.precise = each.sample = false;
+        const bool isVarying = (each.storage == Storage::input && unit_.stage == Stage::fragment) ||
+                               (each.storage == Storage::output && unit_.stage == Stage::vertex);
+        if (isVarying) {
+            if (each.interpolation == "noperspective") {
+                noPerspective(each.nameToken);
+                each.interpolation.clear();
+                each.changed = true;
+            }
+            if (unit_.stage == Stage::fragment && each.invariant) {
+                each.invariant = false;
+                each.changed = true;
+            }
+        }
+        const Declarator& declarator =
+            unit_.syntax.declarations[each.declaration].declarators[each.declarator];
+        if (declarator.initializer.empty() || each.dropInitializer) return;
+        if (each.storage == Storage::uniform) return uniformValue(each, declarator, initialValues);
+        if (each.storage != Storage::none || isConstant(declarator.initializer)) return;
+        const std::string function = "glibra_begin_" + each.name;
+        unit_.declare("void " + function + "();");
+        each.initializer = "; void " + function + "() { " + spelled(unit_, each.name);
+        each.after = " }";
+        beginnings_.push_back(function + "();");
+    }
+
+    void uniformValue(Variable& each, const Declarator& declarator,
+                      std::vector<InitialValue>& initialValues) {
+        each.dropInitializer = true;
+        each.changed = true;
+        const std::string prefix = each.name + ".", element = each.name + "[";
+        const bool isKnown = std::ranges::any_of(initialValues, [&](const InitialValue& known) {
+            return known.uniform == each.name || known.uniform.starts_with(prefix) ||
+                   known.uniform.starts_with(element);
+        });
+        if (isKnown) return;  // the other stage declares it, too
+        const std::string_view type = unit_.syntax.declarations[each.declaration].type.name;
+        if (declarator.value == kNone ||
+            !addInitialValues(unit_, each.name, type, declarator.value, initialValues))
+            lacks("web-E05",
+                  "the initialiser of '" + each.name +
+                      "' cannot be computed; GLSL ES 3.00 (WebGL 2) has none, so write numbers",
+                  each.nameToken);
+    }
+
+    [[nodiscard]] bool isConstant(Range range) const {
+        for (std::uint32_t i = range.first; i < range.end; ++i) {
+            if (unit_.bodies.roles[i] != WordRole::global) continue;
+            const std::string_view text = unit_.text(i);
+            const Variable* variable = unit_.firstVariable(text);
+            if (variable ? variable->storage != Storage::constant : unit_.function(text) != nullptr)
+                return false;
+            if (text.starts_with("gl_") && !text.starts_with("gl_Max")) return false;
+            if (text.starts_with("texture") || text.starts_with("texel") || text.starts_with("dFd"))
+                return false;
+            // A member of a block
+            if (!variable && unit_.isDeclared(text) && !unit_.function(text)) return false;
+        }
+        return true;
+    }
+
+    void word(std::uint32_t at) {
+        const std::string_view text = unit_.text(at);
+        const WordRole role = unit_.bodies.roles[at];
+        if (role == WordRole::local || role == WordRole::localDeclaration || role == WordRole::member) return;
+        if (text == "lowp" || text == "mediump" || text == "highp" || text == "precise")
+            return unit_.edits.remove(unit_.view[at].raw);
+        if (isType(unit_.view[at])) return type(at, text);
+        if (unit_.isDeclared(text)) {
+            if (role == WordRole::global) member(at, text);
+            return;
+        }
+        if (listed(kMissingNames, text) || text.starts_with("atomic") || text.starts_with("imageAtomic"))
+            lacks("web-E02",
+                  "'" + std::string(text) + "' is not in GLSL ES 3.00, which browsers compile for WebGL 2",
+                  at);
+        for (const Renamed& each : kRenamed)
+            if (each.name == text) unit_.edits.replace(unit_.view[at].raw, std::string(each.written));
+        for (const Written& each : kWritten) {
+            if (each.name != text) continue;
+            for (const std::string_view type : splitWords(each.types)) {
+                std::string line(each.text);
+                for (std::size_t i = 0; (i = line.find('T', i)) != std::string::npos; i += type.size())
+                    if (!base::isOfName(line[i + 1]) && (i == 0 || !base::isOfName(line[i - 1])))
+                        line.replace(i, 1, type);
+                unit_.declare(line);
+            }
+            unit_.edits.replace(unit_.view[at].raw, "glibra_" + std::string(text));
+        }
+    }
+
+    void type(std::uint32_t at, std::string_view text) {
+        std::string plain(text);
+        if (plain.starts_with("isampler") || plain.starts_with("usampler")) plain.erase(0, 1);
+        if (plain == "sampler1D")
+            return unit_.edits.replace(unit_.view[at].raw,
+                                       std::string(text.substr(0, text.size() - 2)) + "2D");
+        const bool isSampler = plain.starts_with("sampler");
+        if (isSampler && listed(kSamplers, plain)) {
+            if (plain != text || (plain != "sampler2D" && plain != "samplerCube"))
+                unit_.declare("precision highp " + std::string(text) + ";");
+            return;
+        }
+        if (isSampler || isImageTypeWord(text) || text == "atomic_uint" || text == "double" ||
+            text.starts_with("dvec") || text.starts_with("dmat"))
+            lacks("web-E03",
+                  "the type '" + std::string(text) +
+                      "' is not in GLSL ES 3.00, which browsers compile for WebGL 2",
+                  at);
+    }
+
+    /// instance.member of a block between stages
+    void member(std::uint32_t at, std::string_view instance) {
+        if (unit_.text(at + 1) != ".") return;
+        const auto known = members_.find({std::string(instance), std::string(unit_.text(at + 2))});
+        if (known == members_.end()) return;
+        unit_.edits.replace(unit_.view[at].raw, known->second);
+        unit_.remove({at + 1, at + 3});
+    }
+
+    /// Textures of one dimension are those of two with one row.
+    void call(const Call& each) {
+        if (each.types.empty() || !each.types.front().word.ends_with("sampler1D") ||
+            each.arguments.size() < 1)
+            return;
+        const std::string_view name = unit_.text(each.name);
+        if (name == "textureSize") {
+            unit_.edits.after(unit_.view[each.arguments.back().end].raw, ".x");
+        } else if ((name == "texture" || name == "textureLod" || name == "texelFetch") &&
+                   each.arguments.size() > 1) {
+            const Range place = each.arguments[1];
+            const bool isFetch = name == "texelFetch";
+            unit_.edits.before(unit_.view[place.first].raw, isFetch ? "ivec2(" : "vec2(");
+            unit_.edits.after(unit_.view[place.end - 1].raw, isFetch ? ", 0)" : ", .5)");
+        } else if (listed(" textureProj textureGrad textureOffset textureLodOffset textureProjLod ", name)) {
+            lacks("web-E02",
+                  "'" + std::string(name) + "' of a sampler1D has no counterpart in GLSL ES 3.00 (WebGL 2)",
+                  each.name);
+        }
+    }
+
+    /// What main does first.
+    void begin() {
+        std::string text;
+        for (const std::string& each : beginnings_) text += " " + each;
+        if (unit_.stage == Stage::vertex && !unit_.isWritten("gl_PointSize")) {
+            if (!unit_.isDeclared("glibra_PointSize")) unit_.declare("uniform float glibra_PointSize;");
+            text += " gl_PointSize = glibra_PointSize;";
+        }
+        const Declaration* main = unit_.function("main");
+        if (main && !text.empty()) unit_.edits.after(unit_.view[main->body.first].raw, text);
+    }
+
+    const TranslatedStage& core_;
+    Unit& unit_;
+    Report& report_;
+    std::vector<std::string> beginnings_;  ///< statements that give variables their first values
+    /// The variables in place of the members of blocks, by instance and member.
+    std::map<std::pair<std::string, std::string>, std::string> members_;
+};
+
+/// Outputs of the vertex stage and inputs of the fragment stage: matched by name, interpolated alike.
+void connect(Unit& vertex, Unit& fragment) {
+    for (Variable& input : fragment.variables) {
+        if (input.storage != Storage::input || input.removed) continue;
+        const std::string* const location = input.layoutValue("location");
+        for (Variable& output : vertex.variables) {
+            if (output.storage != Storage::output || output.removed) continue;
+            const std::string* const own = output.layoutValue("location");
+            const bool isMatch = location && own ? *location == *own : input.name == output.name;
+            if (!isMatch) continue;
+            if (input.name != output.name)
+                fragment.renames[input.name] = vertex.renames[output.name] = "glibra_Location_" + *location;
+            output.interpolation = input.interpolation;
+            output.centroid = input.centroid;
+            output.changed = true;
+        }
+        input.removeLayout("location");
+    }
+    for (Variable& output : vertex.variables) {
+        if (output.storage != Storage::output) continue;
+        output.removeLayout("location");
+        if (!typeOfWord(output.type).integral() || !output.interpolation.empty()) continue;
+        output.interpolation = "flat";
+        output.changed = true;
+    }
+}
+
+}  // namespace
+
+EsProgram toEs(const TranslatedProgram& program) {
+    EsProgram result;
+    Report report, ignored;  // the core text has been reported already
+    ProgramRequest core, es;
+    core.target.version = 450;
+    es.target.version = kEsVersion;
+    es.target.isEs = true;
+    std::vector<Unit> units;
+    units.reserve(program.stages.size() + 1);
+    std::vector<EsStage> stages;
+    for (const TranslatedStage& each : program.stages) {
+        if (const std::string_view name = stageName(each.stage); !name.empty()) {
+            report.reportOnce(std::string(name), "web-E01", "WebGL 2 has no " + std::string(name) + " stage",
+                              {each.path, each.firstLine, 1});
+            continue;
+        }
+        Unit& unit = units.emplace_back();
+        unit.request = &core;
+        readSource({each.stage, each.path, withoutDirectives(each.source)}, unit, ignored);
+        unit.syntax = parseSyntax(unit.view);
+        unit.bodies = parseBodies(unit.view, unit.syntax);
+        unit.variables = collectVariables(unit);
+        findUsage(unit);
+        unit.request = &es;
+        unit.declare("precision highp float;");
+        unit.declare("precision highp int;");
+        unit.declare("precision highp sampler2D;");
+        unit.declare("precision highp samplerCube;");
+        stages.emplace_back(each, unit, report);
+    }
+    if (units.size() == 2) connect(units.front(), units.back());
+    for (EsStage& each : stages) each.adapt(result.initialValues);
+    for (EsStage& each : stages) result.stages.push_back(each.take());
+    result.diagnostics = report.take();
+    return result;
+}
+
+}  // namespace glibra::glsl

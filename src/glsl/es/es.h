@@ -1,0 +1,33 @@
+#pragma once
+// A translated program once more, in GLSL ES 3.00: the language that browsers compile for WebGL 2. The core
+// text is parsed again, so that what the rules added to it is adapted like what the user wrote.
+
+#include <glibra/diagnostic.h>
+
+#include <string>
+#include <vector>
+
+#include "glsl/types/translated_program.h"
+
+namespace glibra::glsl {
+
+/// The value of a uniform's initialiser. GLSL ES has none, so whoever draws sets it when the program is
+/// linked.
+struct InitialValue {
+    std::string uniform;          ///< as emitted; of a structure its member: "lights[0].color"
+    std::string type;             ///< GLSL word of one element
+    std::vector<double> numbers;  ///< of all elements; matrices by columns, booleans as 0 and 1
+};
+
+struct EsProgram {
+    /// Their line maps lead to the lines of the user, as those of the core text do.
+    std::vector<TranslatedStage> stages;
+    std::vector<InitialValue> initialValues;
+    /// What GLSL ES 3.00 lacks: web-E01 to web-E05, at the user's places. `stages` may then not compile.
+    Diagnostics diagnostics;
+};
+
+/// `program` must have been translated without errors.
+EsProgram toEs(const TranslatedProgram& program);
+
+}  // namespace glibra::glsl
