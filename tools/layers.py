@@ -51,6 +51,7 @@ ORDER = {
         "facts": {"types", "read", "parse"},
         "rules": {"types", "read", "parse", "facts"},
         "emit": {"types", "read", "parse", "rules", "facts"},
+        "es": {"types", "read", "parse", "rules", "facts", "emit"},
         "": {"types", "read", "parse", "rules", "facts", "emit"},  # the contract, glsl/translate.h
     },
     "image": {

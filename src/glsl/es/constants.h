@@ -3,10 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "glsl/es/es.h"
 #include "glsl/parse/unit.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 

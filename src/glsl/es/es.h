@@ -11,14 +11,6 @@
 
 namespace glibra::glsl {
 
-/// The value of a uniform's initialiser. GLSL ES has none, so whoever draws sets it when the program is
-/// linked.
-struct InitialValue {
-    std::string uniform;          ///< as emitted; of a structure its member: "lights[0].color"
-    std::string type;             ///< GLSL word of one element
-    std::vector<double> numbers;  ///< of all elements; matrices by columns, booleans as 0 and 1
-};
-
 struct EsProgram {
     /// Their line maps lead to the lines of the user, as those of the core text do.
     std::vector<TranslatedStage> stages;

@@ -106,6 +106,14 @@ struct DeclaredUniform {
     std::vector<std::string> subroutines{};
 };
 
+/// The value of a uniform's initialiser. GLSL ES has none, so whoever draws sets it when the program is
+/// linked.
+struct InitialValue {
+    std::string uniform;          ///< as emitted; of a structure its member: "lights[0].color"
+    std::string type;             ///< GLSL word of one element
+    std::vector<double> numbers;  ///< of all elements; matrices by columns, booleans as 0 and 1
+};
+
 /// A place of a shader where something undefined may happen. The program counts how often it does, in the
 /// storage block `glibra_Undefined`, an array of numbers: for site i the count at 3 i; then the subscript,
 /// texel or number of vertices that was first found, and its limit.
