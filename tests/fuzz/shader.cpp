@@ -13,6 +13,7 @@
 
 #include "check.h"
 #include "glsl/emit/log.h"
+#include "glsl/es/es.h"
 #include "glsl/facts/block_layout.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
@@ -270,6 +271,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                   "a field lies in its block");
     }
     glibra::fuzz::checkMessages(explainLinkLog(program, text, request.place));
+    const EsProgram es = toEs(program);
+    glibra::fuzz::checkMessages(es.diagnostics);
+    for (const TranslatedStage& stage : es.stages) checkPlaces(stage.lineMap);
     if (size % 4 != 0) return 0;
     const TranslatedProgram again = translate(request);
     check(again.stages.size() == program.stages.size() &&

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
+#include "glsl/es/es.h"
 #include "support.h"
 
 namespace glibra::glsl::test {
@@ -51,7 +54,10 @@ void translateEverywhere(const std::string& text, std::uint32_t seed) {
     };
     const TranslatedProgram translated = translate(request);
     EXPECT_TRUE(!translated.stages.empty() || hasError(translated.diagnostics));
-    for (const TranslatedStage& each : translated.stages)
+    std::vector<TranslatedStage> stages = translated.stages;
+    if (!hasError(translated.diagnostics))
+        for (TranslatedStage& each : toEs(translated).stages) stages.push_back(std::move(each));
+    for (const TranslatedStage& each : stages)
         EXPECT_EQ(static_cast<std::size_t>(std::count(each.source.begin(), each.source.end(), '\n')),
                   each.lineMap.lines.size());
 }
