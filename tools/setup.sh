@@ -75,6 +75,22 @@ configure() (
     fi
 )
 
+# expected FOLDER TARGET...: what is to be built there, and how long that took the last time: "41 steps, about 3 minutes".
+expected() (
+    folder=$1
+    shift
+    # Without the step that looks for new files, at which a dry run ends.
+    sed '/^build build\.ninja:/,/^$/d' "$folder/build.ninja" >"$folder/dry.ninja"
+    { cat "$folder/.ninja_log" 2>/dev/null; ninja -C "$folder" -f dry.ninja -n "$@"; } | awk -v jobs="$(nproc)" '
+        NF == 5 && $2 ~ /^[0-9]+$/ { took[$4] = $2 - $1; next }
+        /^\[[0-9]+\// { ++steps; seconds += ($NF in took ? took[$NF] : 10000) / 1000 }
+        END {
+            minutes = int(seconds / jobs / 60 + .5)
+            about = minutes < 1 ? "less than a minute" : "about " minutes (minutes == 1 ? " minute" : " minutes")
+            print steps ? steps (steps == 1 ? " step, " : " steps, ") about : "nothing new"
+        }'
+)
+
 # build PRESET TARGET...: shows progress on standard error: ninja's line on a terminal, else a line per tenth. If the
 # build fails, it prints the end of what the compiler printed.
 build() (
@@ -82,7 +98,7 @@ build() (
     shift
     build_folder=build/$preset
     [ "$preset" != test ] || build_folder=build/release  # as CMakePresets.json says
-    say "building ($preset)"
+    say "building ($preset): $(expected "$build_folder" "$@")"
     if [ -t 2 ]; then
         NINJA_STATUS='glibra: building %p ' ninja -C "$build_folder" "$@" >&2 || exit 4
         return
