@@ -177,6 +177,15 @@ TEST_F(BadInput, TheTextOfAFileOutsideOfTheSceneIsNeverQuoted) {
     scene("../outside/good.frag", "Obj ../outside/secret.obj");
     const Finished finished = glibra(folder.path(), "render scenes/a.glib -o a.png");
     EXPECT_EQ((finished.out + finished.err).find("TOP_SECRET"), std::string::npos) << finished.err;
+    folder.write("outside/web.frag",
+                 "#version 330 core\nuniform float TOP_SECRET = sin(1.);\nout vec4 f;\nvoid main() { f = "
+                 "vec4(TOP_SECRET); }\n");
+    scene("../outside/web.frag", "QuadXY 0 1 1 1");
+    const Finished web = glibra(folder.path(), "check scenes/a.glib --web");
+    EXPECT_EQ(web.status, 3);
+    EXPECT_NE(web.err.find("web-E05"), std::string::npos) << web.err;
+    EXPECT_EQ(web.err.find("TOP_SECRET"), std::string::npos) << web.err;
+    scene("../outside/good.frag", "Obj ../outside/secret.obj");
     ASSERT_EQ(glibra(folder.path(), "check scenes/a.glib --translated out").status, 0);
     std::string translated;
     for (const auto& each : fs::directory_iterator(folder / "out")) translated += readFile(each.path());

@@ -161,7 +161,7 @@ class EsStage {
         return stage;
     }
 
-    void lacks(const char* id, std::string text, std::uint32_t at) {
+    void lacks(const char* id, const std::string& text, std::uint32_t at) {
         report_.reportOnce(core_.path + text, id, text, userPlaceOf(at));
     }
 
@@ -360,8 +360,7 @@ class EsStage {
 
     /// Textures of one dimension are those of two with one row.
     void call(const Call& each) {
-        if (each.types.empty() || !each.types.front().word.ends_with("sampler1D") ||
-            each.arguments.size() < 1)
+        if (each.types.empty() || !each.types.front().word.ends_with("sampler1D") || each.arguments.empty())
             return;
         const std::string_view name = unit_.text(each.name);
         if (name == "textureSize") {

@@ -79,6 +79,7 @@ std::vector<TranslatedShader> translatedShaders(SceneState& state, bool isForWeb
         glsl::EsProgram es;
         const glsl::TranslatedProgram* core = state.conductor.programs.translated(variant);
         if (isForWeb && core && !hasError(core->diagnostics)) es = glsl::toEs(*core);
+        state.conductor.programs.hideTexts(program, es.diagnostics);
         addUnknown(diagnostics, std::move(es.diagnostics));
         for (const glsl::TranslatedStage& each : isForWeb ? es.stages : planned->interface->facts.stages)
             shaders.push_back({fmt::format("{}-{}.{}", number, name, suffix(each.stage)),

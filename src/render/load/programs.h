@@ -110,6 +110,10 @@ class ProgramLibrary {
     [[nodiscard]] std::string hiddenSource(scene::ProgramIndex program) const {
         return sources_.hiddenSource(program);
     }
+    /// ProgramSources::hideTexts, likewise.
+    void hideTexts(scene::ProgramIndex program, Diagnostics& diagnostics) const {
+        sources_.hideTexts(program, diagnostics);
+    }
     /// True if the program may write to an image, a storage block or an atomic counter.
     bool mayWriteImages(scene::ProgramIndex program);
 
