@@ -1,4 +1,4 @@
-// `glibra completion`: what the shells bash, zsh and fish need to complete the command line.
+// `glibra completion`: what the shells bash, zsh, fish and PowerShell need to complete the command line.
 
 #include <fmt/format.h>
 
@@ -175,9 +175,77 @@ std::string fishCompletion(const std::vector<CommandDescription>& commands) {
                                shellQuoted(all));
 }
 
+/// A word or text of PowerShell: in quotes, inside of which quotes are doubled.
+std::string powerShellQuoted(std::string_view text) {
+    std::string to = "'";
+    for (const char each : text) to += each == '\'' ? std::string("''") : std::string(1, each);
+    return to + "'";
+}
+
+/// The rows of an array of PowerShell.
+std::string powerShellRows(const std::vector<std::string>& rows, const char* indent) {
+    return rows.empty() ? "" : fmt::format("{}{}\n", indent, fmt::join(rows, ",\n" + std::string(indent)));
+}
+
+/// Where nothing is offered, PowerShell offers files by itself. An offer is a word, a bar and its
+/// explanation.
+std::string powerShellCompletion(const std::vector<CommandDescription>& commands) {
+    std::string values;
+    std::string options;
+    std::vector<std::string> all;
+    for (const CommandDescription& command : commands) {
+        std::vector<std::string> rows;
+        for (const OptionDescription& option : command.options) {
+            if (option.isPositional) continue;
+            std::vector<std::string> words;
+            for (const std::string& each : option.words) words.push_back(powerShellQuoted(each));
+            for (const std::string& name : {option.shortName, option.longName}) {
+                if (name.empty()) continue;
+                rows.push_back(powerShellQuoted(name + "|" + option.help));
+                if (takesValue(option))
+                    values += fmt::format(
+                        "        {} {{ {} }}\n", powerShellQuoted(command.name + " " + name),
+                        words.empty() ? "return" : fmt::format("$offers = {}", fmt::join(words, ", ")));
+            }
+        }
+        options += fmt::format("            {} {{ $offers = @(\n{}            ) }}\n",
+                               powerShellQuoted(command.name), powerShellRows(rows, "                "));
+        if (&command == &commands.front()) continue;
+        all.push_back(powerShellQuoted(command.name + "|" + command.summary));
+    }
+    return fmt::format(R"(# PowerShell completion of glibra, written by `glibra completion powershell`
+Register-ArgumentCompleter -Native -CommandName 'glibra', 'glibra.exe' -ScriptBlock {{
+    param($word, $line, $place)
+    $before = @($line.CommandElements | Where-Object {{ $_.Extent.EndOffset -lt $place }} | ForEach-Object {{ $_.Extent.Text }})
+    $command = if ($before.Count -gt 1) {{ $before[1] }} else {{ 'glibra' }}
+    $offers = @()
+    switch -CaseSensitive ($command + ' ' + $before[-1]) {{
+{}    }}
+    if (-not $offers -and $word -like '-*') {{
+        switch -CaseSensitive ($command) {{
+{}        }}
+    }} elseif (-not $offers -and ($before.Count -lt 2 -or $command -ceq 'help')) {{
+        $offers = @(
+{}        )
+    }}
+    foreach ($each in $offers) {{
+        $offer, $help = $each -split '\|', 2
+        if (-not $help) {{ $help = $offer }}
+        if ($offer.StartsWith($word, 'Ordinal')) {{
+            [System.Management.Automation.CompletionResult]::new($offer, $offer, 'ParameterValue', $help)
+        }}
+    }}
+}}
+)",
+                       values, options, powerShellRows(all, "            "));
+}
+
 using Completion = std::string (*)(const std::vector<CommandDescription>&);
-constexpr std::array<std::pair<std::string_view, Completion>, 3> kShells{
-    {{"bash", bashCompletion}, {"zsh", zshCompletion}, {"fish", fishCompletion}}};
+constexpr std::array<std::pair<std::string_view, Completion>, 4> kShells{
+    {{"bash", bashCompletion},
+     {"zsh", zshCompletion},
+     {"fish", fishCompletion},
+     {"powershell", powerShellCompletion}}};
 
 }  // namespace
 
@@ -186,9 +254,10 @@ void addCompletion(CommandLine& line, const Program& whole, int& status) {
         line.subcommand("completion", "prints what a shell needs to complete the command line",
                         "source <(glibra completion bash)\n"
                         "glibra completion zsh > ~/.zfunc/_glibra\n"
-                        "glibra completion fish > ~/.config/fish/completions/glibra.fish");
+                        "glibra completion fish > ~/.config/fish/completions/glibra.fish\n"
+                        "glibra completion powershell | Out-String | Invoke-Expression");
     const auto chosen = std::make_shared<Completion>(nullptr);
-    command.choice("shell", *chosen, kShells, "bash, zsh or fish").required();
+    command.choice("shell", *chosen, kShells, "bash, zsh, fish or powershell").required();
     const auto output = std::make_shared<std::filesystem::path>();
     command.option("-o,--output", *output, "a file in place of standard output")
         .placeholder("FILE")

@@ -34,10 +34,16 @@ CodeLanguage languageOf(const std::filesystem::path& file, const std::string& id
 }  // namespace
 
 std::filesystem::path fileOf(std::string_view uri) {
+    namespace fs = std::filesystem;
     const bool isFile = uri.starts_with(kFileScheme);
     if (isFile) uri.remove_prefix(kFileScheme.size());
-    if (isFile && !uri.starts_with('/')) uri.remove_prefix(std::min(uri.find('/'), uri.size()));  // a host
     std::string path;
+    if (isFile && !uri.starts_with('/')) {  // a host, which paths of Windows can name
+        if (fs::path("//host").has_root_name())
+            path = "//";
+        else
+            uri.remove_prefix(std::min(uri.find('/'), uri.size()));
+    }
     for (std::size_t i = 0; i < uri.size(); ++i) {
         const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
         const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
@@ -49,10 +55,11 @@ std::filesystem::path fileOf(std::string_view uri) {
         }
     }
     std::erase(path, '\0');
-    if (isFile) return std::filesystem::path(path).lexically_normal();
+    if (isFile && path.starts_with('/') && fs::path(path.substr(1)).has_root_name()) path.erase(0, 1);  // C:
+    if (isFile) return fs::path(path).lexically_normal();
     std::ranges::replace(path, '/', '_');
     std::error_code failure;
-    return std::filesystem::current_path(failure) / path;
+    return fs::current_path(failure) / path;
 }
 
 std::string uriOf(const std::filesystem::path& file) {
@@ -60,8 +67,12 @@ std::string uriOf(const std::filesystem::path& file) {
     std::string uri(kFileScheme);
     std::error_code failure;
     const std::filesystem::path whole = std::filesystem::absolute(file, failure);
-    for (const char c : whole.lexically_normal().generic_string()) {
-        if (glib::isLetter(c) || glib::isDigit(c) || kPlain.find(c) != std::string_view::npos)
+    const std::string path = whole.lexically_normal().generic_string();
+    const bool hasDrive = !path.starts_with('/');
+    if (hasDrive) uri += '/';
+    for (const char& c : path) {
+        if ((hasDrive && &c == &path[1]) || glib::isLetter(c) || glib::isDigit(c) ||
+            kPlain.find(c) != std::string_view::npos)
             uri += c;
         else
             uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));

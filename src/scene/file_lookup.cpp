@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "system/spelling.h"
 
 namespace glibra::scene {
 namespace {
@@ -29,7 +30,8 @@ constexpr std::size_t kMostPlaces = 3;
 /// A name from a scene, converted to the path syntax of this system.
 struct CleanName {
     std::string path;                ///< with slashes only
-    std::vector<std::string> parts;  ///< between slashes, without empty ones and "."
+    std::string root;                ///< of an absolute one; with a drive, where the system has drives
+    std::vector<std::string> parts;  ///< after it, between slashes, without empty ones and "."
     bool isAbsolute = false;
     bool isNetwork = false;   ///< begins with two slashes: a path on another machine
     bool hasFolders = false;  ///< contains a slash or a drive letter
@@ -43,10 +45,16 @@ CleanName clean(std::string_view written) {
         if (isBackslash && i > 1 && written[i - 1] == '\\') continue;  // a doubled backslash is one slash
         name.path += isBackslash ? '/' : written[i];
     }
-    name.isAbsolute = name.path.starts_with('/');
+    const bool hasDrive = name.path.size() > 1 && name.path[1] == ':' &&
+                          std::isalpha(static_cast<unsigned char>(name.path[0])) != 0;
+    if (hasDrive && fs::path(name.path).is_absolute())
+        name.root = name.path.substr(0, 3);
+    else if (name.path.starts_with('/'))
+        name.root = "/";
+    name.isAbsolute = !name.root.empty();
     name.isNetwork = name.path.starts_with("//");
     std::string part;
-    for (std::size_t i = 0; i <= name.path.size(); ++i) {
+    for (std::size_t i = name.root.size(); i <= name.path.size(); ++i) {
         if (i < name.path.size() && name.path[i] != '/') {
             part += name.path[i];
             continue;
@@ -61,11 +69,9 @@ CleanName clean(std::string_view written) {
     }
     name.last = name.parts.empty() ? std::string() : name.parts.back();
     name.hasFolders = name.path.find('/') != std::string::npos;
-    const bool hasDrive = name.path.size() > 1 && name.path[1] == ':' &&
-                          std::isalpha(static_cast<unsigned char>(name.path[0])) != 0;
     if (hasDrive) {
         name.hasFolders = true;
-        if (name.parts.size() == 1) name.last.erase(0, 2);
+        if (name.parts.size() == 1 && !name.isAbsolute) name.last.erase(0, 2);
     }
     return name;
 }
@@ -120,6 +126,8 @@ class FolderSearch {
             for (const std::string& part : parts) path /= part;
             base::FileSource source = all_.sourceAt(path);
             if (source.path.empty()) continue;
+            if (!source.content && !isSpelledSo(path, parts.size()) && findCaseless(folder, parts))
+                return true;
             reference_.path = std::move(source.path);
             reference_.content = std::move(source.content);
             return true;
@@ -130,13 +138,21 @@ class FolderSearch {
     }
 
   private:
+    /// True if folders have the last names of the path in this case.
+    static bool isSpelledSo(fs::path path, std::size_t count) {
+        for (; count > 0; --count, path = path.parent_path())
+            if (path.filename() != ".." && system::nameInFolder(path) != path.filename()) return false;
+        return true;
+    }
+
     bool findCaseless(const fs::path& folder, const std::vector<std::string>& parts) {
         const std::vector<fs::path> found = CaselessSearch(listings_).find(folder, parts);
         if (found.empty()) return false;
         reference_.path = found.front();
         const auto shown = [&](const fs::path& path) {
-            return folder.empty() || folder == "/" ? path.generic_string()
-                                                   : path.lexically_relative(folder).generic_string();
+            return folder.empty() || folder == folder.root_path()
+                       ? path.generic_string()
+                       : path.lexically_relative(folder).generic_string();
         };
         if (found.size() == 1) {
             reference_.remarks.push_back(
@@ -335,7 +351,7 @@ static FileReference lookUp(std::string_view written, const Place& place, const 
     }
     const CleanName name = clean(written);
     FolderSearch search(reference, folders, listings);
-    if (name.isAbsolute && !name.isNetwork && search.find({"/"}, name.parts)) return reference;
+    if (name.isAbsolute && !name.isNetwork && search.find({name.root}, name.parts)) return reference;
     if (!name.isAbsolute && search.find(folders.beside, name.parts)) return reference;
     if (name.hasFolders && !name.last.empty()) {
         FileReference beside = reference;
@@ -382,7 +398,7 @@ std::vector<fs::path> placesOf(std::string_view written, const SearchFolders& fo
         fs::path& place = places.emplace_back(folder);
         for (const std::string& part : parts) place /= part;
     };
-    if (name.isAbsolute && !name.isNetwork) add("/", name.parts);
+    if (name.isAbsolute && !name.isNetwork) add(name.root, name.parts);
     for (const fs::path& each : folders.beside) {
         if (!name.isAbsolute) add(each, name.parts);
         if (name.hasFolders && !name.last.empty()) add(each, {name.last});

@@ -81,6 +81,8 @@ Process startAgain(const std::vector<std::string>& words, const Streams& streams
 std::string startDetached(const std::vector<std::string>& words);
 /// Opens a file with the program that the user has for its kind. Returns as startDetached().
 std::string openForUser(const std::filesystem::path& file);
+/// The editor that every user of this system has, for startDetached(); empty if there is none.
+const char* usualEditor();
 /// Replaces this program by another one, which gets its streams and whose exit status is this one's. Returns
 /// only if it cannot be started, with the error number.
 int becomeProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments);

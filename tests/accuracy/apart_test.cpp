@@ -1,7 +1,6 @@
 #include "bench/core/bench.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <future>
@@ -9,6 +8,8 @@
 #include <thread>
 
 #include "gpu/context/context.h"
+#include "system/places.h"
+#include "system/process.h"
 
 namespace glibra::bench {
 namespace {
@@ -16,8 +17,8 @@ namespace {
 std::string settingOf(const std::string& name) {
     const char* before = std::getenv(name.c_str());
     const std::string found = before ? before : "unset";
-    setenv(name.c_str(), "changed", 1);
-    return found + " in " + std::to_string(getpid());
+    system::setVariable(name.c_str(), "changed", system::Replace::yes);
+    return found + " in " + std::to_string(system::ownNumber());
 }
 
 std::string large(const std::string& request) {
@@ -45,7 +46,7 @@ TEST_F(ApartFromTheStart, EveryPieceOfWorkHasAFreshProcess) {
     EXPECT_TRUE(first->starts_with("unset in "));
     EXPECT_TRUE(second->starts_with("unset in "));
     EXPECT_NE(*first, *second);
-    EXPECT_NE(*first, "unset in " + std::to_string(getpid()));
+    EXPECT_NE(*first, "unset in " + std::to_string(system::ownNumber()));
 }
 
 TEST_F(ApartFromTheStart, AnswersLargerThanAPipeArrive) {

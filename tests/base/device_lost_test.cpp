@@ -4,25 +4,30 @@
 #include "base/device_lost.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
+#include <thread>
 
 #include "base/workers.h"
+#include "system/process.h"
 
 namespace glibra::base {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
 using End = Outcome::End;
 
 /// A device that all processes see as a file; each reset adds a byte.
 class Device {
   public:
-    Device() : file_(fs::temp_directory_path() / ("device-" + std::to_string(::getpid()))) { reset(); }
+    Device() : file_(fs::temp_directory_path() / ("device-" + std::to_string(system::ownNumber()))) {
+        reset();
+    }
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
     ~Device() { fs::remove(file_); }
@@ -88,11 +93,11 @@ TEST_P(LostPieces, ThePieceThatResetsTheDeviceIsToBlameAndAllOthersAreDone) {
     const auto work = [&](std::size_t index, const Step&) {
         if (opened == 0) opened = device.resets();
         if (index == 2) {
-            ::usleep(30'000);
+            std::this_thread::sleep_for(30ms);
             device.reset();
             throw lostBy(told);
         }
-        ::usleep(60'000);
+        std::this_thread::sleep_for(60ms);
         if (device.resets() != opened) throw lostBy(told == ResetCause::own ? ResetCause::other : told);
         return std::to_string(index);
     };
@@ -126,17 +131,20 @@ TEST(LostDevice, APieceThatIsLateBesideOthersOnASharedDeviceIsDoneAgainAlone) {
         const auto work = [&](std::size_t index, const Step&) -> std::string {
             if (index == 1 && device.resets() == 1) {
                 device.reset();
-                ::sleep(10);
+                std::this_thread::sleep_for(10s);
             }
-            ::usleep(100'000);
+            std::this_thread::sleep_for(100ms);
             return "good";
         };
         const Ends ends = runAllOf(2, {.workers = 2, .timeout = .5, .sharesDevice = shares}, work);
         EXPECT_EQ(ends.outcomes.at(0).end, End::finished);
         EXPECT_EQ(ends.outcomes.at(1).end, shares ? End::finished : End::timedOut);
     }
-    const Ends ends = runAllOf(1, {.timeout = .2, .sharesDevice = true},
-                               [](std::size_t, const Step&) -> std::string { return ::sleep(10), "late"; });
+    const Ends ends =
+        runAllOf(1, {.timeout = .2, .sharesDevice = true}, [](std::size_t, const Step&) -> std::string {
+            std::this_thread::sleep_for(10s);
+            return "late";
+        });
     EXPECT_EQ(ends.outcomes.at(0).end, End::timedOut) << "it was alone, so nobody else is to blame";
     EXPECT_TRUE(ends.repeated.empty());
 }
@@ -144,7 +152,7 @@ TEST(LostDevice, APieceThatIsLateBesideOthersOnASharedDeviceIsDoneAgainAlone) {
 TEST(LostDevice, TheTimeForWhichAnotherPieceHoldsTheDeviceIsNotCounted) {
     for (const bool shares : {false, true}) {
         const auto work = [](std::size_t index, const Step&) -> std::string {
-            ::usleep(index == 0 ? 400'000 : 750'000);
+            std::this_thread::sleep_for(index == 0 ? 400ms : 750ms);
             if (index == 0) throw lostBy(ResetCause::own);
             return "good";
         };

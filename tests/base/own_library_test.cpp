@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 
+#include "../support/new_folder.h"
 #include "system/places.h"
 
 namespace glibra::base {
@@ -17,11 +17,7 @@ namespace fs = std::filesystem;
 
 class OwnLibrary : public testing::Test {
   protected:
-    OwnLibrary() {
-        std::string name = (fs::temp_directory_path() / "glibra-library-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
-        folder_ = fs::canonical(name);
-    }
+    OwnLibrary() { folder_ = fs::canonical(test::newFolder("library")); }
     ~OwnLibrary() override {
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
@@ -57,7 +53,7 @@ TEST_F(OwnLibrary, OfAnInstallationIsBesideItsPrograms) {
 }
 
 TEST(ProgramFile, IsTheFileThatRuns) {
-    EXPECT_EQ(system::programFile().filename(), "glibra_base_tests");
+    EXPECT_EQ(system::programFile().stem(), "glibra_base_tests");
     EXPECT_TRUE(fs::is_regular_file(system::programFile()));
 }
 

@@ -8,6 +8,8 @@
 #include <ctime>
 #include <string>
 
+#include "system/places.h"
+
 namespace glibra::classroom {
 namespace {
 
@@ -58,12 +60,15 @@ TEST(HandInTimes, OfAnotherZoneAreThoseOfThisMachine) {
     EXPECT_EQ(daysBetween("2026-11-20 23:59 +0100", "2026-11-20 23:00 UTC"), 1);
     const char* before = std::getenv("TZ");
     const std::string kept = before ? before : "";
-    ::setenv("TZ", "XXX8", 1);  // eight hours west of Greenwich
+    system::setVariable("TZ", "XXX8", system::Replace::yes);  // eight hours west of Greenwich
     ::tzset();
     EXPECT_EQ(daysBetween("2026-11-20 23:59", "2026-11-21 07:59:00.861687000 Z"), 0);
     EXPECT_EQ(daysBetween("2026-11-20 23:59", "2026-11-21 08:00:00 Z"), 1);
     EXPECT_EQ(daysBetween("2026-11-20 23:59 -0800", "2026-11-20 23:59"), 0);
-    before ? ::setenv("TZ", kept.c_str(), 1) : ::unsetenv("TZ");
+    if (before)
+        system::setVariable("TZ", kept, system::Replace::yes);
+    else
+        system::removeVariable("TZ");
     ::tzset();
 }
 

@@ -147,11 +147,51 @@ TEST(Completion, OfZshIsAScriptOfZsh) {
     EXPECT_EQ(read.err, "");
 }
 
+/// What of quotes and brackets is open at the end of a text of PowerShell, and how deep it was; "?" for what
+/// closes nothing.
+std::string openAtEnd(const std::string& text) {
+    std::string open;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char each = text[i];
+        if (each == '#' && open.empty()) {
+            i = text.find('\n', i);
+        } else if (!open.empty() && open.back() == '\'') {
+            if (each == '\'') open.pop_back();  // a doubled one opens it again
+        } else if (each == '\'' || each == '{' || each == '(' || each == '[') {
+            open += each;
+        } else if (each == '}' || each == ')' || each == ']') {
+            if (open.empty() || open.back() != (each == '}' ? '{' : each == ')' ? '(' : '[')) return "?";
+            open.pop_back();
+        }
+    }
+    return open;
+}
+
+TEST(Completion, OfPowerShellNamesCommandsOptionsAndWords) {
+    const Folder folder;
+    const std::string text = glibra(folder.path(), "completion powershell").out;
+    EXPECT_EQ(openAtEnd(text), "");
+    EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](unsigned char each) { return each < 128; }))
+        << "its encoding depends on the console";
+    for (const std::string& each : subcommands(folder)) {
+        EXPECT_PRED2(contains, text, "            '" + each + "|");
+        if (readsOptionsElsewhere(each)) continue;
+        const std::size_t at = text.find("            '" + each + "' { $offers = @(");
+        ASSERT_NE(at, std::string::npos) << each;
+        const std::set<std::string> has = longOptions(text.substr(at, text.find("            ) }", at) - at));
+        for (const std::string& option : listedOptions(folder, each))
+            EXPECT_TRUE(has.contains(option)) << each << " " << option;
+    }
+    EXPECT_PRED2(contains, text,
+                 "'render --driver' { $offers = 'auto', 'egl', 'egl-device', 'osmesa', 'wgl' }\n");
+    EXPECT_PRED2(contains, text, "'render --output' { return }\n") << "PowerShell offers files by itself";
+}
+
 TEST(Completion, OfAnotherShellIsRefused) {
     const Folder folder;
     const Finished wrong = glibra(folder.path(), "completion tcsh");
     EXPECT_EQ(wrong.status, 2);
-    EXPECT_PRED2(contains, wrong.err, "bash, zsh or fish");
+    EXPECT_PRED2(contains, wrong.err, "bash, zsh, fish or powershell");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "../support/new_folder.h"
 #include "gallery/code_html.h"
 #include "gallery/describe.h"
 #include "gallery/gallery_page.h"
@@ -118,10 +119,7 @@ TEST(CodeHtml, HasTheColoursOfBothLanguages) {
 
 class Described : public testing::Test {
   protected:
-    Described() {
-        std::string pattern = (fs::temp_directory_path() / "glibra-gallery-XXXXXX").string();
-        folder = fs::path(::mkdtemp(pattern.data()));
-    }
+    Described() { folder = glibra::test::newFolder("gallery"); }
     ~Described() override {
         std::error_code ignored;
         fs::remove_all(folder, ignored);

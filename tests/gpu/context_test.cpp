@@ -1,6 +1,5 @@
 #include "gpu/context/context.h"
 
-#include <dlfcn.h>
 #include <glad/gl.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +11,8 @@
 
 #include "fixture.h"
 #include "gpu/object/vertex_array.h"
+#include "system/library.h"
+#include "system/places.h"
 #include "unset_variable.h"
 
 namespace glibra::gpu {
@@ -103,15 +104,15 @@ TEST(OpenContext, CubeMapsAreSeamlessAndNothingIsDithered) {
 TEST(OpenContext, LlvmpipeIsToldToFilterInFloatUnlessTheUserSaysOtherwise) {
     // The driver reads the variable once, at the first context of the process, whichever test opens it.
     (void)openContext();
-    ASSERT_EQ(unsetenv("GALLIVM_PERF"), 0);
+    system::removeVariable("GALLIVM_PERF");
     (void)openContext({.floatFiltering = false});
     EXPECT_EQ(std::getenv("GALLIVM_PERF"), nullptr);
     (void)openContext();
     EXPECT_STREQ(std::getenv("GALLIVM_PERF"), "no_aos_sampling");
-    ASSERT_EQ(setenv("GALLIVM_PERF", "no_quad_lod", 1), 0);
+    system::setVariable("GALLIVM_PERF", "no_quad_lod", system::Replace::yes);
     (void)openContext();
     EXPECT_STREQ(std::getenv("GALLIVM_PERF"), "no_quad_lod");
-    ASSERT_EQ(unsetenv("GALLIVM_PERF"), 0);
+    system::removeVariable("GALLIVM_PERF");
 }
 
 TEST(OpenContext, AMissingEglLibraryIsOneDiagnosticThatSaysWhy) {
@@ -198,10 +199,11 @@ TEST(Adopt, TakesOverACurrentContextAndLeavesItAlive) {
     const auto owner = openContext();
     ASSERT_TRUE(owner);
     if (owner->driver() == Driver::osmesa) GTEST_SKIP() << "no EGL here";
-    void* library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
-    ASSERT_TRUE(library);
+    std::string why;
+    const auto library = system::Library::open("libEGL.so.1", system::Library::When::whenCalled, why);
+    ASSERT_TRUE(library) << why;
     using GetProcAddress = void* (*)(const char*);
-    const auto find = reinterpret_cast<GetProcAddress>(dlsym(library, "eglGetProcAddress"));
+    const auto find = library.find<GetProcAddress>("eglGetProcAddress");
     {
         const auto adopted = adopt(find);
         ASSERT_TRUE(adopted) << text(adopted.diagnostics);

@@ -3,11 +3,12 @@
 #include "gpu/context/hardware.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "../support/new_folder.h"
+#include "system/places.h"
 #include "unset_variable.h"
 
 namespace glibra::gpu {
@@ -18,11 +19,13 @@ namespace fs = std::filesystem;
 class Hardware : public testing::Test {
   protected:
     Hardware() {
-        char name[] = "/tmp/glibra-dev-XXXXXX";
-        folder = ::mkdtemp(name);
+        folder = glibra::test::newFolder("dev");
         fs::create_directory(folder / "dri");
     }
     ~Hardware() override { fs::remove_all(folder); }
+    static void setSoftware(const char* value) {
+        system::setVariable("LIBGL_ALWAYS_SOFTWARE", value, system::Replace::yes);
+    }
     void add(const std::string& device) const { std::ofstream(folder / device) << ' '; }
 
     fs::path folder;
@@ -41,15 +44,15 @@ TEST_F(Hardware, IsARenderNodeUnlessMesaIsToldOtherwise) {
     EXPECT_TRUE(mayUseHardware(Driver::automatic, folder));
     EXPECT_TRUE(mayUseHardware(Driver::eglDevice, folder));
     EXPECT_FALSE(mayUseHardware(Driver::osmesa, folder)) << "it always draws on the processor";
-    ::setenv("LIBGL_ALWAYS_SOFTWARE", "True", 1);
+    setSoftware("True");
     EXPECT_FALSE(mayUseHardware(Driver::automatic, folder));
-    ::setenv("LIBGL_ALWAYS_SOFTWARE", "0", 1);
+    setSoftware("0");
     EXPECT_TRUE(mayUseHardware(Driver::automatic, folder));
 }
 
 TEST_F(Hardware, OfNvidiaDoesNotListenToMesa) {
     add("nvidiactl");
-    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setSoftware("1");
     EXPECT_TRUE(mayUseHardware(Driver::automatic, folder));
 }
 
@@ -60,7 +63,7 @@ TEST_F(Hardware, ThatTheProcessorsAreHasOneWorkerForEach) {
     EXPECT_EQ(usualWorkers(Driver::automatic, 9, 0, folder), 1);
     add("dri/renderD128");
     EXPECT_EQ(usualWorkers(Driver::osmesa, 131, 16, folder), 16);
-    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setSoftware("1");
     EXPECT_EQ(usualWorkers(Driver::automatic, 131, 16, folder), 16);
 }
 

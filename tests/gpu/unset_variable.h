@@ -1,10 +1,11 @@
 #pragma once
 // A variable of the environment that is not set during a test.
 
-#include <stdlib.h>
-
+#include <cstdlib>
 #include <optional>
 #include <string>
+
+#include "system/places.h"
 
 namespace glibra::gpu::test {
 
@@ -12,12 +13,17 @@ namespace glibra::gpu::test {
 class UnsetVariable {
   public:
     explicit UnsetVariable(const char* name) : name_(name) {
-        if (const char* value = ::getenv(name)) before_ = value;
-        ::unsetenv(name);
+        if (const char* value = std::getenv(name)) before_ = value;
+        system::removeVariable(name);
     }
     UnsetVariable(const UnsetVariable&) = delete;
     UnsetVariable& operator=(const UnsetVariable&) = delete;
-    ~UnsetVariable() { before_ ? ::setenv(name_, before_->c_str(), 1) : ::unsetenv(name_); }
+    ~UnsetVariable() {
+        if (before_)
+            system::setVariable(name_, *before_, system::Replace::yes);
+        else
+            system::removeVariable(name_);
+    }
 
   private:
     const char* name_;

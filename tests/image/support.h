@@ -3,7 +3,6 @@
 // module.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -14,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/new_folder.h"
 #include "image/image.h"
 #include "image/read.h"
 
@@ -137,11 +137,7 @@ inline Result<Image> decodeElsewhere(Format format, std::span<const std::byte> f
 /// A new empty folder for every test.
 class InFolder : public ::testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "glibra-image-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder = name;
-    }
+    void SetUp() override { folder = test::newFolder("image"); }
     void TearDown() override { std::filesystem::remove_all(folder); }
 
     std::filesystem::path put(const std::string& name, std::span<const std::byte> bytes) const {

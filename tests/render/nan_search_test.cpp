@@ -3,11 +3,11 @@
 #include "render/check/nan_search.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "../support/new_folder.h"
 #include "gpu/context/context.h"
 #include "render/file/job.h"
 #include "scene_text.h"
@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 class NanSearchTest : public testing::Test {
   protected:
     NanSearchTest() {
-        char name[] = "/tmp/glibra-nan-XXXXXX";
-        folder = ::mkdtemp(name);
+        folder = test::newFolder("nan");
         write("p.vert",
               "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n");
         // A negative number makes NaN in the left half of the picture. GLSL leaves its square root open. Half

@@ -1,10 +1,10 @@
 #include "scene_text.h"
 
-#include <stdlib.h>
-
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include "../support/new_folder.h"
 
 namespace glibra::test {
 namespace {
@@ -21,9 +21,7 @@ Renderer renderer() {
 
 Result<Picture> tryPicture(const std::string& scene, const std::map<std::string, std::string>& files,
                            const RenderOptions& options) {
-    char name[] = "/tmp/glibra-scene-XXXXXX";
-    if (!::mkdtemp(name)) throw std::runtime_error("mkdtemp");
-    const std::filesystem::path folder = name;
+    const std::filesystem::path folder = newFolder("scene");
     const auto write = [&](const std::string& file, const std::string& content) {
         std::ofstream(folder / file, std::ios::binary) << content;
     };

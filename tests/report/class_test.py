@@ -48,7 +48,14 @@ Fragment NAME.frag
 Program Ball uTone <0. .8 1.> uEdge .1
 Sphere 1 60 60
 """
-NAMES = ["Ada Lovelace", "Bo", "<img src=x onerror=document.title='hacked'>", "Dörte Müller-Lüdenscheidt-von-der-Heide",
+
+
+def possible(name):
+    """The name, or, for a program of Windows, one that Windows has."""
+    return re.sub("[<>='.]", "_", name) if "WINEPREFIX" in os.environ else name
+
+
+NAMES = ["Ada Lovelace", "Bo", possible("<img src=x onerror=document.title='hacked'>"), "Dörte Müller-Lüdenscheidt-von-der-Heide",
          "Erin", "Farid", "Grace", "Hedy", "Ines", "a-very-long-name-without-any-blank-" * 4]
 
 # Contrast of the text of an element with the nearest background that is not transparent (WCAG 2.1).

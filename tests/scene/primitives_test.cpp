@@ -224,7 +224,7 @@ TEST(Models, MessagesAboutTheFileComeWithTheMesh) {
     EXPECT_TRUE(mesh);
     EXPECT_EQ(idsOf(mesh.diagnostics), "file-W01 file-W04");
     EXPECT_EQ(mesh.diagnostics.at(0).place.line, 2);
-    EXPECT_EQ(mesh.diagnostics.at(1).place.file, (folder.path() / "square.obj").string());
+    EXPECT_EQ(mesh.diagnostics.at(1).place.file, (folder.path() / "square.obj").generic_string());
 }
 
 TEST(Models, UnreadableModelsAreReportedAtTheSceneOrInTheFile) {

@@ -1,11 +1,11 @@
 #include "support.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <fstream>
 #include <system_error>
 
+#include "../support/new_folder.h"
 #include "glib/script.h"
 
 namespace glibra::scene::tests {
@@ -75,9 +75,7 @@ std::vector<double> uniformValues(const Scene& scene, const Draw& draw, std::str
 }
 
 TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "glibra-scene-XXXXXX").string();
-    if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-    EXPECT_FALSE(path_.empty());
+    path_ = test::newFolder("scene");
 }
 
 TemporaryFolder::~TemporaryFolder() {

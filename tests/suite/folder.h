@@ -1,21 +1,18 @@
 #pragma once
 // A temporary folder that is removed at the end of a test, and functions to write and read files.
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "../support/new_folder.h"
+
 namespace glibra::suite {
 
 class Folder {
   public:
-    Folder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "glibra-suite-XXXXXX").string();
-        path_ = ::mkdtemp(pattern.data());
-    }
+    Folder() : path_(test::newFolder("suite")) {}
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
     ~Folder() {

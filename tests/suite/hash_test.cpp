@@ -4,6 +4,7 @@
 
 #include "pictures.h"
 #include "suite/golden/hash_list.h"
+#include "system/places.h"
 
 namespace glibra::suite {
 namespace {
@@ -48,9 +49,9 @@ TEST(DriverKey, HoldsWhatCanChangeABitAndNothingElse) {
     software.version = "4.5 Mesa 22.3.6";
     const std::string key = driverKey(software);
     EXPECT_TRUE(key.starts_with("llvmpipe (LLVM 15.0.6, 256 bits); 4.5 Mesa 22.3.6; ")) << key;
-    ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
+    system::setVariable("LP_NATIVE_VECTOR_WIDTH", "128", system::Replace::yes);
     EXPECT_NE(driverKey(software).find("; LP_NATIVE_VECTOR_WIDTH=128"), std::string::npos);
-    ::unsetenv("LP_NATIVE_VECTOR_WIDTH");
+    system::removeVariable("LP_NATIVE_VECTOR_WIDTH");
     EXPECT_EQ(driverKey(software), key);
 
     gpu::Capabilities card = software;

@@ -1,31 +1,15 @@
 #include "suite/results/results_file.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
+#include <string>
 
 #include "folder.h"
 #include "results_maker.h"
+#include "small_run.h"
 
 namespace glibra::suite {
 namespace {
-
-RunResult smallRun(int count) {
-    RunResult run;
-    run.driver = "llvmpipe";
-    run.shard = "2/8";
-    for (int i = 0; i < count; ++i) {
-        ShotResult shot;
-        shot.suite = "s";
-        shot.shot = "shot" + std::to_string(i);
-        shot.verdict = Verdict::passed;
-        run.shots.push_back(shot);
-    }
-    return run;
-}
 
 TEST(ResultsFile, ARunComesBackWhole) {
     const Folder folder;
@@ -107,25 +91,6 @@ TEST(ResultsFile, AFolderWithoutResultsIsNamed) {
     EXPECT_NE(back.diagnostics.front().text.find("none"), std::string::npos);
 }
 
-TEST(ResultsWriter, EveryAddedResultSurvivesAKill) {
-    const Folder folder;
-    const RunResult run = smallRun(5);
-    const pid_t child = ::fork();
-    if (child == 0) {
-        Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), run);
-        for (const ShotResult& shot : run.shots) (void)writer->add(shot);
-        ::kill(::getpid(), SIGKILL);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFSIGNALED(status));
-    const Result<RunResult> back = readResults(folder.path());
-    ASSERT_TRUE(back);
-    EXPECT_EQ(back->shard, "2/8");
-    ASSERT_EQ(back->shots.size(), 5U);
-    EXPECT_EQ(back->shots[4].shot, "shot4");
-}
-
 TEST(ResultsWriter, ContinuesAfterATornLine) {
     const Folder folder;
     const RunResult run = smallRun(3);
@@ -198,49 +163,6 @@ TEST(ResultsWriter, TwoRunsDoNotWriteIntoOneFolder) {
     const Result<ResultsWriter> second = ResultsWriter::open(folder.path(), smallRun(0));
     ASSERT_FALSE(second);
     EXPECT_EQ(second.diagnostics.front().id, "result-E02");
-}
-
-TEST(ResultsWriter, AWorkerThatOutlivesTheRunDoesNotKeepTheFolder) {
-    const Folder folder;
-    pid_t child = 0;
-    {
-        const Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), smallRun(0));
-        child = ::fork();
-        if (child == 0) {
-            ::pause();
-            ::_exit(0);
-        }
-    }
-    EXPECT_TRUE(ResultsWriter::open(folder.path(), smallRun(0)));
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
-}
-
-TEST(ResultsWriter, AFullDiskIsReportedAndLeavesWholeLines) {
-    const Folder folder;
-    const RunResult run = smallRun(50);
-    const pid_t child = ::fork();
-    if (child == 0) {
-        // A limit of the file length simulates a full disk.
-        ::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{5000, 5000};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        Result<ResultsWriter> writer = ResultsWriter::open(folder.path(), run);
-        int told = 0;
-        for (const ShotResult& shot : run.shots) {
-            const Diagnostics problems = writer->add(shot);
-            if (!problems.empty() && problems.front().id == "file-E10") ++told;
-        }
-        ::_exit(told > 0 ? 0 : 1);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-    const Result<RunResult> back = readResults(folder.path());
-    ASSERT_TRUE(back);
-    EXPECT_TRUE(back.diagnostics.empty()) << "no torn line";
-    EXPECT_GT(back->shots.size(), 2U);
-    EXPECT_LT(back->shots.size(), 50U);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "../support/new_folder.h"
 #include "suite/file/suite_file.h"
 
 namespace glibra::suite::test {
@@ -20,8 +21,7 @@ namespace glibra::suite::test {
 class SceneFolder {
   public:
     explicit SceneFolder(std::initializer_list<std::string_view> scenes = {}) {
-        std::string name = (std::filesystem::temp_directory_path() / "glibra-suite-XXXXXX").string();
-        if (::mkdtemp(name.data())) path_ = name;
+        path_ = glibra::test::newFolder("suite");
         for (const std::string_view each : scenes) write(each, "");
     }
     SceneFolder(const SceneFolder&) = delete;

@@ -8,6 +8,7 @@
 #include "image/read.h"
 #include "image/video/video_file.h"
 #include "scene_folder.h"
+#include "system/places.h"
 
 namespace glibra::test {
 namespace {
@@ -108,9 +109,9 @@ class FakeFfmpeg {
             "ffmpeg",
             "#!/bin/sh\nfor last; do :; done\ncat >\"${0%/*}/pixels\"\necho film >\"${last#file:}\"\n");
         std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
-        ::setenv("PATH", ((folder / "").string() + ":" + before_).c_str(), 1);
+        system::setVariable("PATH", (folder / "").string() + ":" + before_, system::Replace::yes);
     }
-    ~FakeFfmpeg() { ::setenv("PATH", before_.c_str(), 1); }
+    ~FakeFfmpeg() { system::setVariable("PATH", before_, system::Replace::yes); }
     FakeFfmpeg(const FakeFfmpeg&) = delete;
     FakeFfmpeg& operator=(const FakeFfmpeg&) = delete;
 
@@ -138,9 +139,9 @@ TEST_F(ChangedScene, AFilmGetsThePixelsOfItsFrames) {
 
 TEST_F(ChangedScene, WithoutFfmpegAFilmIsAnErrorWithAHint) {
     const std::string before = std::getenv("PATH");
-    ::setenv("PATH", "/nowhere", 1);
+    system::setVariable("PATH", "/nowhere", system::Replace::yes);
     const Diagnostics problems = writeAll(session, {folder / "a.webm", 0, 0, 2, 4});
-    ::setenv("PATH", before.c_str(), 1);
+    system::setVariable("PATH", before, system::Replace::yes);
     EXPECT_NE(text(problems).find("ffmpeg is not installed"), std::string::npos) << text(problems);
     EXPECT_FALSE(std::filesystem::exists(folder / "a.webm"));
 }
@@ -247,7 +248,7 @@ TEST_F(ChangedScene, AStoppedFilmLeavesNoFile) {
     }
     std::vector<std::string> left;
     for (const auto& each : std::filesystem::directory_iterator(folder / ""))
-        left.push_back(each.path().filename());
+        left.push_back(each.path().filename().string());
     std::sort(left.begin(), left.end());
     EXPECT_EQ(left, (std::vector<std::string>{"ffmpeg", "pixels", "scene.glib"}));
 }

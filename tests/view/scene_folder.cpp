@@ -1,12 +1,11 @@
 #include "scene_folder.h"
 
-#include <stdlib.h>
-
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <stdexcept>
 
+#include "../support/new_folder.h"
 #include "gpu/object/readback.h"
 
 namespace glibra::test {
@@ -21,9 +20,7 @@ gpu::Context& context() {
 }
 
 SceneFolder::SceneFolder(std::string_view scene, const std::map<std::string, std::string>& files) {
-    std::string name = (std::filesystem::temp_directory_path() / "glibra-view-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("mkdtemp");
-    folder_ = name;
+    folder_ = newFolder("view");
     write("scene.glib", scene);
     for (const auto& [file, content] : files) write(file, content);
 }

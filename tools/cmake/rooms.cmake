@@ -142,7 +142,7 @@ function(glibra_room room)
     endforeach()
 endfunction()
 
-# glibra_on_windows(PROGRAM [WINDOW]): what a program of Windows has besides: its manifest and version, the symbols by which it
+# glibra_on_windows(PROGRAM [WINDOW]): what a program of Windows has besides: its manifest, icon and version, the symbols by which it
 # gets the fast graphics card, and no libraries of the compiler. WINDOW: no console.
 function(glibra_on_windows program)
     if(NOT GLIBRA_SYSTEM STREQUAL "windows")
@@ -156,6 +156,7 @@ function(glibra_on_windows program)
     target_compile_definitions(${program} PRIVATE $<$<COMPILE_LANGUAGE:RC>:GLIBRA_VERSION_NUMBERS=${numbers},0>
                                                   $<$<COMPILE_LANGUAGE:RC>:GLIBRA_NUMBERS=${PROJECT_VERSION}>
                                                   $<$<COMPILE_LANGUAGE:RC>:GLIBRA_PROGRAM=${name}>)
+    set_source_files_properties(${folder}/glibra.rc PROPERTIES OBJECT_DEPENDS "${folder}/glibra.ico;${folder}/glibra.manifest")
     if("WINDOW" IN_LIST ARGN)
         set(no_console -mwindows)
     endif()

@@ -186,6 +186,10 @@ std::string openForUser(const fs::path& file) {
     return startDetached({"xdg-open", file.string()});
 }
 
+const char* usualEditor() {
+    return "";
+}
+
 int becomeProgram(const fs::path& program, const std::vector<std::string>& arguments) {
     std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());

@@ -263,6 +263,10 @@ std::string openForUser(const fs::path& file) {
     return problem;
 }
 
+const char* usualEditor() {
+    return "notepad";
+}
+
 /// Windows has no exec: this process waits for the other one, which is ended with it.
 int becomeProgram(const fs::path& program, const std::vector<std::string>& arguments) {
     const fs::path file = programAt(program);

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <new>
@@ -138,6 +139,7 @@ bool openStandardFiles() noexcept {
         if (!isOpen && !openNull(number)) return false;
         ::_setmode(number, _O_BINARY);
     }
+    std::setvbuf(stderr, nullptr, _IONBF, 0);  // Wine's C runtime keeps what goes to a file or a pipe
     prepareConsole();
     std::atexit(restoreConsole);
     return true;

@@ -1,5 +1,5 @@
 // Workers are this program, started again with its arguments. It gets in GLIBRA_WORKER the number of the call
-// of runInWorkers in which it is to serve, the memory that it may take, three handles, and the number of its
+// of runInWorkers in which it is to serve, the memory that it may take, four handles, and the number of its
 // parent.
 
 #include "system/worker.h"
@@ -21,14 +21,14 @@ namespace {
 /// What a process that was started as a worker has got from its parent.
 struct Order {
     std::uint64_t call = 0, memory = 0;
-    File requests{}, answers{}, errors{};
+    File requests{}, answers{}, errors{}, output{};
     int parent = 0;
     bool isOnTheWay = false;
 };
 
 Order& order() {
     static Order own = [] {
-        constexpr std::size_t kCount = 6;
+        constexpr std::size_t kCount = 7;
         const std::vector<std::uint64_t> numbers = inherited(kWorkerVariable);
         if (numbers.size() != kCount) return Order();
         return Order{numbers[0],
@@ -36,24 +36,24 @@ Order& order() {
                      takeHandle(numbers[3]),
                      takeHandle(numbers[4]),
                      takeHandle(numbers[5]),
+                     takeHandle(numbers[6]),
                      static_cast<int>(numbers[2]),
                      true};
     }();
     return own;
 }
 
-/// From now on errors are printed where the parent prints them.
-void openErrors(const File& errors) {
+/// From now on a stream leads where that of the parent leads.
+void reopen(std::FILE* stream, DWORD which, const File& to) {
     HANDLE copy = nullptr;  // which belongs to the C runtime then
     const HANDLE self = ::GetCurrentProcess();
-    if (!errors || !::DuplicateHandle(self, winOf(errors), self, &copy, 0, FALSE, DUPLICATE_SAME_ACCESS))
-        return;
+    if (!to || !::DuplicateHandle(self, winOf(to), self, &copy, 0, FALSE, DUPLICATE_SAME_ACCESS)) return;
     const int number = ::_open_osfhandle(reinterpret_cast<std::intptr_t>(copy), _O_BINARY);
     if (number < 0) return;
-    std::fflush(stderr);
-    ::_dup2(number, ::_fileno(stderr));
+    std::fflush(stream);
+    ::_dup2(number, ::_fileno(stream));
     ::_close(number);
-    ::SetStdHandle(STD_ERROR_HANDLE, reinterpret_cast<HANDLE>(::_get_osfhandle(::_fileno(stderr))));
+    ::SetStdHandle(which, reinterpret_cast<HANDLE>(::_get_osfhandle(::_fileno(stream))));
 }
 
 BOOL WINAPI leaveToParent(DWORD event) {
@@ -84,7 +84,8 @@ std::optional<WorkerEnds> endsOfThisWorker() {
 void becomeWorker() {
     Order& own = order();
     own.isOnTheWay = false;
-    openErrors(own.errors);
+    reopen(stderr, STD_ERROR_HANDLE, own.errors);
+    reopen(stdout, STD_OUTPUT_HANDLE, own.output);
     leaveNoCore();
     ::SetConsoleCtrlHandler(leaveToParent, TRUE);
 }
@@ -103,15 +104,19 @@ std::optional<Worker> startWorker(std::span<Worker* const>, std::uint64_t memory
     if (makePipeEnds(PipeEnd::writes, worker.requests, requests) != 0 ||
         makePipeEnds(PipeEnd::reads, worker.answers, answers) != 0)
         return std::nullopt;
-    const HANDLE error = standardHandle(STD_ERROR_HANDLE);
-    const File nothing = error == nullptr ? openExisting(L"NUL", GENERIC_WRITE, 0) : File();
+    const File nothing = openExisting(L"NUL", GENERIC_WRITE, 0);
+    const auto ownOr = [&](DWORD which) {
+        const HANDLE own = standardHandle(which);
+        return own == nullptr ? winOf(nothing) : own;
+    };
     std::fflush(nullptr);
-    worker.process = start({.program = programFile(),
-                            .words = ownWords(),
-                            .streams = {Stream::To::nothing, Stream::To::nothing, Stream::To::nothing},
-                            .handles = {winOf(requests), winOf(answers), nothing ? winOf(nothing) : error},
-                            .variable = kWorkerVariable + (L'=' + std::to_wstring(call)) + L':' +
-                                        std::to_wstring(memory) + L':' + std::to_wstring(ownNumber())});
+    worker.process = start(
+        {.program = programFile(),
+         .words = ownWords(),
+         .streams = {Stream::To::nothing, Stream::To::nothing, Stream::To::nothing},
+         .handles = {winOf(requests), winOf(answers), ownOr(STD_ERROR_HANDLE), ownOr(STD_OUTPUT_HANDLE)},
+         .variable = kWorkerVariable + (L'=' + std::to_wstring(call)) + L':' + std::to_wstring(memory) +
+                     L':' + std::to_wstring(ownNumber())});
     if (!worker.process) return std::nullopt;
     return worker;
 }

@@ -85,9 +85,12 @@ class Window:
 
     def state(self):
         try:
-            return json.loads(self.state_file.read_text())
+            text = self.state_file.read_text()
         except FileNotFoundError:
             return None
+        if "WINEPREFIX" in os.environ:  # whose drive Z: is the root folder
+            text = re.sub(r"Z:(/|\\\\)[^'\"]*", lambda path: path[0][2:].replace("\\\\", "/"), text)
+        return json.loads(text)
 
     def wait(self, holds):
         """Waits for a state for which `holds` is true, and returns it. Fails with the last state after HANGING seconds."""

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "system/places.h"
+#include "system/title_bar.h"
 
 namespace glibra::view {
 namespace {
@@ -70,6 +71,7 @@ ImVec4 asVector(const Color& color) {
 }
 
 void applyTheme(bool light, float scale) {
+    system::setTitleBars(!light);
     isLightTheme = light;
     const Palette& p = palette();
     ImGuiStyle style;

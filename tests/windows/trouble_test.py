@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+"""glibra.exe under Wine where something goes wrong: workers that crash, Ctrl+C, files that others hold, full disks; and with names
+and texts as they are on Windows. What it says is compared with the program for Linux.
+
+usage: trouble_test.py LINUX_PROGRAM TROUBLE_EXE [CLASS[.TEST]...]     (in a mount name space of its own, as tools/test-windows
+makes one, with GLIBRA_PROGRAM=tools/windows/glibra-under-wine and what it needs)
+"""
+
+import filecmp
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import urllib.parse
+
+WINDOWS = os.environ["GLIBRA_PROGRAM"]
+WINE = os.environ["GLIBRA_WINE"]
+EXE = os.environ["GLIBRA_EXE"]
+SOURCES = pathlib.Path(__file__).resolve().parents[2]
+TEAPOT = SOURCES / "glib/start/teapot.glib"
+LINUX = TROUBLE = None  # from the command line
+VERTEX = "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n"
+ENDLESS = """#version 330 compatibility
+uniform float Timer;
+void main() {
+    float x = 0.;
+    while (x < 1e9 + Timer) x = fract(x + .3);
+    gl_FragColor = vec4(x);
+}
+"""
+PLAIN = "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(.2, .4, .6, 1.); }\n"
+SCENE = "WindowSize 64 64\nLookAt 0 0 3  0 0 0  0 1 0\nVertex a.vert\nFragment a.frag\nProgram P\nSphere 1\n"
+
+
+def dos(path):
+    """A path as Windows has it: the root folder is drive Z: of Wine."""
+    return "Z:" + str(path).replace("/", "\\")
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.write("a.vert", VERTEX)
+        self.write("a.frag", PLAIN)
+        self.write("a.glib", SCENE)
+
+    def write(self, name, text):
+        file = self.folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return file
+
+    def run_program(self, program, *words):
+        return subprocess.run([program, *map(str, words)], cwd=self.folder, text=True, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300)
+
+    def windows(self, *words):
+        return self.run_program(WINDOWS, *words)
+
+    def names(self, folder="out"):
+        return sorted(each.name for each in (self.folder / folder).iterdir())
+
+    def assertWhole(self, file):
+        """A PNG file that ends where such files end."""
+        self.assertTrue(file.read_bytes().endswith(b"IEND\xaeB`\x82"), file)
+
+
+class Workers(Case):
+    def trouble(self, action, awaited, *words):
+        """The status of the program as Windows has it, and what it printed."""
+        ran = self.run_program(WINE, TROUBLE, action, awaited, dos(EXE), *words)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        lines = ran.stdout.splitlines()
+        return int(lines[-1], 16), ran.stderr
+
+    def ended(self, action):
+        self.write("endless.frag", ENDLESS)
+        self.write("endless.glib", SCENE.replace("a.frag", "endless.frag"))
+        return self.trouble(action, "out/a.png", "render", "endless.glib", "a.glib", "--timeout", 100, "--jobs", 2, "-o", "out")
+
+    def test_a_crash_costs_its_own_scene(self):
+        status, errors = self.ended("crash")
+        self.assertEqual(status, 3)
+        self.assertIn("endless.glib:1:1: error: the process that drew the scene ended with signal 11 [draw-E06]", errors)
+        self.assertEqual(self.names(), ["a.png"])
+        self.assertWhole(self.folder / "out/a.png")
+
+    def test_an_end_from_outside_costs_its_own_scene(self):
+        status, errors = self.ended("kill")
+        self.assertEqual(status, 3)
+        self.assertIn("endless.glib:1:1: error: the process that drew the scene ended by itself [draw-E06]", errors)
+        self.assertEqual(self.names(), ["a.png"])
+
+    def test_control_c_ends_a_batch_at_once_with_whole_files(self):
+        self.write("endless.frag", ENDLESS)
+        self.write("endless.glib", SCENE.replace("a.frag", "endless.frag"))
+        begin = time.monotonic()
+        status, errors = self.ended("ctrl-c")
+        self.assertLess(time.monotonic() - begin, 90, "it did not wait for the shader without an end")
+        self.assertEqual(status, 0xC000013A, errors)  # STATUS_CONTROL_C_EXIT
+        self.assertEqual(self.names(), ["a.png"])
+        self.assertWhole(self.folder / "out/a.png")
+
+    def test_control_c_among_many_pictures_leaves_whole_ones(self):
+        scenes = []
+        for number in range(60):
+            scenes.append(self.write(f"s{number:02}.glib", SCENE.replace("64 64", "1500 1500")).name)
+        status, errors = self.trouble("ctrl-c", "out/s00.png", "render", *scenes, "--jobs", 2, "-o", "out")
+        self.assertEqual(status, 0xC000013A, errors)
+        names = self.names()
+        self.assertTrue(0 < len(names) < len(scenes), names)
+        for each in names:
+            self.assertRegex(each, r"^s\d\d\.png$")
+            self.assertWhole(self.folder / "out" / each)
+
+
+class Files(Case):
+    def test_that_others_hold_stay_as_they_are_and_are_named(self):
+        file = self.write("a.png", "old")
+        holder = subprocess.Popen([WINE, TROUBLE, "hold", dos(file)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.assertEqual(holder.stdout.readline().strip(), "held")
+        ran = self.windows("render", "a.glib", "-o", "a.png")
+        holder.communicate()
+        self.assertEqual(ran.returncode, 3, ran.stderr)
+        self.assertIn("cannot write 'a.png'", ran.stderr)
+        self.assertIn("file-E10", ran.stderr)
+        self.assertEqual(file.read_text(), "old")
+        self.assertEqual(self.names("."), ["a.frag", "a.glib", "a.png", "a.vert"])
+        self.assertEqual(self.windows("render", "a.glib", "-o", "a.png").returncode, 0)
+        self.assertWhole(file)
+
+    def mount(self, *words):
+        (self.folder / "there").mkdir()
+        subprocess.run(["mount", "-t", "tmpfs", *words, "none", self.folder / "there"], check=True)
+        self.addCleanup(subprocess.run, ["umount", self.folder / "there"], check=True)
+
+    def test_on_a_full_disk_are_the_old_ones(self):
+        self.mount("-o", "size=16k")
+        self.write("there/a.png", "old")
+        for name in ("a.png", "new.png"):
+            ran = self.windows("render", TEAPOT, "-o", f"there/{name}", "--size", "800x600")  # 40 kB
+            self.assertEqual(ran.returncode, 3, ran.stderr)
+            self.assertIn(f"cannot write 'there/{name}': no space left on device", ran.stderr.lower())
+        self.assertEqual(self.names("there"), ["a.png"])
+        self.assertEqual((self.folder / "there/a.png").read_text(), "old")
+
+    def test_in_a_folder_that_cannot_be_written_to_are_an_error(self):
+        self.mount("-o", "ro")
+        ran = self.windows("render", "a.glib", "-o", "there/a.png")
+        self.assertEqual(ran.returncode, 3, ran.stderr)
+        self.assertIn("cannot write 'there/a.png'", ran.stderr)
+        self.assertEqual(self.names("there"), [])
+
+    def test_may_have_long_paths_with_all_letters(self):
+        place = "ein Ördner 🫖 演示/" + "/".join("ä" * 60 for _ in range(5))
+        for name in ("a.vert", "a.frag", "a.glib"):
+            self.write(f"{place}/{name}", (self.folder / name).read_bytes())
+        self.assertGreater(len(place), 300)
+        ran = self.windows("render", f"{place}/a.glib", "-o", f"{place}/Bild 🫖.png")
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        self.assertEqual(self.windows("render", "a.glib", "-o", "a.png").returncode, 0)
+        self.assertTrue(filecmp.cmp(self.folder / "a.png", self.folder / place / "Bild 🫖.png", shallow=False))
+
+
+class Texts(Case):
+    def assertSame(self, *words):
+        """Both programs print the same and end alike."""
+        ran = [self.run_program(program, *words) for program in (LINUX, WINDOWS)]
+        self.assertEqual(*[(each.returncode, each.stdout, each.stderr) for each in ran], words)
+        return ran[0]
+
+    def test_with_the_ends_and_marks_of_windows_are_read(self):
+        self.write("crlf.glib", SCENE.replace("\n", "\r\n"))
+        self.write("bom.glib", b"\xef\xbb\xbf" + SCENE.encode())
+        self.write("wide.glib", SCENE.encode("utf-16"))
+        self.write("page.glib", ("# Größe\n" + SCENE).encode("cp1252"))
+        self.write("word.glib", (SCENE + "Sphäre 1\r\nSphere x\r\n").encode("cp1252"))
+        self.write("utf8.glib", SCENE + "Sphäre 1\r\nSphere x\r\n")
+        for name in ("crlf", "bom", "wide", "page", "word", "utf8"):
+            self.assertSame("check", f"{name}.glib")
+        self.assertEqual(self.assertSame("check", "crlf.glib").returncode, 0)
+        self.assertEqual(self.assertSame("check", "utf8.glib").returncode, 3)
+
+    def test_of_shaders_have_the_same_messages(self):
+        self.write("a.frag", PLAIN.replace("\n", "\r\n").replace("vec4(.2", "vec4(größe, .2"))
+        self.assertEqual(self.assertSame("check", "a.glib").returncode, 3)
+        self.write("a.frag", b"\xef\xbb\xbf" + PLAIN.replace("\n", "\r\n").encode())
+        self.assertSame("check", "a.glib")
+
+    def test_name_files_in_another_case_or_not_at_all(self):
+        for name in ("A.FRAG", "Sub/a.frag", "b.frag", "sub\\a.frag", "a.frag ", "con", "a.frag:x", "../a.frag", "a?.frag"):
+            self.write("sub/a.frag", PLAIN)
+            self.write("case.glib", SCENE.replace("Fragment a.frag", f"Fragment {name}"))
+            with self.subTest(name):
+                self.assertSame("check", "case.glib")
+
+    def test_name_drives(self):
+        there = self.write("elsewhere/a.frag", PLAIN)
+        for name in (dos(there), dos(there).replace("\\", "/"), dos(there).replace("Z:", "z:")):
+            self.write("drive.glib", SCENE.replace("Fragment a.frag", f"Fragment {name}"))
+            ran = self.windows("render", "drive.glib", "-o", "a.png")
+            self.assertEqual((ran.returncode, ran.stderr), (0, ""), name)
+        self.write("far.glib", SCENE.replace("Fragment a.frag", "Fragment \\\\nowhere.invalid\\share\\a.frag"))
+        ran = self.windows("check", "far.glib")
+        self.assertEqual(ran.returncode, 0)
+        # Of another machine it would ask with the name and the secret of the user.
+        self.assertIn("far.glib:4:10: warning: '\\\\nowhere.invalid\\share\\a.frag' found as 'a.frag' beside the scene", ran.stderr)
+
+    def test_on_the_command_line_may_have_backslashes(self):
+        self.write("sub/a.glib", SCENE)
+        self.write("sub/a.vert", VERTEX)
+        self.write("sub/a.frag", PLAIN)
+        for scene in ("sub\\a.glib", "SUB\\A.GLIB", dos(self.folder / "sub/a.glib"), ".\\sub\\..\\sub\\a.glib"):
+            ran = self.windows("render", scene, "-o", "out\\b.png")
+            self.assertEqual((ran.returncode, ran.stderr), (0, ""), scene)
+            self.assertEqual(self.names(), ["b.png"])
+
+    def test_written_to_standard_output_have_no_other_ends_of_lines(self):
+        for words in (("help", "render"), ("info", "--json"), ("completion", "powershell")):
+            ran = subprocess.run([WINDOWS, *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertNotIn(b"\r", ran.stdout, words)
+        picture = subprocess.run([WINDOWS, "render", "a.glib", "-o", "-"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
+        self.assertEqual(self.windows("render", "a.glib", "-o", "a.png").returncode, 0)
+        self.assertEqual(picture.stdout, (self.folder / "a.png").read_bytes())
+
+
+class LanguageServer(Case):
+    def setUp(self):
+        super().setUp()
+        self.server = subprocess.Popen([WINDOWS, "language-server"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.addCleanup(self.end)
+
+    def end(self):
+        self.server.kill()
+        self.server.communicate()
+
+    def send(self, method, parameters, number=None):
+        message = {"jsonrpc": "2.0", "method": method, "params": parameters}
+        if number is not None:
+            message["id"] = number
+        data = json.dumps(message).encode()
+        self.server.stdin.write(b"Content-Length: %d\r\n\r\n" % len(data) + data)
+        self.server.stdin.flush()
+
+    def receive(self):
+        head = b""
+        while not head.endswith(b"\r\n\r\n"):
+            byte = self.server.stdout.read(1)
+            self.assertTrue(byte, "the server has ended")
+            head += byte
+        return json.loads(self.server.stdout.read(int(head.split(b":")[1])))
+
+    def uri(self, file):
+        return "file:///Z:" + urllib.parse.quote(str(file))
+
+    def test_speaks_of_files_with_drives(self):
+        scene = self.write("ein Ördner/ä 🫖.glib", SCENE + "Spere 1\n")
+        self.write("ein Ördner/a.frag", PLAIN)
+        self.write("ein Ördner/a.vert", VERTEX)
+        self.send("initialize", {"capabilities": {}}, 1)
+        self.assertIn("capabilities", self.receive()["result"])
+        self.send("initialized", {})
+        self.send("textDocument/didOpen", {"textDocument": {"uri": self.uri(scene), "languageId": "glib", "version": 1,
+                                                            "text": scene.read_text()}})
+        told = self.receive()
+        self.assertEqual(told["method"], "textDocument/publishDiagnostics")
+        self.assertEqual(told["params"]["uri"], self.uri(scene))
+        self.assertEqual([each["code"] for each in told["params"]["diagnostics"]], ["glib-E01"])
+        self.send("textDocument/definition", {"textDocument": {"uri": self.uri(scene)},
+                                              "position": {"line": 3, "character": 11}}, 2)
+        answer = self.receive()
+        while answer.get("id") != 2:
+            answer = self.receive()
+        place = answer["result"][0] if isinstance(answer["result"], list) else answer["result"]
+        self.assertEqual(urllib.parse.unquote(place["uri"]).lower(), "file:///z:" + str(scene.parent / "a.frag").lower())
+        self.send("shutdown", {}, 3)
+        self.send("exit", {})
+        self.assertEqual(self.server.wait(60), 0)
+
+    def test_ends_with_the_process_of_its_client(self):
+        client = subprocess.Popen([WINE, TROUBLE, "number"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.send("initialize", {"processId": int(client.stdout.readline()), "capabilities": {}}, 1)
+        self.receive()
+        with self.assertRaises(subprocess.TimeoutExpired):
+            self.server.wait(4)
+        client.communicate()
+        self.assertEqual(self.server.wait(60), 1)
+
+
+if __name__ == "__main__":
+    LINUX, TROUBLE = map(os.path.abspath, sys.argv[1:3])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
