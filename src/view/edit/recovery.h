@@ -20,7 +20,7 @@ struct RecoveredText {
     std::string text;
     std::string when;            ///< it was kept: "2026-03-01 14:05", local time
     std::filesystem::path copy;  ///< the file that keeps it
-    std::int64_t written;        ///< the same time exactly: files may share a time of the file system; 0: unknown
+    std::int64_t written;  ///< the same time exactly: files may share a time of the file system; 0: unknown
 };
 
 /// The copies that one window keeps, in `folder`/unsaved. A copy belongs to the window that has written it,
