@@ -159,7 +159,22 @@ function(glibra_on_windows program)
     if("WINDOW" IN_LIST ARGN)
         set(no_console -mwindows)
     endif()
-    target_link_options(${program} PRIVATE -static -Wl,--no-insert-timestamp ${no_console})
+    glibra_module_on_windows(${program})
+    target_link_options(${program} PRIVATE ${no_console})
+endfunction()
+
+# glibra_module_on_windows(TARGET [FUNCTION...]): no library of the compiler beside it, and no time inside. With FUNCTIONs it exports
+# these alone; otherwise what is marked, or, where nothing is marked, all that it has.
+function(glibra_module_on_windows target)
+    if(NOT GLIBRA_SYSTEM STREQUAL "windows")
+        return()
+    endif()
+    target_link_options(${target} PRIVATE -static -Wl,--no-insert-timestamp)
+    if(ARGN)
+        list(JOIN ARGN "\n" functions)
+        file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${target}.def CONTENT "EXPORTS\n${functions}\n" @ONLY)
+        target_sources(${target} PRIVATE ${PROJECT_BINARY_DIR}/${target}.def)
+    endif()
 endfunction()
 
 # glibra_rooms_of(RESULT TARGET): the rooms that a room is linked with, directly and through others.
