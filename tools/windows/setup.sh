@@ -78,4 +78,4 @@ windows_libraries() (
     printf '%s\n' "$stamp" >"$folder/stamp"
 )
 
-windows_programs="glibra_program glibra_window glibra_bench_program glibra_server glibra_openimageio"
+windows_programs="glibra_program glibra_window glibra_bench_program glibra_server glibra_openimageio glibra"
