@@ -133,7 +133,7 @@ PROGRAMS = {"cli": "glibra_cli", "python": "glibra_python"}
 
 # The door to the operating system. Headers of others in <>, besides those of the standard library, by their beginnings.
 LIBRARIES = ("glibra/", "glm/", "fmt/", "CLI/", "nlohmann/", "glad/", "libdeflate.h", "spng.h", "xxhash.h", "minizip/",
-             "GLFW/", "imgui", "backends/imgui_impl_", "stb_", "stb/", "embedded/", "math.h", "stddef.h", "stdint.h", "httplib.h", "OpenImageIO/", "Imath", "Imf", "OpenEXR/", "webp/", "pybind11/",
+             "GLFW/", "imgui", "backends/imgui_impl_", "stb_", "stb/", "embedded/", "math.h", "stddef.h", "stdint.h", "httplib.h", "OpenImageIO/", "Imath", "Imf", "half.h", "OpenEXR/", "webp/", "jpeglib.h", "tiffio.h", "pybind11/",
              "boost/", "toml++/")
 # What an implementation in src/system may include besides. posix has no header that only Linux has.
 POSIX = re.compile(r"(sys/(file|ioctl|mman|resource|socket|stat|types|utsname|wait)|dlfcn|fcntl|poll|pthread|signal|spawn|stdlib|"

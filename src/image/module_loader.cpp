@@ -136,6 +136,8 @@ void readPixels(const ReadingJob& job, Reading& reading, const std::function<voi
 }
 
 Result<Image> pictureOf(const Reading& reading, const ReadingJob& job, std::vector<std::byte> pixels) {
+    if (reading.result == kGlibraUnknown)
+        return noModule(job.format, job.label, "is built without a library for it");
     if (auto refused = refusal(reading, job)) return *std::move(refused);
     if (reading.result == kGlibraDone && pixels.size() == reading.bytes())
         return Image{static_cast<int>(reading.width), static_cast<int>(reading.height), 4, reading.type,

@@ -35,9 +35,19 @@ ${glibra_seccomp_dependency}")
 else()
     add_library(glibra SHARED ${glibra_objects})
     target_link_libraries(glibra PRIVATE $<BUILD_INTERFACE:glibra_view>)
-    # Templates of the standard library and functions of static libraries stay inside, too.
-    target_link_options(glibra PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
-    set_property(TARGET glibra APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
+    if(GLIBRA_SYSTEM STREQUAL "windows")
+        # glibra.dll; its import library apart from those that the linker makes of the programs.
+        foreach(room library classic)
+            target_compile_definitions(glibra_${room} PRIVATE GLIBRA_EXPORTS)
+        endforeach()
+        set_target_properties(glibra PROPERTIES PREFIX "" IMPORT_PREFIX lib RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}
+                                                ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/library)
+        glibra_module_on_windows(glibra)
+    else()
+        # Templates of the standard library and functions of static libraries stay inside, too.
+        target_link_options(glibra PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
+        set_property(TARGET glibra APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/tools/cmake/glibra.map)
+    endif()
 endif()
 add_library(glibra::glibra ALIAS glibra)
 add_executable(glibra::program ALIAS glibra_program)
@@ -48,7 +58,7 @@ target_include_directories(glibra PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}
                                          $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                          $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 
-set(program ${PROJECT_BINARY_DIR}/glibra)
+set(program ${PROJECT_BINARY_DIR}/glibra${CMAKE_EXECUTABLE_SUFFIX})
 set(share ${CMAKE_INSTALL_DATADIR}/glibra)
 # The program is part of the package: glibra_add_golden_test() runs it as glibra::program.
 set_target_properties(glibra_program PROPERTIES EXPORT_NAME program)
@@ -114,6 +124,7 @@ endif()
 
 install(TARGETS glibra EXPORT glibraLibraryTargets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT devel
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT devel)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/glibra ${PROJECT_BINARY_DIR}/include/glibra
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT devel FILES_MATCHING PATTERN "*.h")
@@ -131,7 +142,7 @@ set(glibra_program ${program})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibraConfig.cmake.in ${PROJECT_BINARY_DIR}/glibraConfig.cmake
                               INSTALL_DESTINATION ${PROJECT_BINARY_DIR} INSTALL_PREFIX ${PROJECT_BINARY_DIR}
                               PATH_VARS glibra_program)
-set(glibra_program ${CMAKE_INSTALL_BINDIR}/glibra)
+set(glibra_program ${CMAKE_INSTALL_BINDIR}/glibra${CMAKE_EXECUTABLE_SUFFIX})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/glibraConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/install/glibraConfig.cmake INSTALL_DESTINATION ${package_dir}
                               PATH_VARS glibra_program)

@@ -14,14 +14,13 @@ if(GLIBRA_SERVER_MODULE)
     glibra_compile_options(glibra_server)
     target_include_directories(glibra_server PRIVATE ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(glibra_server PRIVATE ${http_library} Threads::Threads)
-    if(GLIBRA_SYSTEM STREQUAL "windows")
-        target_link_options(glibra_server PRIVATE -static -Wl,--no-insert-timestamp)
-    endif()
+    glibra_module_on_windows(glibra_server glibraServerVersion glibraServerOpen glibraServerRun glibraServerStop
+                             glibraServerClose)
     set_target_properties(glibra_server PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 endif()
 
 # The image module: the picture formats that libraries of others read. src/image loads it when a file needs it: OpenImageIO,
-# OpenEXR and libwebp.
+# OpenEXR and libwebp; or, without OpenImageIO, libjpeg and libtiff for the two formats that are left.
 
 # The program looks for the module beside itself first, so that an installation may be moved, then in both folders,
 # whether or not this build makes it.
@@ -31,16 +30,28 @@ target_compile_definitions(glibra_image PRIVATE GLIBRA_MODULE_BUILD_DIR="${PROJE
 if(NOT GLIBRA_IMAGE_MODULE)
     return()
 endif()
-# By pkg-config: Debian's CMake package of OpenImageIO requires OpenCV's headers, which it does not depend on.
-pkg_check_modules(openimageio IMPORTED_TARGET OpenImageIO)
-glibra_refuse_without(GLIBRA_IMAGE_MODULE OpenImageIO "${openimageio_FOUND}")
+file(GLOB module_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/image/module/*.cpp)
+if(GLIBRA_OPENIMAGEIO)
+    list(FILTER module_sources EXCLUDE REGEX "/(jpeg|tiff|without_openimageio)[.]cpp$")
+    # By pkg-config: Debian's CMake package of OpenImageIO requires OpenCV's headers, which it does not depend on.
+    pkg_check_modules(openimageio IMPORTED_TARGET OpenImageIO)
+    glibra_refuse_without(GLIBRA_IMAGE_MODULE OpenImageIO "${openimageio_FOUND}")
+    set(module_libraries PkgConfig::openimageio)
+else()
+    list(FILTER module_sources EXCLUDE REGEX "/openimageio[.]cpp$")
+    pkg_check_modules(jpeg IMPORTED_TARGET libjpeg)
+    glibra_refuse_without(GLIBRA_IMAGE_MODULE libjpeg "${jpeg_FOUND}")
+    pkg_check_modules(tiff IMPORTED_TARGET libtiff-4)
+    glibra_refuse_without(GLIBRA_IMAGE_MODULE libtiff "${tiff_FOUND}")
+    set(module_libraries PkgConfig::tiff PkgConfig::jpeg)
+endif()
 pkg_check_modules(openexr IMPORTED_TARGET OpenEXR)
 glibra_refuse_without(GLIBRA_IMAGE_MODULE OpenEXR "${openexr_FOUND}")
 pkg_check_modules(webp IMPORTED_TARGET libwebp libwebpdemux)
 glibra_refuse_without(GLIBRA_IMAGE_MODULE libwebp "${webp_FOUND}")
-file(GLOB module_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/image/module/*.cpp)
 add_library(glibra_openimageio MODULE ${module_sources})
 glibra_compile_options(glibra_openimageio)
 target_include_directories(glibra_openimageio PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
-target_link_libraries(glibra_openimageio PRIVATE glibra_system PkgConfig::openimageio PkgConfig::openexr PkgConfig::webp)
+target_link_libraries(glibra_openimageio PRIVATE glibra_system ${module_libraries} PkgConfig::openexr PkgConfig::webp)
+glibra_module_on_windows(glibra_openimageio glibraModuleVersion glibraReadPicture glibraWritePicture)
 set_target_properties(glibra_openimageio PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

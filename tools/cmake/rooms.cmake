@@ -44,11 +44,14 @@ endfunction()
 # texel. They use libraries that consist of headers; full optimisation would add half to their compile time and save
 # no measurable run time. LEVEL is -Og, which takes a tenth less time than -O1 and gives pictures as fast; -O1 for tests that
 # compute; or -O0 for the tests of the rooms. With sanitizers, only the last are not compiled as the preset says, because
-# code runs long there.
+# code runs long there. For Windows -Os takes the place of -Og: its code is half as large, and every program there has all of it.
 function(glibra_quick_to_compile target level)
+    if(level STREQUAL "-Og" AND GLIBRA_SYSTEM STREQUAL "windows")
+        set(level -Os)
+    endif()
     if(level STREQUAL "-O0" OR NOT (GLIBRA_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug"))
         target_compile_options(${target} PRIVATE ${level})
-        if(level STREQUAL "-Og" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        if(level MATCHES "-O[gs]" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
             target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)  # false at this level: GCC bug 80635
         endif()
     endif()
@@ -77,9 +80,10 @@ function(glibra_precompile target owner)
 endfunction()
 
 # The owner for what glibra_quick_to_compile() compiles at -Og. From version 13 on, GCC takes no headers that were precompiled
-# at another level.
+# at another level; none takes them for -Os.
 set(GLIBRA_QUICK_OWNER glibra_system)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND
+   (CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 OR GLIBRA_SYSTEM STREQUAL "windows"))
     set(GLIBRA_QUICK_OWNER glibra_glib)  # the first of these rooms
 endif()
 
@@ -160,7 +164,22 @@ function(glibra_on_windows program)
     if("WINDOW" IN_LIST ARGN)
         set(no_console -mwindows)
     endif()
-    target_link_options(${program} PRIVATE -static -Wl,--no-insert-timestamp ${no_console})
+    glibra_module_on_windows(${program})
+    target_link_options(${program} PRIVATE ${no_console})
+endfunction()
+
+# glibra_module_on_windows(TARGET [FUNCTION...]): no library of the compiler beside it, and no time inside. With FUNCTIONs it exports
+# these alone; otherwise what is marked, or, where nothing is marked, all that it has.
+function(glibra_module_on_windows target)
+    if(NOT GLIBRA_SYSTEM STREQUAL "windows")
+        return()
+    endif()
+    target_link_options(${target} PRIVATE -static -Wl,--no-insert-timestamp)
+    if(ARGN)
+        list(JOIN ARGN "\n" functions)
+        file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${target}.def CONTENT "EXPORTS\n${functions}\n" @ONLY)
+        target_sources(${target} PRIVATE ${PROJECT_BINARY_DIR}/${target}.def)
+    endif()
 endfunction()
 
 # glibra_rooms_of(RESULT TARGET): the rooms that a room is linked with, directly and through others.

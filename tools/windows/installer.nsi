@@ -6,6 +6,7 @@ RequestExecutionLevel user
 InstallDir "$LOCALAPPDATA\Programs\glibra"
 InstallDirRegKey HKCU "Software\glibra" "Folder"
 SetCompressor /SOLID lzma
+SetCompressorDictSize 32 ; the programs have much in common
 ManifestDPIAware true
 BrandingText "glibra ${VERSION}"
 VIProductVersion "${VERSION}.0"

@@ -2,13 +2,15 @@
 # from the sources of their Debian packages, into build/windows-libraries.
 # shellcheck shell=sh disable=SC2034,SC2154
 
-windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev"
+windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev nasm"
 windows_test_packages="wine64 xvfb xauth"
 # Debian's sources of what is linked, and the packages that consist of headers.
-windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip cpp-httplib"
+windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip cpp-httplib
+ libjpeg-turbo libwebp tiff imath openexr"
 windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libboost-dev"
 
-# fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes.
+# fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes: of each the newest version
+# whose files are all there. A mirror may list an update whose files it has not yet, or no longer.
 fetch_sources() (
     folder=$1
     shift
@@ -28,14 +30,23 @@ Dir::Etc::SourceParts "$folder/apt/parts";
 Dir::State::Lists "$folder/apt/lists";
 Dir::Cache "$folder/apt/cache";
 APT::Sandbox::User "";
+Acquire::Retries "2";
 END
     log=$folder/apt/log
-    if ! { apt-get update && cd "$folder" && apt-get source --download-only "$@" &&
-           for each in *.dsc; do dpkg-source --no-check -x "$each"; done; } >"$log" 2>&1; then
-        cat "$log" >&2
-        say "cannot fetch the sources of the libraries (above: what apt-get printed)"
-        exit 4
-    fi
+    cd "$folder" || exit
+    apt-get update >"$log" 2>&1 || true  # without a source of somebody else, too
+    for package in "$@"; do
+        found=false
+        for version in $(apt-cache showsrc --only-source "$package" 2>>"$log" | sed -n 's/^Version: //p' | sort -urV); do
+            rm -f ./*.dsc
+            if { apt-get source --download-only --only-source "$package=$version" && dpkg-source --no-check -x ./*.dsc; } \
+                   >>"$log" 2>&1; then
+                found=true
+                break
+            fi
+        done
+        $found || { cat "$log" >&2; say "cannot fetch the source of $package (above: what apt-get printed)"; exit 4; }
+    done
 )
 
 # windows_libraries: builds what build/windows-libraries lacks; made again when this file or the list of libraries changes.
@@ -67,4 +78,4 @@ windows_libraries() (
     printf '%s\n' "$stamp" >"$folder/stamp"
 )
 
-windows_programs="glibra_program glibra_window glibra_bench_program glibra_server"
+windows_programs="glibra_program glibra_window glibra_bench_program glibra_server glibra_openimageio glibra"

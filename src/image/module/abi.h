@@ -9,10 +9,11 @@
 extern "C" {
 
 /// Increased whenever anything below changes. The program rejects a module with another number.
-constexpr int kGlibraModuleVersion = 3;
+constexpr int kGlibraModuleVersion = 4;
 
-enum { kGlibraU8 = 0, kGlibraU16 = 1, kGlibraF32 = 2 };           // component types
-enum { kGlibraDone = 0, kGlibraFailed = 1, kGlibraRefused = 2 };  // results
+enum { kGlibraU8 = 0, kGlibraU16 = 1, kGlibraF32 = 2 };  // component types
+// Results. Unknown: the module was built without a library for the format.
+enum { kGlibraDone = 0, kGlibraFailed = 1, kGlibraRefused = 2, kGlibraUnknown = 3 };
 
 /// Returns memory for width x height RGBA pixels of a type, or null to reject the picture. Must not throw.
 using GlibraAllocate = void* (*)(void* context, uint64_t width, uint64_t height, int type);

@@ -3,6 +3,7 @@
 // turns it into the message of the request.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/module/abi.h"
@@ -16,6 +17,9 @@ struct Failure {
 /// Thrown when `allocate` of a request has returned null.
 struct Refused {};
 
+/// Thrown for a format that the module is built without.
+struct Unknown {};
+
 /// Memory for the RGBA pixels of a request.
 inline void* allocate(const GlibraReadRequest& request, uint64_t width, uint64_t height, int type) {
     void* const pixels = request.allocate(request.context, width, height, type);
@@ -26,10 +30,21 @@ inline void* allocate(const GlibraReadRequest& request, uint64_t width, uint64_t
 /// Writes a whole file.
 void writeFile(const char* path, const std::vector<unsigned char>& bytes);
 
-/// Every format that OpenImageIO knows. Colours are as in the file, whether or not they were multiplied by
-/// alpha.
-void readByOpenImageIo(const GlibraReadRequest& request);
-void writeByOpenImageIo(const GlibraWriteRequest& request);
+struct Codec {
+    std::string_view format;
+    void (*read)(const GlibraReadRequest&);
+    void (*write)(const GlibraWriteRequest&);
+};
+
+/// What reads and writes a format. Colours are as in the file, whether or not they were multiplied by alpha.
+/// The build chooses one of two sources: openimageio.cpp, or without_openimageio.cpp with jpeg.cpp and
+/// tiff.cpp.
+const Codec& codecFor(std::string_view format);
+
+void readJpeg(const GlibraReadRequest& request);
+void writeJpeg(const GlibraWriteRequest& request);
+void readTiff(const GlibraReadRequest& request);
+void writeTiff(const GlibraWriteRequest& request);
 
 /// WebP with libwebp: RGBA, u8. OpenImageIO before 3.0 multiplies the colours by alpha, in both directions.
 /// Of an animation the first picture is read. Written without loss.

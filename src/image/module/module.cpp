@@ -2,37 +2,17 @@
 // a picture needs it, because linking OpenImageIO costs a process about 100 ms at every start.
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <string>
-#include <string_view>
 
 #include "image/module/codec.h"
 
 namespace glibra::module {
 namespace {
-
-/// What differs from OpenImageIO. A null pointer stands for OpenImageIO.
-struct CodecRow {
-    std::string_view format;
-    void (*read)(const GlibraReadRequest&);
-    void (*write)(const GlibraWriteRequest&);
-};
-
-constexpr std::array kCodecRows{
-    CodecRow{"webp", readWebp, writeWebp},
-    CodecRow{"openexr", readExr, nullptr},
-};
-
-const CodecRow* rowFor(std::string_view format) {
-    const auto* const row = std::find_if(kCodecRows.begin(), kCodecRows.end(),
-                                         [&](const CodecRow& each) { return each.format == format; });
-    return row == kCodecRows.end() ? nullptr : row;
-}
 
 int fail(char* message, size_t size, const std::string& text) {
     if (message != nullptr && size > 0) {
@@ -52,6 +32,9 @@ int guarded(const Request* request, void (*work)(const Request&)) {
         return fail(request->message, request->messageSize, failure.text.empty() ? "damaged" : failure.text);
     } catch (const Refused&) {
         return kGlibraRefused;
+    } catch (const Unknown&) {
+        fail(request->message, request->messageSize, "this build of glibra has no library for the format");
+        return kGlibraUnknown;
     } catch (const std::bad_alloc&) {
         return kGlibraRefused;
     } catch (const std::exception& caught) {
@@ -81,14 +64,10 @@ int glibraModuleVersion() {
 }
 
 int glibraReadPicture(const GlibraReadRequest* request) {
-    const auto* const row = glibra::module::rowFor(request->format);
-    return glibra::module::guarded(
-        request, row != nullptr && row->read != nullptr ? row->read : glibra::module::readByOpenImageIo);
+    return glibra::module::guarded(request, glibra::module::codecFor(request->format).read);
 }
 
 int glibraWritePicture(const GlibraWriteRequest* request) {
-    const auto* const row = glibra::module::rowFor(request->format);
-    return glibra::module::guarded(
-        request, row != nullptr && row->write != nullptr ? row->write : glibra::module::writeByOpenImageIo);
+    return glibra::module::guarded(request, glibra::module::codecFor(request->format).write);
 }
 }

@@ -154,8 +154,6 @@ void quieten() {
     OIIO::attribute("exr_threads", -1);
 }
 
-}  // namespace
-
 void readByOpenImageIo(const GlibraReadRequest& request) {
     quieten();
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(request.format);
@@ -219,6 +217,21 @@ void writeByOpenImageIo(const GlibraWriteRequest& request) {
     if (request.comment != nullptr && *request.comment != 0)
         spec.attribute("ImageDescription", request.comment);
     writeFile(request.path, encoded(*output, spec, request));
+}
+
+/// What has a library of its own besides.
+constexpr std::array kOwnCodecs{
+    Codec{"webp", readWebp, writeWebp},
+    Codec{"openexr", readExr, writeByOpenImageIo},
+};
+constexpr Codec kOpenImageIo{"", readByOpenImageIo, writeByOpenImageIo};
+
+}  // namespace
+
+const Codec& codecFor(std::string_view format) {
+    const auto* const found = std::find_if(kOwnCodecs.begin(), kOwnCodecs.end(),
+                                           [&](const Codec& each) { return each.format == format; });
+    return found == kOwnCodecs.end() ? kOpenImageIo : *found;
 }
 
 }  // namespace glibra::module
