@@ -41,8 +41,7 @@ ORDER = {
     },
     "glib": {
         "": set(),
-        "modern": {""},
-        "parse": {"", "modern"},
+        "parse": {""},
     },
     "glsl": {
         "types": set(),

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 
 namespace glibra::budget {
 namespace {
@@ -22,7 +22,7 @@ SurfaceModel modelOf(glib::CommandId command) {
 
 std::vector<SurfaceModel> allModels() {
     std::vector<SurfaceModel> models;
-    for (const glib::CommandRow& row : glib::commandTable())
+    for (const glib::StatementRow& row : glib::commandTable())
         if (const geometry::PrimitiveSpec* spec = glib::primitiveOf(row.id); spec && spec->deviation)
             models.push_back(modelOf(row.id));
     return models;

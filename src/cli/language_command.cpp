@@ -20,9 +20,8 @@
 #include "editor/grammar.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
-#include "glib/modern/statement_table.h"
+#include "glib/syntax.h"
 #include "glsl/types/builtins.h"
 #include "image/file.h"
 #include "plan/uniforms.h"
@@ -50,23 +49,23 @@ constexpr std::array<std::pair<std::string_view, editor::GrammarEditor>, 3> kEdi
      {"kate", editor::GrammarEditor::kate}}};
 
 /// An argument as the reference shows it: "radius [1]", "angle", "unit".
-std::string shown(const glib::Argument& argument) {
-    std::string text(argument.name);
+std::string shown(const glib::SyntaxNode& argument) {
+    std::string text = argument.text;
     if (argument.byDefault)
         text += fmt::format(" [{:g}]", *argument.byDefault);
     else if (argument.filler)
         text += fmt::format(" ({:g})", *argument.filler);
-    else if (argument.optional)
+    else if (argument.isSkippable)
         text = "[" + text + "]";
     return text;
 }
 
-std::string reference(const glib::CommandRow& row) {
-    std::string head(row.name());
-    if (!row.names[1].empty()) head += fmt::format(", {}", row.names[1]);
+std::string classicReference(const glib::StatementRow& row) {
+    std::string head(row.name);
+    if (!row.alias.empty()) head += fmt::format(", {}", row.alias);
     std::string arguments;
-    for (const glib::Argument& each : row.arguments)
-        arguments += (arguments.empty() ? "" : "  ") + shown(each);
+    for (const glib::SyntaxNode* each : glib::argumentsOf(row))
+        arguments += (arguments.empty() ? "" : "  ") + shown(*each);
     return fmt::format("{:<38} {}\n{:<38} {}\n", head, row.summary, "", arguments);
 }
 
@@ -222,24 +221,24 @@ int runLanguageCommand(const LanguageArguments& arguments) {
         return kDone;
     }
     if (arguments.words) {
-        for (const glib::CommandRow& row : glib::commandTable())
-            for (const std::string_view each : row.names)
+        for (const glib::StatementRow& row : glib::commandTable())
+            for (const std::string_view each : row.names())
                 if (!each.empty()) fmt::print("{}\n", each);
         for (const glib::StatementRow& row : glib::statementTable())
             if (!row.sharesWord()) fmt::print("{}\n", row.name);
         return kDone;
     }
     if (arguments.word.empty()) {
-        for (const glib::CommandRow& row : glib::commandTable()) fmt::print("{}", reference(row));
+        for (const glib::StatementRow& row : glib::commandTable()) fmt::print("{}", classicReference(row));
         for (const glib::StatementRow& row : glib::statementTable()) fmt::print("{}", reference(row));
         fmt::print("\nNames that shaders read without declaring them\n\n");
         for (const ShaderName& each : shaderNames()) fmt::print("{}", reference(each));
         return kDone;
     }
-    const glib::CommandRow* command = glib::findCommand(arguments.word);
+    const glib::StatementRow* command = glib::findCommand(arguments.word);
     const glib::StatementRow* statement =
         command != nullptr ? glib::modernFormOf(arguments.word) : glib::findStatement(arguments.word);
-    if (command != nullptr) fmt::print("{}", reference(*command));
+    if (command != nullptr) fmt::print("{}", classicReference(*command));
     if (statement != nullptr) fmt::print("{}", reference(*statement));
     const std::vector<ShaderName> names = findShaderNames(arguments.word);
     for (const ShaderName& each : names) fmt::print("{}", reference(each));

@@ -14,10 +14,10 @@
 #include "base/text.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
 #include "glib/script.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 #include "image/format.h"
 #include "scene/interpret.h"
@@ -56,48 +56,36 @@ std::string numberCell(double value) {
 
 // ---- Commands
 
-/// "at least 3", "1 to 16,384 pixels"; empty if every number is taken.
-std::string limitsOf(const glib::Argument& argument) {
-    const auto range = [&] {
-        return fmt::format("{} to {}", numberCell(argument.least), numberCell(argument.most));
-    };
-    const bool isBounded = argument.most < std::numeric_limits<double>::max();
-    switch (argument.rule) {
-        case glib::ArgumentRule::any:
-            break;
-        case glib::ArgumentRule::size:
+/// "1 to 16,384", "above 0"; empty if every number is taken.
+std::string limitsOf(const glib::SyntaxNode& argument) {
+    const std::string low = numberCell(argument.low), high = numberCell(argument.high);
+    switch (argument.type) {
+        case glib::ValueType::size:
             return "0 draws nothing; the sign is ignored";
-        case glib::ArgumentRule::count:
-            return range();
-        case glib::ArgumentRule::within:
-            return range();
-        case glib::ArgumentRule::between:
-            return fmt::format("above {}, below {}", numberCell(argument.least), numberCell(argument.most));
-        case glib::ArgumentRule::positive:
-            return isBounded ? fmt::format("above 0, at most {}", numberCell(argument.most)) : "above 0";
-        case glib::ArgumentRule::texels:
-            return range();
-        case glib::ArgumentRule::component:
+        case glib::ValueType::between:
+            return fmt::format("above {}, below {}", low, high);
+        case glib::ValueType::positive:
+            return argument.high < std::numeric_limits<double>::max()
+                       ? fmt::format("above 0, at most {}", high)
+                       : "above 0";
+        case glib::ValueType::component:
             return "0 to 1";
-        case glib::ArgumentRule::unit:
-            return range();
+        default:
+            return argument.high != 0 ? fmt::format("{} to {}", low, high) : std::string();
     }
-    return {};
 }
 
-std::string argumentCell(const glib::Argument& argument) {
-    std::string text = fmt::format("`{}`", argument.name);
+std::string argumentCell(const glib::SyntaxNode& argument) {
+    std::string text = fmt::format("`{}`", argument.text);
     if (argument.byDefault)
         text += fmt::format(" = {:g}", *argument.byDefault);
     else if (argument.filler)
         text += fmt::format(" ({:g})", *argument.filler);
-    else if (argument.optional)
+    else if (argument.isSkippable)
         text = "[" + text + "]";
     std::vector<std::string> remarks;
     if (const std::string limits = limitsOf(argument); !limits.empty()) remarks.push_back(limits);
-    if (!argument.unit.empty()) remarks.emplace_back(argument.unit);
-    if (argument.type == glib::ArgumentType::integer && argument.rule == glib::ArgumentRule::any)
-        remarks.emplace_back("whole");
+    if (!argument.measure.empty()) remarks.push_back(argument.measure);
     return remarks.empty() ? text : text + ": " + joined(remarks);
 }
 
@@ -106,14 +94,14 @@ std::string commandSection() {
         "A value after `=` is the default. A value in parentheses replaces a missing number, with the "
         "warning glib-W06. An argument in brackets may be left out.\n\n"
         "| Command | Arguments | Meaning |\n|---|---|---|\n";
-    for (const glib::CommandRow& row : glib::commandTable()) {
+    for (const glib::StatementRow& row : glib::commandTable()) {
         std::vector<std::string> names, arguments;
-        for (const std::string_view each : row.names)
+        for (const std::string_view each : row.names())
             if (!each.empty()) names.push_back(fmt::format("`{}`", each));
-        for (const glib::Argument& each : row.arguments) arguments.push_back(argumentCell(each));
-        if (!row.words.empty()) {
+        for (const glib::SyntaxNode* each : glib::argumentsOf(row)) arguments.push_back(argumentCell(*each));
+        if (const std::vector<std::string> known = glib::wordsOf(row); !known.empty()) {
             std::vector<std::string> words;
-            for (const std::string_view each : row.words) words.push_back(fmt::format("`{}`", each));
+            for (const std::string& each : known) words.push_back(fmt::format("`{}`", each));
             arguments.push_back("one of " + joined(words));
         }
         text += fmt::format("| {} | {} | {} |\n", joined(names), cell(joined(arguments, "<br>")),
@@ -130,16 +118,16 @@ std::string primitiveSection() {
     std::string text =
         "The counts are those of the default arguments.\n\n"
         "| Command | Drawn as | Vertices | Attributes besides the position |\n|---|---|---|---|\n";
-    for (const glib::CommandRow& row : glib::commandTable()) {
-        if (row.form != glib::ArgumentForm::numbers) continue;
-        const scene::Scene scene = scene::interpret(glib::parse(std::string(row.name()) + "\n", "table"));
+    for (const glib::StatementRow& row : glib::commandTable()) {
+        if (glib::formOf(row) != glib::ArgumentForm::numbers) continue;
+        const scene::Scene scene = scene::interpret(glib::parse(std::string(row.name) + "\n", "table"));
         if (scene.shapes.size() != 1) continue;
         const Result<geometry::Mesh> mesh = scene::makeMesh(scene, scene::ShapeIndex(0));
         if (!mesh) continue;
         std::vector<std::string> attributes;
         for (const geometry::Attribute& each : mesh->attributes)
             if (each.name != geometry::kPosition) attributes.push_back(each.name);
-        text += fmt::format("| `{}` | {} | {} | {} |\n", row.name(), geometry::wordsOf(mesh->topology),
+        text += fmt::format("| `{}` | {} | {} | {} |\n", row.name, geometry::wordsOf(mesh->topology),
                             base::groupedText(static_cast<long long>(mesh->vertexCount())),
                             attributes.empty() ? "none" : joined(attributes));
     }

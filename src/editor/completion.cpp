@@ -11,9 +11,8 @@
 #include "editor/glsl_reference.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/command_table.h"
-#include "glib/modern/grammar.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 #include "glsl/read/words.h"
 #include "scene/shader_names.h"
@@ -110,10 +109,10 @@ void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
 }
 
 void addStatementWords(Collector& words, std::string_view name) {
-    const glib::CommandRow* command = glib::findCommand(name);
+    const glib::StatementRow* command = glib::findCommand(name);
     const glib::StatementRow* statement = command ? glib::modernFormOf(name) : glib::findStatement(name);
     if (command)
-        for (const std::string_view each : command->words) words.add(each, "word");
+        for (const std::string& each : glib::wordsOf(*command)) words.add(each, "word");
     if (statement)
         for (const std::string& each : glib::wordsOf(*statement))
             words.add(each, "word of " + std::string(statement->name));
@@ -126,8 +125,8 @@ void addStatementWords(Collector& words, std::string_view name) {
 /// True for a classic command that takes numbers alone. A name stands only in the parentheses of an
 /// expression.
 bool takesNumbersOnly(std::string_view name) {
-    const glib::CommandRow* command = glib::findCommand(name);
-    return command && command->form == glib::ArgumentForm::numbers && !glib::modernFormOf(name);
+    const glib::StatementRow* command = glib::findCommand(name);
+    return command && formOf(*command) == glib::ArgumentForm::numbers && !glib::modernFormOf(name);
 }
 
 /// The names that statements of the text declare: `Texture2D glow`, `Let size`.
@@ -157,8 +156,8 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed,
     const std::string_view before = statementBefore(text, typed.begin);
     const std::string_view statement = firstWord(before);
     if (statement.empty()) {
-        for (const glib::CommandRow& each : glib::commandTable())
-            for (const std::string_view name : each.names)
+        for (const glib::StatementRow& each : glib::commandTable())
+            for (const std::string_view name : each.names())
                 words.add(name, "command", std::string(each.summary));
         for (const glib::StatementRow& each : glib::statementTable())
             words.add(each.name, "statement", std::string(each.summary));

@@ -5,11 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "glib/command_table.h"
 #include "glib/limits.h"
-#include "glib/modern/statement_table.h"
 #include "glib/parse/statement.h"
 #include "glib/script.h"
+#include "glib/statement_table.h"
 #include "glib/text.h"
 
 namespace glibra::editor {
@@ -111,7 +110,7 @@ std::vector<std::size_t> depthsOf(const std::vector<glib::Statement>& statements
 std::optional<std::string_view> spelling(const glib::Statement& statement) {
     if (statement.modern) return statement.modern->name;
     if (!statement.row) return std::nullopt;
-    for (const std::string_view each : statement.row->names)
+    for (const std::string_view each : statement.row->names())
         if (glib::sameWord(each, statement.word.text)) return each;
     return std::nullopt;
 }

@@ -12,8 +12,7 @@
 #include "base/texel_format.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/command_table.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "glib/text.h"
 #include "glsl/types/stage.h"
 #include "source/inline_shaders.h"
@@ -42,9 +41,9 @@ LanguageWords languageWords() {
     const auto add = [](std::set<std::string>& to, std::string_view word) {
         if (isPlainWord(word)) to.emplace(word);
     };
-    for (const glib::CommandRow& row : glib::commandTable()) {
-        for (const std::string_view name : row.names) add(statements, name);
-        for (const std::string_view word : row.words) add(keys, word);
+    for (const glib::StatementRow& row : glib::commandTable()) {
+        for (const std::string_view name : row.names()) add(statements, name);
+        for (const std::string& word : glib::wordsOf(row)) add(keys, word);
     }
     for (const glib::StatementRow& row : glib::statementTable()) {
         add(statements, row.name);

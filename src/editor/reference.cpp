@@ -10,8 +10,7 @@
 #include "editor/glsl_reference.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/command_table.h"
-#include "glib/modern/statement_table.h"
+#include "glib/syntax.h"
 #include "glsl/read/words.h"
 #include "scene/shader_names.h"
 
@@ -19,18 +18,18 @@ namespace glibra::editor {
 namespace {
 
 /// "Sphere radius = 1, slices = 60, stacks = 60".
-std::string usageOf(const glib::CommandRow& row) {
-    std::string text(row.name());
-    for (const glib::Argument& each : row.arguments) {
-        text += each.name == row.arguments.front().name ? " " : ", ";
-        const bool mayMiss = each.optional || each.byDefault || each.filler;
-        text += mayMiss ? fmt::format("[{}", each.name) : std::string(each.name);
-        if (each.byDefault || each.filler)
-            text += fmt::format(" = {:g}", each.byDefault ? *each.byDefault : *each.filler);
+std::string usageOf(const glib::StatementRow& row) {
+    std::string text(row.name);
+    for (const glib::SyntaxNode* each : glib::argumentsOf(row)) {
+        text += each == glib::argumentsOf(row).front() ? " " : ", ";
+        const bool mayMiss = each->isSkippable || each->byDefault || each->filler;
+        text += mayMiss ? "[" + each->text : each->text;
+        if (each->byDefault || each->filler)
+            text += fmt::format(" = {:g}", each->byDefault ? *each->byDefault : *each->filler);
         if (mayMiss) text += "]";
-        if (!each.unit.empty()) text += fmt::format(" ({})", each.unit);
+        if (!each->measure.empty()) text += fmt::format(" ({})", each->measure);
+        if (!each->words.empty()) text += fmt::format(" {}", fmt::join(each->words, " | "));
     }
-    if (!row.words.empty()) text += fmt::format(" {}", fmt::join(row.words, " | "));
     return text;
 }
 
@@ -42,10 +41,10 @@ void addTo(ReferenceEntry& entry, std::string_view sentence) {
 
 ReferenceEntry glibEntry(std::string_view word) {
     ReferenceEntry entry;
-    const glib::CommandRow* command = glib::findCommand(word);
+    const glib::StatementRow* command = glib::findCommand(word);
     const glib::StatementRow* statement = command ? glib::modernFormOf(word) : glib::findStatement(word);
     if (command) {
-        entry.word = command->name();
+        entry.word = command->name;
         entry.code.push_back(usageOf(*command));
         addTo(entry, command->summary);
         entry.chapter = "docs/language.md, section 3";

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "glib/modern/grammar.h"
 #include "glib/number.h"
 #include "glib/parse/arguments.h"
 #include "glib/parse/statement.h"
 #include "glib/script.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 
 namespace glibra::editor {
@@ -60,7 +60,7 @@ bool namesFiles(const glib::Statement& statement) {
         return hasNode(*statement.modern,
                        [](const glib::SyntaxNode& each) { return each.type == glib::ValueType::file; });
     if (!statement.row) return false;
-    const glib::ArgumentForm form = statement.row->form;
+    const glib::ArgumentForm form = formOf(*statement.row);
     return form == glib::ArgumentForm::file || form == glib::ArgumentForm::texture ||
            form == glib::ArgumentForm::cubeMap;
 }
@@ -72,7 +72,7 @@ std::vector<Declaration> declarationsOf(std::string_view scene) {
     for (const glib::Statement& statement : glib::statementsOf(scene)) {
         const glib::StatementRow* row = statement.modern;
         const std::string_view word = row             ? row->name
-                                      : statement.row ? statement.row->name()
+                                      : statement.row ? statement.row->name
                                                       : std::string_view();
         if (word.empty()) continue;
         const bool isShader = statement.body.data() != nullptr;

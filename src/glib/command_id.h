@@ -2,8 +2,8 @@
 
 namespace glibra::glib {
 
-/// The commands of the language; aliases have the id of their command. Each classic command has one row in
-/// the command table, each modern one in the statement table. Primitives have no names here: their ids are
+/// The statements of the language; aliases have the id of their statement. Each has one row in
+/// statement_rows.cpp, the stages and Program one for each form. Primitives have no names here: their ids are
 /// firstPrimitive + index into geometry::primitives().
 // clang-format off
 enum class CommandId {
@@ -21,7 +21,7 @@ enum class CommandId {
     geometryInput, geometryOutput, geometryVerticesOut, gstap,
     // noise, time, messages
     noise2D, noise3D, timer, messageBox, verbose,
-    // modern statements: rows of modern/statement_table.h
+    // modern statements
     let, bound, set, material, light, group, endGroup, draw, repeat, endRepeat, when, elseBranch, endWhen,
     include, glslText, use, key, multMatrix, fps, camera,
     namedTexture1D, namedTexture2D, namedTexture3D, textureArray1D, textureArray, textureRect, namedCubeMap, sampler,

@@ -1,6 +1,6 @@
 #pragma once
-// Limits of a scene's text (language, 11). The limits of a command's own numbers are in its row of the
-// command table, those of a shape in its row in geometry/shapes.
+// Limits of a scene's text (language, 11). The limits of a statement's own numbers are in its row, those of a
+// shape in its row in geometry/shapes.
 
 #include <cstddef>
 

@@ -14,12 +14,6 @@
 
 namespace glibra::glib {
 
-/// One bracketed group of LinesAdjacency [x y z] [x y z] ..., as written.
-struct PointGroup {
-    std::vector<double> values;
-    Position position;
-};
-
 /// How the value of a uniform is written on a Program line (language, 5.2).
 enum class UniformForm { number, list, range, truth, color };
 
@@ -39,45 +33,36 @@ struct UniformSpec {
     bool changesWithTime = false;  ///< of a variable: another time may give it another value
 };
 
-/// One statement. The form in the command's row decides which members are filled:
-/// - numbers: all numbers of the command in the order of the row, defaults filled in, inside their limits;
-/// - text: file name (empty if none is given), program name, topology or switch word, format of an empty
-///   texture, MessageBox text;
-/// - files: the six files of CubeMap;
-/// - points: groups of LinesAdjacency and Triangles, each of 3 or 4 numbers;
-/// - uniforms: the pairs of Program whose values are plain numbers.
-///
-/// A modern statement (`isModern`) fills the members that its row in modern/statement_table.h describes:
-/// - values: what stands before the first key;
-/// - keys: each key with the values that follow it, in the order of the file;
+/// One statement: its arguments, in the order of the file.
+/// - values: what stands before the first key. Of a classic statement these are the arguments that are no
+///   numbers: words as they are written (a file, the name of a program), with the format of an empty texture
+///   filled in;
+/// - numbers: those of a classic statement, in the order of its row, defaults filled in, inside their limits;
+///   of LinesAdjacency and Triangles x, y, z, w of each point;
+/// - keys: each key of a modern statement with the values that follow it;
 /// - tags: the pairs of Set, Group, Draw, Fill and Program; those of Program whose value is a plain number,
 ///   list, colour or range are in `uniforms` instead;
-/// - body: the text of a shader in the script;
-/// - partner: see below.
+/// - body: the text of a shader in the script.
 ///
-/// A classic command of form `numbers` with an expression among its arguments is `isEvaluatedLater`: `values`
-/// are its numbers and expressions in order, and evaluateNumbers (parse/arguments.h) fills `numbers`.
+/// A classic statement of numbers with an expression among them is `isEvaluatedLater`: `values` are its
+/// numbers and expressions in order, and evaluateNumbers (parse/arguments.h) fills `numbers`.
 ///
-/// Both grammars share this struct instead of having a type per statement: the parser, the formatter, the
-/// editor's help and the window's edits go through the rows of the two tables and know no statement, and only
-/// the function that carries a statement out asks for members by name.
+/// All statements share this struct instead of having a type each: the parser, the formatter, the editor's
+/// help and the window's edits go through the rows of the tables and know no statement, and only the function
+/// that carries a statement out knows what its values are.
 struct Command {
     CommandId id{};
     std::string word;  ///< as written
     Position position;
-    std::vector<double> numbers;
-    std::size_t givenNumbers = 0;  ///< how many of the numbers stand in the file
-    std::string text;
-    Position textPosition;
-    std::vector<std::string> files;
-    std::vector<PointGroup> points;
-    std::vector<UniformSpec> uniforms;
     std::size_t begin = 0;  ///< byte range of the statement in the file, for editing it in place
     std::size_t end = 0;
 
     std::vector<Value> values;
+    std::vector<double> numbers;
+    std::size_t givenNumbers = 0;  ///< how many of the numbers stand in the file
     std::vector<KeyedValues> keys;
     std::vector<KeyedValues> tags;
+    std::vector<UniformSpec> uniforms;
     std::string body;
     Position bodyPosition;  ///< of the first byte of `body`
     bool isModern = false;
@@ -89,6 +74,11 @@ struct Command {
 
     static constexpr std::size_t kNoPartner = static_cast<std::size_t>(-1);
 
+    /// The text of the first value, and its place; empty if there is none.
+    [[nodiscard]] std::string text() const { return values.empty() ? std::string() : values.front().text; }
+    [[nodiscard]] Position textPosition() const {
+        return values.empty() ? position : values.front().position;
+    }
     /// The first key of this name; null if there is none.
     [[nodiscard]] const KeyedValues* key(std::string_view name) const;
 };

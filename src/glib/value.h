@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glibra::glib {
@@ -46,6 +47,15 @@ struct NamePart {
     std::string name;
     std::vector<Value> index;
 };
+
+/// A word that stands at this place.
+inline Value wordOf(std::string_view text, Position position) {
+    Value word;
+    word.kind = Value::Kind::word;
+    word.text = text;
+    word.position = position;
+    return word;
+}
 
 /// True for a number or an expression.
 inline bool isNumeric(const Value& value) {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "geometry/shapes/primitive.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "plan/uniform_names.h"
 
 namespace glibra::plan {

@@ -7,8 +7,7 @@
 
 #include "base/text.h"
 #include "geometry/shapes/clouds.h"
-#include "glib/command_table.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "scene/primitives.h"
 
 namespace glibra::plan {

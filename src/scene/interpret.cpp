@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glib/message_log.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "scene/actions.h"
 #include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
@@ -34,7 +34,7 @@ void reportIdlePrograms(Interpreter& in) {
             in.reportAt(*each, "draw-N04",
                         fmt::format("Program '{}' stands after everything that is drawn, so nothing uses it; "
                                     "move it before the shapes",
-                                    each->text));
+                                    each->text()));
 }
 
 /// The statement of a stage that no Program has taken yet.
@@ -85,14 +85,14 @@ void reportStagesWithoutProgram(Interpreter& in) {
             case CommandId::compute: {
                 const auto known = pending.find(each.id);
                 const bool isAgain =
-                    known != pending.end() && !each.text.empty() && known->second.file == each.text;
+                    known != pending.end() && !each.values.empty() && known->second.file == each.text();
                 if (known != pending.end() && !isAgain) {
                     if (lost.empty()) replacing = &each;
                     lost.push_back(known->second);
                 }
                 pending.erase(each.id);
-                if (!each.text.empty() || !each.body.empty())
-                    pending.emplace(each.id, PendingStage{&each, each.text});
+                if (!each.values.empty() || !each.body.empty())
+                    pending.emplace(each.id, PendingStage{&each, each.text()});
                 break;
             }
             case CommandId::program:
@@ -134,7 +134,7 @@ constexpr double kFramesPerSecond = 60;
 void noteNames(Scene& scene, const glib::Script& script) {
     for (const Command& each : script.commands) {
         if (each.id == CommandId::vertex || each.id == CommandId::fragment)
-            scene.hasStages = scene.hasStages || each.isModern || !each.text.empty();
+            scene.hasStages = scene.hasStages || each.isModern || !each.values.empty();
         if (each.id == CommandId::group)
             for (const KeyedValues& parameter : each.tags) scene.localNames.insert(parameter.key);
         if (each.id != CommandId::repeat) continue;

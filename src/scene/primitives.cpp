@@ -14,8 +14,7 @@
 #include "geometry/obj/obj_model.h"
 #include "geometry/obj/shapefile.h"
 #include "geometry/shapes/primitive.h"
-#include "glib/command_table.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "image/file.h"
 #include "scene/file_lookup.h"
 

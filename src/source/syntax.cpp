@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "glib/command_table.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "glib/text.h"
 
 namespace glibra::source {

@@ -11,7 +11,7 @@
 
 #include "budget/least_counts.h"
 #include "budget_case.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 
 namespace glibra::budget {
 namespace {

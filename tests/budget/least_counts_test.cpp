@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "scene/primitives.h"
 
 namespace glibra::budget {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "geometry/shapes/teapot.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "surfaces.h"
 
 namespace glibra::budget {

@@ -2,7 +2,7 @@
 
 #include "budget/vertex_values.h"
 #include "budget/pixel_scale.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "base/texel_format.h"
-#include "glib/command_table.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "program.h"
 
 namespace glibra::test {
@@ -113,7 +112,7 @@ TEST(LanguageCommand, ThePageDescribesEveryCommandAndStatement) {
     };
     EXPECT_FALSE(describes("Spher"));
     std::vector<std::string_view> words;
-    for (const glib::CommandRow& row : glib::commandTable()) words.push_back(row.name());
+    for (const glib::StatementRow& row : glib::commandTable()) words.push_back(row.name);
     for (const glib::StatementRow& row : glib::statementTable()) words.push_back(row.name);
     for (const std::string_view each : words)
         EXPECT_TRUE(describes(each)) << each << ": describe it in docs/language.md, outside of the generated "
@@ -128,7 +127,8 @@ TEST(LanguageCommand, ThePageDescribesNothingThatIsNotThere) {
     };
     const std::string tables = section("3. Commands") + section("4. Geometry") + section("12. Modern scenes");
     std::set<std::string, std::less<>> words;
-    for (const glib::CommandRow& row : glib::commandTable()) words.insert(row.names.begin(), row.names.end());
+    for (const glib::StatementRow& row : glib::commandTable())
+        for (const std::string_view name : row.names()) words.emplace(name);
     std::string syntax(glib::syntaxFragment("lens"));  // also has the words inside of statements
     for (const glib::StatementRow& row : glib::statementTable())
         syntax += fmt::format("{} {} ", row.name, row.syntax);

@@ -8,10 +8,9 @@
 #include "../glib/modern_syntax.h"
 #include "base/texel_format.h"
 #include "check.h"
-#include "glib/command_table.h"
 #include "glib/lexer.h"
-#include "glib/modern/statement_table.h"
 #include "glib/script.h"
+#include "glib/statement_table.h"
 #include "scene/interpret.h"
 #include "text_mutator.h"
 
@@ -49,10 +48,9 @@ void checkAlone(const glibra::glib::Command& command, std::string_view text) {
     const glibra::glib::Command& again = alone.commands.front();
     // A Program without a name takes it from a file of an earlier statement.
     const bool takesName =
-        glibra::glib::findCommand(command.word)->form == glibra::glib::ArgumentForm::program;
+        formOf(*glibra::glib::findCommand(command.word)) == glibra::glib::ArgumentForm::program;
     check(again.id == command.id && again.numbers == command.numbers &&
-              (takesName || again.text == command.text) && again.files == command.files &&
-              again.points.size() == command.points.size() &&
+              (takesName || again.text() == command.text()) && again.values.size() == command.values.size() &&
               again.uniforms.size() == command.uniforms.size(),
           "a statement alone means the same");
 }
@@ -62,13 +60,13 @@ void checkAlone(const glibra::glib::Command& command, std::string_view text) {
 const glibra::fuzz::Grammar& glibra::fuzz::grammar() {
     static const Grammar kGrammar = [] {
         Grammar made;
-        for (const glib::CommandRow& row : glib::commandTable())
-            for (const std::string_view name : row.names) {
+        for (const glib::StatementRow& row : glib::commandTable())
+            for (const std::string_view name : row.names()) {
                 if (name.empty()) continue;
                 made.words.emplace_back(name);
                 std::string& plain = made.statements.emplace_back(name);
-                for (std::size_t i = 0; i < row.arguments.size(); ++i) plain += i == 0 ? " 5" : " .5";
-                for (const std::string_view word : row.words)
+                for (std::size_t i = 0; i < argumentsOf(row).size(); ++i) plain += i == 0 ? " 5" : " .5";
+                for (const std::string& word : wordsOf(row))
                     made.statements.push_back(std::string(name) + " " + std::string(word));
             }
         for (const glib::TextureFormat& format : glib::textureFormats()) made.words.emplace_back(format.name);

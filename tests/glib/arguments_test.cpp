@@ -254,7 +254,7 @@ TEST(Messages, TextIsRaw) {
     EXPECT_EQ(textOf("MessageBox Move the Scene Back # not a comment"),
               "Move the Scene Back # not a comment");
     EXPECT_EQ(textOf("messagebox"), "");
-    EXPECT_EQ(read("MessageBox  hello").commands.at(0).textPosition.column, 13);
+    EXPECT_EQ(read("MessageBox  hello").commands.at(0).textPosition().column, 13);
 }
 
 TEST(Commands, WithoutEffectAreAccepted) {

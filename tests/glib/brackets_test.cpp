@@ -43,7 +43,7 @@ TEST(Brackets, UnclosedGroupEndsWithTheStatement) {
 
 TEST(Brackets, UnclosedGroupEndsBeforeAnotherBracket) {
     EXPECT_EQ(idsOf("LinesAdjacency [0 0 0 [1 1 1] [2 2 2] [3 3 3]"), Ids{"glib-W09"});
-    EXPECT_EQ(read("LinesAdjacency [0 0 0 [1 1 1] [2 2 2] [3 3 3]").commands.at(0).points.size(), 4U);
+    EXPECT_EQ(read("LinesAdjacency [0 0 0 [1 1 1] [2 2 2] [3 3 3]").commands.at(0).numbers.size(), 16U);
 }
 
 TEST(Brackets, OtherTokensInAGroupAreValues) {
@@ -77,28 +77,25 @@ TEST(Brackets, ColourOfAProgramIsNoBraceBlock) {
 TEST(Points, GroupsInBrackets) {
     const Script script = read("LinesAdjacency [0. 0. 0.] [1. 1. 1.] [2. 1. 2.] [3. -1. 0.]");
     ASSERT_EQ(script.commands.size(), 1U);
-    ASSERT_EQ(script.commands[0].points.size(), 4U);
-    EXPECT_EQ(script.commands[0].points[3].values, (Numbers{3, -1, 0}));
-    EXPECT_EQ(script.commands[0].points[1].position.column, 27);
+    EXPECT_EQ(script.commands[0].numbers, (Numbers{0, 0, 0, 1, 1, 1, 1, 1, 2, 1, 2, 1, 3, -1, 0, 1}));
     EXPECT_TRUE(script.diagnostics.empty());
 }
 
 TEST(Points, WithoutBracketsNumbersAreTakenByThrees) {
     const Script script = read("Triangles 0 0 0  1 0 0  0 1 0");
-    ASSERT_EQ(script.commands.at(0).points.size(), 3U);
-    EXPECT_EQ(script.commands[0].points[2].values, (Numbers{0, 1, 0}));
+    EXPECT_EQ(script.commands.at(0).numbers, (Numbers{0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1}));
     EXPECT_TRUE(script.diagnostics.empty());
 }
 
 TEST(Points, GroupMayHoldFourNumbers) {
     const Script script = read("Triangles [0 0 0 1] [1 0 0 2] [0 1 0]");
-    EXPECT_EQ(script.commands.at(0).points[1].values, (Numbers{1, 0, 0, 2}));
+    EXPECT_EQ(script.commands.at(0).numbers, (Numbers{0, 0, 0, 1, 1, 0, 0, 2, 0, 1, 0, 1}));
     EXPECT_TRUE(script.diagnostics.empty());
 }
 
 TEST(Points, SurplusNumbersOfAGroupAreIgnored) {
     EXPECT_EQ(idsOf("Triangles [0 0 0 1 5 6] [1 0 0] [0 1 0]"), Ids{"glib-W07"});
-    EXPECT_EQ(read("Triangles [0 0 0 1 5 6] [1 0 0] [0 1 0]").commands.at(0).points[0].values.size(), 4U);
+    EXPECT_EQ(read("Triangles [0 0 0 1 5 6] [1 0 0] [0 1 0]").commands.at(0).numbers.size(), 12U);
 }
 
 TEST(Points, OtherBracketsAreReadAsSquareOnes) {

@@ -1,6 +1,6 @@
 // The command table: every word of existing scenes, and rows that agree with each other.
 
-#include "glib/command_table.h"
+#include "glib/syntax.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 
 #include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
-#include "glib/modern/statement_table.h"
 
 namespace glibra::glib::test {
 namespace {
@@ -39,8 +38,8 @@ TEST(CommandTable, KnowsTheWordsOfExistingScenes) {
 
 TEST(CommandTable, HasEveryWordOnce) {
     std::set<std::string> found;
-    for (const CommandRow& row : commandTable())
-        for (const std::string_view name : row.names)
+    for (const StatementRow& row : commandTable())
+        for (const std::string_view name : row.names())
             if (!name.empty()) {
                 EXPECT_TRUE(found.insert(std::string(name)).second) << name;
             }
@@ -48,13 +47,13 @@ TEST(CommandTable, HasEveryWordOnce) {
 
 TEST(CommandTable, HasOneRowPerId) {
     std::set<int> ids;
-    for (const CommandRow& row : commandTable()) {
-        EXPECT_TRUE(ids.insert(static_cast<int>(row.id)).second) << row.name();
-        EXPECT_EQ(commandOf(row.name()), row.id);
+    for (const StatementRow& row : commandTable()) {
+        EXPECT_TRUE(ids.insert(static_cast<int>(row.id)).second) << row.name;
+        EXPECT_EQ(commandOf(row.name), row.id);
     }
     for (const StatementRow& row : statementTable()) {
         // The stages and Program have one id for both forms.
-        if (const CommandRow* classic = findCommand(row.name); classic && classic->id == row.id) continue;
+        if (const StatementRow* classic = findCommand(row.name); classic && classic->id == row.id) continue;
         EXPECT_TRUE(ids.insert(static_cast<int>(row.id)).second) << row.name;
     }
     ASSERT_FALSE(ids.empty());
@@ -75,38 +74,58 @@ TEST(CommandTable, StatementsOfTheFrameAloneDoNotRestartASimulation) {
 
 TEST(CommandTable, TakesPrimitivesFromGeometry) {
     for (const geometry::PrimitiveSpec* each : geometry::primitives()) {
-        const CommandRow* row = findCommand(each->names[0]);
+        const StatementRow* row = findCommand(each->names[0]);
         ASSERT_NE(row, nullptr) << each->names[0];
-        EXPECT_EQ(primitiveOf(row->id), each) << row->name();
-        EXPECT_LE(row->arguments.size(), each->arguments.size()) << row->name();
-        for (std::size_t i = 0; i < row->arguments.size(); ++i) {
-            EXPECT_EQ(row->arguments[i].name, each->arguments[i].name) << row->name();
-            EXPECT_EQ(row->arguments[i].byDefault, each->arguments[i].byDefault) << row->name();
+        EXPECT_EQ(primitiveOf(row->id), each) << row->name;
+        const auto arguments = argumentsOf(*row);
+        EXPECT_LE(arguments.size(), each->arguments.size()) << row->name;
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            EXPECT_EQ(arguments[i]->text, each->arguments[i].name) << row->name;
+            EXPECT_EQ(arguments[i]->byDefault, each->arguments[i].byDefault) << row->name;
+            EXPECT_EQ(arguments[i]->low, each->arguments[i].least) << row->name;
+            EXPECT_EQ(arguments[i]->high, each->arguments[i].most) << row->name;
         }
-        for (std::size_t i = row->arguments.size(); i < each->arguments.size(); ++i)
-            EXPECT_TRUE(each->arguments[i].isFixed) << row->name();
+        for (std::size_t i = arguments.size(); i < each->arguments.size(); ++i)
+            EXPECT_TRUE(each->arguments[i].isFixed) << row->name;
     }
     EXPECT_EQ(primitiveOf(CommandId::obj), nullptr);
 }
 
 TEST(CommandTable, EveryRowAndArgumentIsDescribed) {
-    for (const CommandRow& row : commandTable()) {
-        EXPECT_FALSE(row.summary.empty()) << row.name();
-        for (const Argument& argument : row.arguments) EXPECT_FALSE(argument.name.empty()) << row.name();
-        EXPECT_EQ(row.form == ArgumentForm::topology, !row.words.empty()) << row.name();
-        EXPECT_EQ(row.form == ArgumentForm::pointGroups, row.groupMultiple > 0) << row.name();
+    for (const StatementRow& row : commandTable()) {
+        EXPECT_FALSE(row.summary.empty()) << row.name;
+        for (const SyntaxNode* each : argumentsOf(row)) EXPECT_FALSE(each->text.empty()) << row.name;
+        EXPECT_EQ(formOf(row) == ArgumentForm::topology, !wordsOf(row).empty()) << row.name;
     }
 }
 
 TEST(CommandTable, DefaultsObeyTheirOwnRanges) {
-    for (const CommandRow& row : commandTable())
-        for (const Argument& argument : row.arguments) {
-            if (!argument.byDefault) continue;
-            if (argument.rule == ArgumentRule::count || argument.rule == ArgumentRule::within) {
-                EXPECT_GE(*argument.byDefault, argument.least) << row.name() << ' ' << argument.name;
-                EXPECT_LE(*argument.byDefault, argument.most) << row.name() << ' ' << argument.name;
+    for (const StatementRow& row : commandTable())
+        for (const SyntaxNode* each : argumentsOf(row)) {
+            if (!each->byDefault) continue;
+            if (each->type == ValueType::count || each->type == ValueType::integer) {
+                EXPECT_GE(*each->byDefault, each->low) << row.name << ' ' << each->text;
+                EXPECT_LE(*each->byDefault, each->high) << row.name << ' ' << each->text;
             }
         }
+}
+
+TEST(CommandTable, StatesLimitsDefaultsAndUnitsInTheNotation) {
+    const SyntaxNode& angle = *argumentsOf(*findCommand("Perspective"))[0];
+    EXPECT_EQ(angle.type, ValueType::between);
+    EXPECT_EQ(angle.byDefault, 50);
+    EXPECT_EQ(std::pair(angle.low, angle.high), std::pair(0., 180.));
+    EXPECT_EQ(angle.measure, "degrees");
+    const SyntaxNode& green = *argumentsOf(*findCommand("Background"))[1];
+    EXPECT_EQ(green.byDefault, kDefaultBackground[1]);
+    EXPECT_EQ(green.filler, 0);
+    const SyntaxNode& depth = *argumentsOf(*findCommand("Texture3D"))[3];
+    EXPECT_TRUE(depth.isSkippable);
+    EXPECT_EQ(std::pair(depth.low, depth.high), std::pair(1., kLargestVolumeSide));
+    const SyntaxNode& width = *argumentsOf(*findCommand("LineWidth"))[0];
+    EXPECT_FALSE(width.byDefault || width.filler);
+    EXPECT_EQ(width.high, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(argumentsOf(*findCommand("CubeMap"))[1]->most, 6U);
 }
 
 TEST(CommandTable, FindsAliasesInAnyCase) {

@@ -144,7 +144,8 @@ TEST(CubeMap, MissingFilesAreTakenFromTheNextLines) {
     const char* scene = "CubeMap 6 px.bmp nx.bmp\n  py.bmp ny.bmp\n\n pz.bmp nz.bmp\nTeapot";
     const Script script = read(scene);
     ASSERT_EQ(script.commands.size(), 2U);
-    EXPECT_EQ(script.commands[0].files, (Words{"px.bmp", "nx.bmp", "py.bmp", "ny.bmp", "pz.bmp", "nz.bmp"}));
+    EXPECT_EQ(textsOf(script.commands[0]),
+              (Words{"px.bmp", "nx.bmp", "py.bmp", "ny.bmp", "pz.bmp", "nz.bmp"}));
     EXPECT_EQ(idsOf(script), (Ids{"glib-W11", "glib-W11"}));
 }
 
@@ -173,7 +174,7 @@ TEST(Positions, AreThoseOfWordNameTagAndValue) {
     const Command& program = script.commands.at(0);
     EXPECT_EQ(program.position.line, 2);
     EXPECT_EQ(program.position.column, 3);
-    EXPECT_EQ(program.textPosition.column, 12);
+    EXPECT_EQ(program.textPosition().column, 12);
     EXPECT_EQ(program.uniforms.at(1).tagPosition.line, 3);
     EXPECT_EQ(program.uniforms[1].tagPosition.column, 4);
     EXPECT_EQ(program.uniforms[1].valuePosition.column, 8);

@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include "glib/command_table.h"
 #include "glib/lexer.h"
 #include "glib/message_log.h"
 #include "glib/number.h"
 #include "glib/parse/arguments.h"
+#include "glib/statement_table.h"
 #include "scene.h"
 
 namespace glibra::glib::test {
@@ -97,10 +97,10 @@ std::vector<std::vector<double>> trials(std::size_t arguments) {
 
 TEST(EvaluatedNumbers, MeanWhatTheSameNumbersInTheFileMean) {
     std::size_t compared = 0;
-    for (const CommandRow& row : commandTable()) {
-        if (row.form != ArgumentForm::numbers) continue;
-        for (const std::vector<double>& numbers : trials(row.arguments.size())) {
-            std::string text(row.name());
+    for (const StatementRow& row : commandTable()) {
+        if (formOf(row) != ArgumentForm::numbers) continue;
+        for (const std::vector<double>& numbers : trials(argumentsOf(row).size())) {
+            std::string text(row.name);
             std::vector<EvaluatedNumber> evaluated;
             for (const double each : numbers) {
                 text += ' ';
@@ -126,7 +126,7 @@ TEST(EvaluatedNumbers, MeanWhatTheSameNumbersInTheFileMean) {
 }
 
 TEST(EvaluatedNumbers, AreCutSilentlyAndMustBeFinite) {
-    const CommandRow& sphere = *findCommand("Sphere");
+    const StatementRow& sphere = *findCommand("Sphere");
     Command command;
     MessageLog log("scene.glib");
     evaluateNumbers(sphere, command, std::vector<EvaluatedNumber>{{1, {1, 8}}, {10.5, {1, 12}}}, log);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "scene.h"
 
 namespace glibra::glib::test {

@@ -62,10 +62,10 @@ Set uColor {0.8 0.4 0.2}
 Teapot
 PopMatrix
 EndGroup -> 3
-Vertex
+Vertex depth.vert
 Program Depth
-Vertex
-Fragment
+Vertex lit.vert
+Fragment pcf.frag
 Program Lit uShadow shadow uShadowMatrix (light.shadow * model) | uRadius
 Pass shadow from light -> 18
 State offset 2 4
@@ -102,7 +102,7 @@ Compute seed.comp
 Program Seed uOut life | uSeed
 Compute life.comp
 Program Generation uIn life.prev uOut life
-Fragment
+Fragment show.frag
 Program Show uLife life
 Once -> 9
 Dispatch Seed over life

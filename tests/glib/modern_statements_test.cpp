@@ -164,7 +164,7 @@ TEST(ModernTextures, NameInPlaceOfAUnit) {
 TEST(ModernProgram, NamesAndExpressionsAreTags) {
     const Command program =
         only("Texture2D wood w.bmp\nProgram Lit uWood wood uTime (time) uKd .5 uC {1 0 0} uR <0 1 2>");
-    EXPECT_EQ(program.text, "Lit");
+    EXPECT_EQ(program.text(), "Lit");
     ASSERT_EQ(program.tags.size(), 2U);
     EXPECT_EQ(program.tags[0].values.at(0).path.at(0).name, "wood");
     ASSERT_EQ(program.uniforms.size(), 3U);
@@ -207,7 +207,7 @@ TEST(ModernShaders, AreTakenRawUpToTheEndWord) {
     EXPECT_EQ(placedMessageOf("Compute inline\nEndVertex\n"),
               "1:1 glib-E22 'Compute inline' is closed by 'EndVertex' (line 2); write EndCompute");
     EXPECT_EQ(only("Compute inline\nEndCompute").body, "");
-    EXPECT_EQ(only("Compute a.comp").text, "a.comp");
+    EXPECT_EQ(only("Compute a.comp").text(), "a.comp");
 }
 
 TEST(ModernShaders, AMistakeInTheFirstLineIsReportedOnce) {

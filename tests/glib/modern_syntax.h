@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "glib/modern/grammar.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
+#include "glib/syntax.h"
 
 namespace glibra::glib::test {
 
@@ -52,6 +52,8 @@ inline std::string sampleOf(const SyntaxNode& node) {
             return "[1 0 .5 1]";
         case ValueType::oneOf:
             return node.words.front();
+        default:  // of classic statements alone
+            break;
     }
     return text;
 }

@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/message_log.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "scene.h"
 
 namespace glibra::glib::test {
@@ -46,8 +45,6 @@ void checkPromises(const std::string& text) {
         end = command.end;
         for (const double number : command.numbers) ASSERT_TRUE(std::isfinite(number));
         for (const UniformSpec& spec : command.uniforms) ASSERT_FALSE(spec.values.empty());
-        for (const PointGroup& group : command.points)
-            ASSERT_TRUE(group.values.size() == 3 || group.values.size() == 4);
     }
     for (std::size_t i = 0; i < script.commands.size(); ++i) {
         const std::size_t partner = script.commands[i].partner;
@@ -133,7 +130,7 @@ TEST(RandomText, TokensInAnyOrder) {
         const std::uint32_t count = hash.below(80);
         for (std::uint32_t i = 0; i < count; ++i) {
             if (hash.below(4) == 0)
-                text += table[hash.below(static_cast<std::uint32_t>(table.size()))].name();
+                text += table[hash.below(static_cast<std::uint32_t>(table.size()))].name;
             else
                 text += kPieces.at(hash.below(kPieces.size()));
             if (hash.below(5) != 0) text += ' ';

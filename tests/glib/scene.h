@@ -51,7 +51,14 @@ inline std::vector<double> numbersOf(std::string_view text) {
 /// The text of the first command.
 inline std::string textOf(std::string_view text) {
     const Script script = read(text);
-    return script.commands.empty() ? "no command" : script.commands.front().text;
+    return script.commands.empty() ? "no command" : script.commands.front().text();
+}
+
+/// The texts of a command's values.
+inline Words textsOf(const Command& command) {
+    Words texts;
+    for (const Value& each : command.values) texts.push_back(each.text);
+    return texts;
 }
 
 /// The words of all commands, as written.

@@ -25,7 +25,7 @@ TEST(Texture, FileForm) {
     EXPECT_EQ(textOf("Texture2D 5 wood.bmp"), "wood.bmp");
     EXPECT_EQ(textOf("Texture2D 5 2.bmp"), "2.bmp");
     EXPECT_EQ(textOf("Texture 5 \"512\""), "512");
-    EXPECT_EQ(read("Texture2D 5 wood.bmp").commands.at(0).textPosition.column, 13);
+    EXPECT_EQ(read("Texture2D 5 wood.bmp").commands.at(0).textPosition().column, 13);
     EXPECT_EQ(idsOf("Texture2D 5 wood.bmp more"), Ids{"glib-W07"});
 }
 
@@ -82,7 +82,8 @@ TEST(Units, MustLieBetween0And127) {
 TEST(CubeMapFiles, AreSix) {
     const Script script = read("CubeMap 6 px.bmp nx.bmp py.bmp ny.bmp pz.bmp nz.bmp");
     EXPECT_EQ(script.commands.at(0).numbers, Numbers{6});
-    EXPECT_EQ(script.commands[0].files, (Words{"px.bmp", "nx.bmp", "py.bmp", "ny.bmp", "pz.bmp", "nz.bmp"}));
+    EXPECT_EQ(textsOf(script.commands[0]),
+              (Words{"px.bmp", "nx.bmp", "py.bmp", "ny.bmp", "pz.bmp", "nz.bmp"}));
     EXPECT_EQ(idsOf("CubeMap"), Ids{"glib-E04"});
     EXPECT_EQ(idsOf("CubeMap 6 a b c d e f g"), Ids{"glib-W07"});
 }

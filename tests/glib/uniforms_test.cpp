@@ -34,12 +34,12 @@ TEST(Name, MayBeginWithADigit) {
 
 TEST(Name, MissingIsTakenFromTheFragmentFile) {
     const Script script = read("Fragment shaders/cat.big.frag\nProgram uTexUnit 6\n");
-    EXPECT_EQ(script.commands.at(1).text, "cat.big");
+    EXPECT_EQ(script.commands.at(1).text(), "cat.big");
     EXPECT_EQ(tagsOf("Fragment cat.frag\nProgram uTexUnit 6\n"), Words{"uTexUnit"});
     EXPECT_EQ(idsOf(script), Ids{"glib-W14"});
-    EXPECT_EQ(read("Fragment C:\\cat.frag\nProgram").commands.at(1).text, "cat");
+    EXPECT_EQ(read("Fragment C:\\cat.frag\nProgram").commands.at(1).text(), "cat");
     EXPECT_EQ(idsOf("Program"), Ids{"glib-W14"});
-    EXPECT_EQ(read("Fragment cat.frag\nFragment\nProgram").commands.at(2).text, "unnamed");
+    EXPECT_EQ(read("Fragment cat.frag\nFragment\nProgram").commands.at(2).text(), "unnamed");
 }
 
 TEST(Pairs, TagFollowedByAWordIsSkipped) {

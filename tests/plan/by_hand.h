@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "plan/planner.h"
 #include "plan/type_table.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "render/scene_renderer.h"
 #include "scene/scene.h"
 #include "scene_text.h"

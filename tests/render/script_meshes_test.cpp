@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/shapes/primitive.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "modern_text.h"
 #include "script_problems.h"
 

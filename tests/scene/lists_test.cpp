@@ -164,11 +164,11 @@ TEST(Lists, AListHolds1048576Vertices) {
     glib::Command command;
     command.id = glib::CommandId::glBegin;
     command.word = "glBegin";
-    command.text = "points";
+    command.values = {glib::wordOf("points", {})};
     script.commands.push_back(command);
     command.id = glib::CommandId::glVertex;
     command.word = "glVertex";
-    command.text.clear();
+    command.values.clear();
     command.numbers = {0, 0, 0};
     for (int i = 0; i < 1'048'577; ++i) script.commands.push_back(command);
     const Scene scene = interpret(script);

@@ -11,11 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "glib/command_table.h"
 #include "glib/diagnostic_catalogue.h"
-#include "glib/modern/grammar.h"
-#include "glib/modern/statement_table.h"
 #include "glib/script.h"
+#include "glib/statement_table.h"
+#include "glib/syntax.h"
 #include "scene/actions.h"
 #include "scene/interpret.h"
 #include "scene/run/statements.h"

@@ -7,8 +7,7 @@
 #include <algorithm>
 
 #include "geometry/shapes/primitive.h"
-#include "glib/command_table.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "scene/actions.h"
 #include "scene/run/statements.h"
 #include "support.h"
@@ -62,9 +61,9 @@ const Expected kShapes[] = {
 };
 
 TEST(Commands, EachHasAnAction) {
-    for (const glib::CommandRow& row : glib::commandTable())
+    for (const glib::StatementRow& row : glib::commandTable())
         EXPECT_NE(actionOf(allActions(), row.id), nullptr)
-            << row.name() << ": list its action at the end of its file";
+            << row.name << ": list its action at the end of its file";
     for (const glib::StatementRow& row : glib::statementTable())
         EXPECT_NE(actionOf(allActions(), row.id), nullptr)
             << row.name << ": list its action at the end of its file";

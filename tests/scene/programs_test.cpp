@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/primitive.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "support.h"
 
 namespace glibra::scene {
@@ -145,10 +145,10 @@ TEST(Limits, AScriptMadeByHandCannotBreakAnything) {
         command.word = "Word";
         script.commands.push_back(command);
         command.id = glib::CommandId::glBegin;
-        command.text = "points";
+        command.values = {glib::wordOf("points", {})};
         script.commands.push_back(command);
         command.id = static_cast<glib::CommandId>(id);
-        command.text.clear();
+        command.values.clear();
         script.commands.push_back(command);
         EXPECT_FALSE(interpret(script).frame.passes.empty()) << id;
     }

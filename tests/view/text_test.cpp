@@ -111,7 +111,7 @@ TEST(ProgramLine, ReadsBackAsTheValuesItWasMadeFrom) {
     const glib::Script script = glib::parse(line, "copied");
     EXPECT_TRUE(script.diagnostics.empty()) << text(script.diagnostics) << line;
     ASSERT_EQ(script.commands.size(), 1U);
-    EXPECT_EQ(script.commands.front().text, "P");
+    EXPECT_EQ(script.commands.front().text(), "P");
     for (const glib::UniformSpec& each : script.commands.front().uniforms) {
         const render::Knob* knob = session.knob("", each.tag);
         ASSERT_TRUE(knob) << each.tag;

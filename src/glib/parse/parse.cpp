@@ -14,18 +14,17 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "glib/command_table.h"
 #include "glib/lexer.h"
 #include "glib/limits.h"
 #include "glib/message_log.h"
-#include "glib/modern/blocks.h"
-#include "glib/modern/grammar.h"
-#include "glib/modern/match.h"
-#include "glib/modern/pieces.h"
-#include "glib/modern/statement_table.h"
 #include "glib/parse/arguments.h"
+#include "glib/parse/blocks.h"
+#include "glib/parse/match.h"
+#include "glib/parse/pieces.h"
 #include "glib/parse/statement.h"
 #include "glib/script.h"
+#include "glib/statement_table.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -93,9 +92,9 @@ void ContinuationAdvice::follow(const Statement& statement) {
     isReported_ = false;
     row_ = statement.modern;
     isClassic_ = statement.row != nullptr && statement.modern == nullptr;
-    if (isClassic_) row_ = modernFormOf(statement.row->name());
+    if (isClassic_) row_ = modernFormOf(statement.row->name);
     name_ = statement.modern != nullptr ? std::string(statement.modern->name)
-            : isClassic_                ? std::string(statement.row->name())
+            : isClassic_                ? std::string(statement.row->name)
                                         : std::string();
     firstLine_ = statement.word.position.line;
     lastLine_ = lastLineOf(statement);
@@ -188,7 +187,7 @@ class Parser {
         }
         blocks_.finish(commands_);
         for (const Command& each : commands_)
-            if (declares(each.id)) lostNames_.erase(nameOfObject(each));
+            if (declares(each.id) && !withoutTags_.contains(each.begin)) lostNames_.erase(nameOfObject(each));
         script.commands = std::move(commands_);
         script.lostNames = std::move(lostNames_);
         script.withoutFile = std::move(withoutFile_);
@@ -229,7 +228,7 @@ class Parser {
         Command command;
         command.id = id;
         command.word = statement.word.text;
-        command.position = command.textPosition = statement.word.position;
+        command.position = statement.word.position;
         command.begin = statement.word.begin;
         command.end = statement.end;
         return command;
@@ -237,17 +236,18 @@ class Parser {
 
     void keep(const Statement& statement) {
         const StatementRow* form = statementOf(statement.row->id);
-        if (statement.row->form == ArgumentForm::program && isModernProgram(statement))
-            return keepModern(statement, *form);
-        if (statement.row->form == ArgumentForm::program && keepSubscripts(statement, *form)) return;
-        if (statement.row->form == ArgumentForm::program) noteName(statement);
+        if (statement.row->id == CommandId::program) {
+            if (isModernProgram(statement)) return keepModern(statement, *form);
+            if (keepSubscripts(statement, *form)) return;
+            noteName(statement);
+        }
         Command command = start(statement, statement.row->id);
         const std::size_t errors = log_.errorCount();
         if (form && !statement.faulty) blocks_.checkPlace(*form, command);
         if (!refusesNames(statement)) read(statement, command);
         if (log_.errorCount() > errors) continuation_.advise(text_, statement, log_);
         const bool faulty = statement.faulty || log_.errorCount() > errors || losesStage(command.id);
-        if (command.id == CommandId::fragment) fragmentFile_ = command.text;
+        if (command.id == CommandId::fragment) fragmentFile_ = command.text();
         isModern_ = isModern_ || command.isEvaluatedLater;
         if (command.lacksFile) withoutFile_.push_back(command);
         if (leavesOut(command.id, faulty) || faulty) return;
@@ -279,8 +279,6 @@ class Parser {
         if (unused.errorCount() > 0 || command.values.empty()) return false;
         takeUniforms(command, true);
         if (!command.tags.empty() || ++programs_ > kMostPrograms) return false;
-        setText(command);
-        command.values.clear();
         command.isModern = false;
         noteName(statement);
         if (!losesStage(form.id)) commands_.push_back(std::move(command));
@@ -323,8 +321,8 @@ class Parser {
         if (!isIdentifier(name.text)) return;
         Command program = start(statement, CommandId::program);
         program.isModern = true;
-        program.text = name.text;
-        program.textPosition = name.position;
+        program.values.push_back(wordOf(name.text, name.position));
+        withoutTags_.insert(program.begin);
         commands_.push_back(std::move(program));
     }
 
@@ -340,10 +338,7 @@ class Parser {
     }
 
     static std::string nameOfObject(const Command& command) {
-        if (!command.isModern) return command.text;
-        if (command.values.empty()) return {};
-        const Value& name = command.values.front();
-        return headOf(name);
+        return command.values.empty() ? std::string() : headOf(command.values.front());
     }
 
     /// Keeps the name that the statement declares even if it is faulty.
@@ -354,8 +349,7 @@ class Parser {
         if (!name.empty()) lostNames_.insert(name);
     }
 
-    /// Keeps the names that the statement declares, and moves what a classic member of Command can hold
-    /// there.
+    /// Keeps the names that the statement declares.
     void finishModern(const StatementRow& row, Command& command) {
         if (row.id == CommandId::include) hasInclude_ = true;
         if (row.declaresName || row.id == CommandId::include) declaresNames_ = true;
@@ -364,22 +358,15 @@ class Parser {
         if (row.declaresName && !command.values.empty()) names_.insert(nameOfObject(command));
         if (row.id == CommandId::repeat)
             if (const KeyedValues* counter = command.key("as")) names_.insert(counter->values.front().text);
-        if (row.id == CommandId::compute && !command.values.empty()) setText(command);
         if (row.id != CommandId::program) return;
         if (++programs_ > kMostPrograms)
             log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
-        if (!command.values.empty()) setText(command);
         takeUniforms(command);
     }
 
     /// True for the program of a shader that is not closed, and of a faulty Compute statement, which would be
     /// a program that draws.
     bool losesStage(CommandId id) { return id == CommandId::program && std::exchange(isStageLost_, false); }
-
-    static void setText(Command& command) {
-        command.text = command.values.front().text;
-        command.textPosition = command.values.front().position;
-    }
 
     /// True inside a vertex list whose glBegin is faulty. Its vertices are skipped, since they would only
     /// repeat the error.
@@ -391,31 +378,9 @@ class Parser {
     }
 
     void read(const Statement& statement, Command& command) {
-        switch (statement.row->form) {
-            case ArgumentForm::numbers:
-                return readNumbers(statement, command, log_);
-            case ArgumentForm::file:
-                return readFile(statement, command, log_);
-            case ArgumentForm::cubeMap:
-                return readCubeMap(statement, command, log_);
-            case ArgumentForm::units:
-                return readUnits(statement, command, log_);
-            case ArgumentForm::texture:
-                return readTexture(statement, command, log_);
-            case ArgumentForm::topology:
-                return readTopology(statement, command, log_);
-            case ArgumentForm::switchWord:
-                return readSwitch(statement, command, log_);
-            case ArgumentForm::pointGroups:
-                if (!refusesExpressions(statement)) readPointGroups(statement, command, log_);
-                return;
-            case ArgumentForm::message:
-                command.text = statement.message;
-                command.textPosition = statement.messagePosition;
-                return;
-            case ArgumentForm::program:
-                break;
-        }
+        const ArgumentForm form = formOf(*statement.row);
+        if (form == ArgumentForm::pointGroups && refusesExpressions(statement)) return;
+        if (form != ArgumentForm::program) return readArguments(statement, command, log_);
         if (++programs_ <= kMostPrograms) return readProgram(statement, fragmentFile_, command, log_);
         log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
     }
@@ -423,7 +388,7 @@ class Parser {
     /// Reports glib-E19 for a declared name or an expression without parentheses among the numbers of a
     /// classic command, which would count as 0 or be cut. Classic scenes keep such expressions.
     bool refusesNames(const Statement& statement) {
-        if (statement.row->form != ArgumentForm::numbers) return false;
+        if (formOf(*statement.row) != ArgumentForm::numbers) return false;
         if (lacksClosing(statement)) return true;
         for (const Token& token : statement.arguments) {
             const std::string_view head = token.text.substr(0, token.text.find('.'));
@@ -436,7 +401,7 @@ class Parser {
             const std::string_view whole = expressionAt(text_, statement.arguments, token);
             log_.report("glib-E19",
                         fmt::format("{}: expected a number, found {}; write ({}) for its value",
-                                    statement.row->name(), inQuotes(whole), whole),
+                                    statement.row->name, inQuotes(whole), whole),
                         token.position);
             return true;
         }
@@ -455,7 +420,7 @@ class Parser {
         if (end != tokens.end() || !hasWord) return false;
         if (!isModern_) wouldDiffer_ = true;
         if (!isModern_) return false;
-        log_.report("glib-E20", fmt::format("{}: '(' is not closed on this line", statement.row->name()),
+        log_.report("glib-E20", fmt::format("{}: '(' is not closed on this line", statement.row->name),
                     open->position);
         return true;
     }
@@ -476,10 +441,9 @@ class Parser {
     bool refusesExpressions(const Statement& statement) {
         for (const Token& token : statement.arguments) {
             if (token.kind != TokenKind::expression) continue;
-            log_.report(
-                "glib-E24",
-                fmt::format("{}: an expression cannot stand here; use glVertex", statement.row->name()),
-                token.position);
+            log_.report("glib-E24",
+                        fmt::format("{}: an expression cannot stand here; use glVertex", statement.row->name),
+                        token.position);
             return true;
         }
         return false;
@@ -495,6 +459,7 @@ class Parser {
     std::unordered_set<std::string> names_;  ///< of textures, buffers, samplers, cameras and variables
     std::vector<Command> withoutFile_;
     std::set<std::string, std::less<>> lostNames_;  ///< that statements so far would declare
+    std::set<std::size_t> withoutTags_;             ///< where the programs of keepWithoutTags() begin
     bool declaresNames_ = false;
     bool hasInclude_ = false;
     std::vector<Command> commands_;

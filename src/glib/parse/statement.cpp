@@ -12,7 +12,7 @@
 #include "base/suggest.h"
 #include "glib/lexer.h"
 #include "glib/limits.h"
-#include "glib/modern/statement_table.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kCubeMapArguments = 7;  // a unit and six files
 
-const CommandRow* commandRowOf(const Token& token) {
+const StatementRow* commandRowOf(const Token& token) {
     return token.kind == TokenKind::word ? findCommand(token.text) : nullptr;
 }
 
@@ -30,7 +30,7 @@ bool isCommand(const Statement& statement, CommandId id) {
 
 /// Returns the statement's name for messages: "Program 'Magic'", "CubeMap".
 std::string described(const Statement& statement) {
-    std::string text(statement.row->name());
+    std::string text(statement.row->name);
     if (isCommand(statement, CommandId::program) && !statement.arguments.empty())
         text.append(" ").append(inQuotes(statement.arguments.front().text));
     return text;
@@ -51,13 +51,14 @@ bool fitsAsTag(const Line& line) {
 }
 
 /// True for the commands among whose arguments an expression may stand.
-bool takesExpressions(const CommandRow& row) {
-    return row.form == ArgumentForm::numbers || row.form == ArgumentForm::program ||
-           row.form == ArgumentForm::pointGroups;
+bool takesExpressions(const StatementRow& row) {
+    const ArgumentForm form = formOf(row);
+    return form == ArgumentForm::numbers || form == ArgumentForm::program ||
+           form == ArgumentForm::pointGroups;
 }
 
-bool isTextureForm(const CommandRow& row) {
-    return row.form == ArgumentForm::texture || row.form == ArgumentForm::cubeMap;
+bool isTextureForm(const StatementRow& row) {
+    return formOf(row) == ArgumentForm::texture || formOf(row) == ArgumentForm::cubeMap;
 }
 
 /// What parentheses mean on a line, which may continue a statement.
@@ -65,7 +66,7 @@ Parentheses parenthesesOf(std::string_view text, const LineRange& range, const S
     if (pending && pending->modern) return Parentheses::expressions;
     const LineStart start = startOf(text, range);
     if (!pending && findStatement(start.word)) return Parentheses::expressions;
-    const CommandRow* row = findCommand(start.word);
+    const StatementRow* row = findCommand(start.word);
     if (!pending && row && isTextureForm(*row) && modernFormOf(start.word) && isIdentifier(start.next))
         return Parentheses::expressions;
     if (pending && (!row || isCommand(*pending, CommandId::program))) row = pending->row;
@@ -277,10 +278,10 @@ Statement StatementReader::begin() {
 const StatementRow* StatementReader::modernRowOf(const Statement& statement) {
     if (statement.word.kind != TokenKind::word) return nullptr;
     if (!statement.row) return findStatement(statement.word.text);
-    const StatementRow* form = modernFormOf(statement.row->name());
+    const StatementRow* form = modernFormOf(statement.row->name);
     if (!form || statement.arguments.empty() || isCommand(statement, CommandId::program)) return nullptr;
     const Token& first = statement.arguments.front();
-    if (statement.row->form == ArgumentForm::file)
+    if (formOf(*statement.row) == ArgumentForm::file)
         return first.kind == TokenKind::word && sameWord(first.text, "inline") ? form : nullptr;
     if (isTextureForm(*statement.row))
         return first.kind == TokenKind::word && isIdentifier(first.text) ? form : nullptr;
@@ -394,7 +395,7 @@ void StatementReader::readBody(Statement& statement) {
 /// Refuses a stage without a file whose next line is `#version`, and skips that shader.
 bool StatementReader::refuseShader(Statement& statement) {
     const bool isStage =
-        statement.row ? statement.row->form == ArgumentForm::file && modernFormOf(statement.row->name())
+        statement.row ? formOf(*statement.row) == ArgumentForm::file && modernFormOf(statement.row->name)
                       : statement.modern && statement.modern->id == CommandId::compute;
     if (!isStage || !statement.arguments.empty()) return false;
     LineSplitter after = lines_;

@@ -8,16 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "glib/command_table.h"
 #include "glib/lexer.h"
 #include "glib/message_log.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 
 namespace glibra::glib {
 
 /// A command word with its arguments, from one or more lines.
 struct Statement {
-    const CommandRow* row = nullptr;  ///< null: the word is no classic command
+    const StatementRow* row = nullptr;  ///< of the classic statement; null: the word is none
     const StatementRow* modern =
         nullptr;  ///< not null: a modern statement; its word may be a classic one too
     Token word;

@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "glib/modern/statement_table.h"
 #include "glib/number.h"
+#include "glib/statement_table.h"
 
 namespace glibra::render {
 namespace {
@@ -36,10 +36,6 @@ void add(const Command& command, std::string& text) {
     }
     text += written(command);
     for (const double each : command.numbers) text += " " + glib::numberText(each);
-    text += " " + command.text;
-    for (const std::string& each : command.files) text += " " + each;
-    for (const glib::PointGroup& group : command.points)
-        for (const double each : group.values) text += " " + glib::numberText(each);
     for (const glib::UniformSpec& each : command.uniforms) {
         text += " " + each.tag;
         const bool isFixed = each.form == glib::UniformForm::number || each.form == glib::UniformForm::list;

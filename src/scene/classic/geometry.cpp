@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <string_view>
@@ -129,8 +130,9 @@ ShapeIndex shapeOfMesh(Interpreter& in, CommandId command, geometry::Mesh mesh) 
 bool countVertices(Interpreter& in, const Command& command, std::uint64_t vertices) {
     const auto refuse = [&](std::string_view what, std::uint64_t needed, std::uint64_t limit) {
         in.reportAt(command, "glib-E15",
-                    fmt::format("{} {} {} vertices; the limit is {}", textOf(command), what,
-                                base::groupedText(needed), base::groupedText(limit)));
+                    fmt::format("{} {} {} vertices; the limit is {}",
+                                glib::primitiveOf(command.id) != nullptr ? textOf(command) : command.word,
+                                what, base::groupedText(needed), base::groupedText(limit)));
         return false;
     };
     if (vertices > kMostCommandVertices) return refuse("needs", vertices, kMostCommandVertices);
@@ -201,7 +203,7 @@ void doPrimitive(Interpreter& in, const Command& command) {
 namespace {
 
 void doModel(Interpreter& in, const Command& command) {
-    if (command.text.empty()) {
+    if (command.text().empty()) {
         const Place place = in.place(command);
         if (place.file == in.scene.path && in.scene.missingFiles.size() < glib::kMostMessages)
             in.scene.missingFiles.push_back({command.word, place, true});
@@ -210,21 +212,18 @@ void doModel(Interpreter& in, const Command& command) {
                                 command.word));
         return;
     }
-    Shape shape{command.id, {}, fileOf(in, command.text, in.script->place(command.textPosition)), nullptr};
+    Shape shape{
+        command.id, {}, fileOf(in, command.text(), in.script->place(command.textPosition())), nullptr};
     draw(in, command,
-         {shareShape(in, std::move(shape)), command.word, fmt::format("'{}'", command.text), {}});
+         {shareShape(in, std::move(shape)), command.word, fmt::format("'{}'", command.text()), {}});
 }
 
 void doPointGroups(Interpreter& in, const Command& command) {
-    if (!countVertices(in, command, command.points.size())) return;
     const bool isTriangles = command.id == CommandId::triangles;
-    std::vector<std::array<double, 4>> points;
-    points.reserve(command.points.size());
-    for (const glib::PointGroup& each : command.points) {
-        std::array<double, 4> point{0, 0, 0, 1};
-        for (std::size_t i = 0; i < point.size() && i < each.values.size(); ++i) point[i] = each.values[i];
-        points.push_back(point);
-    }
+    std::vector<std::array<double, 4>> points(command.numbers.size() / 4);
+    if (!countVertices(in, command, points.size())) return;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        std::copy_n(command.numbers.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, points[i].begin());
     points.resize(points.size() - points.size() % (isTriangles ? 3 : 4));
     geometry::Mesh mesh =
         isTriangles ? geometry::trianglesList(points) : geometry::linesAdjacencyList(points);
@@ -301,14 +300,14 @@ std::string_view primitiveOf(geometry::ListTopology topology) {
 }
 
 void doGlBegin(Interpreter& in, const Command& command) {
-    const auto topology = geometry::listTopology(command.text);
+    const auto topology = geometry::listTopology(command.text());
     if (!topology) {
-        in.reportAt(command, "glib-E08", fmt::format("unknown topology '{}'", command.text));
+        in.reportAt(command, "glib-E08", fmt::format("unknown topology '{}'", command.text()));
         return;
     }
     OpenList list;
     list.topology = *topology;
-    list.word = command.text;
+    list.word = command.text();
     list.place = in.place(command);
     for (int i = 0; i < 4; ++i) list.current.color[static_cast<std::size_t>(i)] = in.state.color[i];
     in.list = std::move(list);

@@ -63,15 +63,15 @@ void doStage(Interpreter& in, const Command& command) {
     in.state.stagesOfProgram.erase(stage);
     if (command.isModern)
         in.state.stageFiles[stage] = inlineShader(in, command);
-    else if (command.text.empty())
+    else if (command.text().empty())
         in.state.stageFiles.erase(stage);
     else
-        in.state.stageFiles[stage] = fileOf(in, command.text, in.script->place(command.textPosition));
+        in.state.stageFiles[stage] = fileOf(in, command.text(), in.script->place(command.textPosition()));
 }
 
 void doProgram(Interpreter& in, const Command& command) {
     Program program;
-    program.name = command.text;
+    program.name = command.text();
     program.place = in.place(command);
     program.uniforms = command.uniforms;
     const bool computes = static_cast<bool>(in.state.computeFile);
@@ -89,17 +89,17 @@ void doProgram(Interpreter& in, const Command& command) {
     }
     const ProgramIndex made = in.scene.programs.add(std::move(program));
     if (!computes) in.state.program = made;
-    in.modern.programs[command.text] = made;
+    in.modern.programs[command.text()] = made;
     if (!command.tags.empty()) in.modern.programTags[made] = {&command, in.script, in.names().here()};
 }
 
 void doGeometryInput(Interpreter& in, const Command& command) {
     in.state.hasGeometryWordsOfProgram = false;
-    in.state.geometryInput = command.text;
+    in.state.geometryInput = command.text();
 }
 void doGeometryOutput(Interpreter& in, const Command& command) {
     in.state.hasGeometryWordsOfProgram = false;
-    in.state.geometryOutput = command.text;
+    in.state.geometryOutput = command.text();
 }
 void doGeometryVerticesOut(Interpreter& in, const Command& command) {
     in.state.hasGeometryWordsOfProgram = false;
@@ -111,8 +111,8 @@ void doTimer(Interpreter& in, const Command& command) {
 }
 
 void doMessageBox(Interpreter& in, const Command& command) {
-    if (in.scene.messages.size() < glib::kMostMessages) in.scene.messages.push_back(command.text);
-    in.reportAt(command, "glib-N01", fmt::format("MessageBox: {}", command.text));
+    if (in.scene.messages.size() < glib::kMostMessages) in.scene.messages.push_back(command.text());
+    in.reportAt(command, "glib-N01", fmt::format("MessageBox: {}", command.text()));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/text.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "glib/text.h"
 #include "scene/classic/classic.h"
 #include "scene/run/statements.h"
@@ -60,7 +60,7 @@ void store(Interpreter& in, const Command& command, Texture texture) {
 /// Returns an empty texture, or nothing with glib-E15 if all such textures together would be too large.
 std::optional<EmptySource> emptySource(Interpreter& in, const Command& command) {
     std::array<int, 3> sizes{1, 1, 1};
-    const std::size_t format = formatIndex(command.text);
+    const std::size_t format = formatIndex(command.text());
     auto bytes = static_cast<std::uint64_t>(glib::textureFormats()[format].bytes);
     for (std::size_t i = 0; i < sizes.size() && i + 1 < command.numbers.size(); ++i) {
         sizes[i] = static_cast<int>(command.numbers[i + 1]);
@@ -145,7 +145,7 @@ void doTexture(Interpreter& in, const Command& command) {
         texture.source = *source;
         texture.target = targetOfDimensions(command.numbers.size() - 1);
     } else {
-        texture = pictureTexture(in, command.text, in.script->place(command.textPosition),
+        texture = pictureTexture(in, command.text(), in.script->place(command.textPosition()),
                                  dimensionsOf(command.id));
     }
     texture.place = in.place(command);
@@ -156,8 +156,8 @@ void doTexture(Interpreter& in, const Command& command) {
 void doCubeMap(Interpreter& in, const Command& command) {
     if (command.numbers.empty()) return;
     PictureSource source;
-    for (const std::string& name : command.files)
-        source.files.push_back(fileOf(in, name, in.script->place(command.textPosition)));
+    for (const Value& each : command.values)
+        source.files.push_back(fileOf(in, each.text, in.script->place(command.textPosition())));
     store(in, command,
           {TextureTarget::cube, std::move(source), in.place(command), static_cast<int>(command.numbers[0])});
 }

@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/number.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 #include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
@@ -213,9 +214,9 @@ void doBuffer(Interpreter& in, const Command& command) {
 // ---- Compute.
 
 void doCompute(Interpreter& in, const Command& command) {
-    in.state.computeFile = command.text.empty()
+    in.state.computeFile = command.text().empty()
                                ? inlineShader(in, command)
-                               : fileOf(in, command.text, in.script->place(command.textPosition));
+                               : fileOf(in, command.text(), in.script->place(command.textPosition()));
 }
 
 /// Three counts from 1 to 2^31 - 1; missing ones are 1.
@@ -372,7 +373,7 @@ MeshContent contentOf(const geometry::Mesh& mesh) {
 std::optional<Shape> shapeOf(Interpreter& in, const Command& command) {
     const Value& word = command.values[1];
     const std::span<const Value> rest = std::span(command.values).subspan(2);
-    const glib::CommandRow* const row = glib::findCommand(word.text);
+    const glib::StatementRow* const row = glib::findCommand(word.text);
     const bool isModel = row != nullptr && row->id == CommandId::obj;
     if (!isModel && (row == nullptr || glib::primitiveOf(row->id) == nullptr)) {
         std::vector<std::string_view> names{"Obj"};
@@ -397,10 +398,10 @@ std::optional<Shape> shapeOf(Interpreter& in, const Command& command) {
     made.word = word.text;
     const auto numbers = evaluatedNumbers(in, rest);
     if (!numbers) return std::nullopt;
-    if (numbers->size() > row->arguments.size())
+    if (numbers->size() > argumentsOf(*row).size())
         return refuse(in, "glib-E26", command, rest.front().position,
                       fmt::format("{} takes at most {} numbers; the values here have {}", word.text,
-                                  row->arguments.size(), numbers->size()));
+                                  argumentsOf(*row).size(), numbers->size()));
     if (!fillNumbers(in, *row, *numbers, made)) return std::nullopt;
     shape.numbers = made.numbers;
     return shape;

@@ -8,7 +8,7 @@
 
 #include "base/suggest.h"
 #include "geometry/list_mesh.h"
-#include "glib/command_table.h"
+#include "glib/statement_table.h"
 #include "glib/text.h"
 #include "scene/classic/classic.h"
 #include "scene/count_limits.h"
@@ -58,7 +58,7 @@ std::optional<BufferView> indexBuffer(Interpreter& in, const Command& command, c
 }
 
 void doVertices(Interpreter& in, const Command& command) {
-    const auto words = glib::findCommand("glBegin")->words;
+    const auto words = geometry::kListTopologyWords;
     const auto index = wordOf(in, command.values.front(), words);
     if (!index) return;
     const std::string_view word = words[*index];

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "glib/command_table.h"
 #include "glib/limits.h"
+#include "glib/statement_table.h"
 #include "scene/classic/classic.h"
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"

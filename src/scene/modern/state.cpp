@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "scene/modern/modern.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/scope.h"

@@ -14,7 +14,7 @@
 
 #include "base/suggest.h"
 #include "glib/limits.h"
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/modern/modern.h"

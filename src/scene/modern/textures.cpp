@@ -13,8 +13,8 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
-#include "glib/modern/statement_table.h"
 #include "glib/number.h"
+#include "glib/statement_table.h"
 #include "glib/text.h"
 #include "scene/classic/classic.h"
 #include "scene/modern/modern.h"

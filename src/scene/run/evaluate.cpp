@@ -358,8 +358,8 @@ std::optional<std::vector<glib::EvaluatedNumber>> evaluatedNumbers(Interpreter& 
     return numbers;
 }
 
-bool fillNumbers(Interpreter& in, const glib::CommandRow& row, std::span<const glib::EvaluatedNumber> numbers,
-                 Command& command) {
+bool fillNumbers(Interpreter& in, const glib::StatementRow& row,
+                 std::span<const glib::EvaluatedNumber> numbers, Command& command) {
     glib::MessageLog log(in.script->path);
     glib::evaluateNumbers(row, command, numbers, log);
     const bool isRight = log.errorCount() == 0;

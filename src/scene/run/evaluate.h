@@ -85,7 +85,7 @@ bool fitFloats(Interpreter&, const Value& value, std::span<const double> numbers
 std::optional<std::vector<glib::EvaluatedNumber>> evaluatedNumbers(Interpreter&,
                                                                    std::span<const Value> values);
 /// Fills the numbers of a classic command by its row. False with the reason reported.
-bool fillNumbers(Interpreter&, const glib::CommandRow& row, std::span<const glib::EvaluatedNumber> numbers,
+bool fillNumbers(Interpreter&, const glib::StatementRow& row, std::span<const glib::EvaluatedNumber> numbers,
                  Command& command);
 
 /// What numbersOf() gives, if these are `count` numbers. Reports glib-E26 for fewer or more.

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "glib/modern/statement_table.h"
 #include "glib/number.h"
+#include "glib/statement_table.h"
 #include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 
@@ -21,7 +21,7 @@ std::optional<Command> evaluated(Interpreter& in, const Command& command) {
     const auto numbers = evaluatedNumbers(in, command.values);
     Command result = command;
     result.isEvaluatedLater = false;
-    const glib::CommandRow& row = *glib::findCommand(glib::nameOf(command.id));
+    const glib::StatementRow& row = *glib::findCommand(glib::nameOf(command.id));
     return numbers && fillNumbers(in, row, *numbers, result) ? std::optional(std::move(result))
                                                              : std::nullopt;
 }
@@ -71,8 +71,10 @@ std::string textOf(const Command& command) {
     std::string text = command.word;
     const std::size_t shown = std::min(command.numbers.size(), std::size_t{16});
     for (std::size_t i = 0; i < shown; ++i) text += " " + glib::numberText(command.numbers[i]);
-    if (!command.text.empty()) text += fmt::format(" '{}'", command.text);
-    for (const std::string& file : command.files) text += fmt::format(" '{}'", file);
+    const bool showsValues =
+        !command.isModern || command.id == CommandId::program || command.id == CommandId::compute;
+    for (const Value& each : command.values)
+        if (showsValues && !isNumeric(each) && !each.text.empty()) text += fmt::format(" '{}'", each.text);
     return text;
 }
 

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "glib/modern/statement_table.h"
+#include "glib/statement_table.h"
 
 namespace glibra::view {
 namespace {

@@ -1,12 +1,12 @@
-#include "glib/modern/mismatch.h"
+#include "glib/parse/mismatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/suggest.h"
-#include "glib/command_table.h"
-#include "glib/modern/grammar.h"
+#include "glib/statement_table.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 
 namespace glibra::glib {
@@ -111,9 +111,9 @@ std::string Mismatch::nameHint(const Pieces& pieces) const {
 
 std::string Mismatch::commandHint(const StatementRow& row, const Value& found) {
     // `State pointsize 4`.
-    const CommandRow* command = isUnquoted(found) ? findCommand(found.text) : nullptr;
-    if (command == nullptr || sameWord(command->name(), row.name)) return {};
-    return fmt::format("; {} is a statement of its own", command->name());
+    const StatementRow* command = isUnquoted(found) ? findCommand(found.text) : nullptr;
+    if (command == nullptr || sameWord(command->name, row.name)) return {};
+    return fmt::format("; {} is a statement of its own", command->name);
 }
 
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "glib/message_log.h"
-#include "glib/modern/statement_table.h"
 #include "glib/script.h"
+#include "glib/statement_table.h"
 
 namespace glibra::glib {
 

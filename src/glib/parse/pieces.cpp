@@ -1,4 +1,4 @@
-#include "glib/modern/pieces.h"
+#include "glib/parse/pieces.h"
 
 #include <fmt/format.h>
 

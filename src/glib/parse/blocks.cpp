@@ -1,4 +1,4 @@
-#include "glib/modern/blocks.h"
+#include "glib/parse/blocks.h"
 
 #include <fmt/format.h>
 

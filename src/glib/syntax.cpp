@@ -1,13 +1,19 @@
-#include "glib/modern/grammar.h"
+#include "glib/syntax.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <map>
+#include <functional>
+#include <iterator>
+#include <limits>
 #include <string_view>
 #include <utility>
+
+#include "glib/limits.h"
+#include "glib/number.h"
+#include "glib/text.h"
 
 namespace glibra::glib {
 namespace {
@@ -33,6 +39,25 @@ constexpr std::pair<std::string_view, ValueType> kTypes[] = {
     {"words", ValueType::words},
     {"color", ValueType::color},
     {"components", ValueType::components},
+    {"size", ValueType::size},
+    {"count", ValueType::count},
+    {"integer", ValueType::integer},
+    {"between", ValueType::between},
+    {"positive", ValueType::positive},
+    {"texels", ValueType::texels},
+    {"component", ValueType::component},
+    {"unit", ValueType::unit},
+    {"points", ValueType::points},
+    {"truth", ValueType::truth},
+    {"line", ValueType::line},
+};
+
+/// Numbers that the notation calls by name.
+constexpr std::pair<std::string_view, double> kNumbers[] = {
+    {"side", kLargestTextureSide},   {"volume", kLargestVolumeSide},
+    {"unit", kHighestUnit},          {"vertices", kMostVertices},
+    {"red", kDefaultBackground[0]},  {"green", kDefaultBackground[1]},
+    {"blue", kDefaultBackground[2]}, {"", std::numeric_limits<double>::infinity()},
 };
 
 /// Replaces every $name by its fragment.
@@ -67,6 +92,37 @@ std::size_t readCount(std::string_view digits) {
     std::size_t count = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), count);
     return count;
+}
+
+double readNumberOf(std::string_view text) {
+    if (const auto number = numberPrefix(text)) return number->value;
+    const auto* const named = std::ranges::find(kNumbers, text, &std::pair<std::string_view, double>::first);
+    assert(named != std::end(kNumbers));
+    return named->second;
+}
+
+/// Cuts the text at the first of these bytes, and returns what follows it.
+std::string_view cutAt(std::string_view& text, std::string_view bytes) {
+    const std::size_t at = std::min(text.find_first_of(bytes), text.size());
+    const std::string_view rest = text.substr(std::min(at + 1, text.size()));
+    text = text.substr(0, at);
+    return rest;
+}
+
+/// Reads =5~0/1..9/pixels after the type of a number, and removes it from the type.
+void readRule(std::string_view& type, SyntaxNode& node) {
+    std::string_view limits = cutAt(type, "/"), measure = cutAt(limits, "/"), filler = cutAt(type, "~");
+    const std::string_view byDefault = cutAt(type, "=");
+    if (!byDefault.empty()) node.byDefault = readNumberOf(byDefault);
+    if (!filler.empty()) node.filler = readNumberOf(filler);
+    const std::size_t dots = limits.find("..");
+    if (dots == std::string_view::npos) {
+        measure = limits;
+    } else {
+        node.low = readNumberOf(limits.substr(0, dots));
+        node.high = readNumberOf(limits.substr(dots + 2));
+    }
+    node.measure = measure;
 }
 
 class Compiler {
@@ -138,6 +194,7 @@ class Compiler {
         SyntaxNode node;
         if (all.starts_with("pairs")) {
             node.kind = NodeKind::pairs;
+            node.text = "tags";
             node.needsOne = all.ends_with('+');
             return node;
         }
@@ -154,6 +211,8 @@ class Compiler {
         SyntaxNode node;
         node.kind = NodeKind::value;
         node.text = name;
+        std::ranges::replace(node.text, '_', ' ');
+        readRule(type, node);
         const std::size_t count = type.find_first_of("*+");
         if (count != std::string_view::npos) {
             node.most = readCount(type.substr(count + 1));
@@ -188,6 +247,7 @@ struct Surroundings {
 void finishNode(SyntaxNode& node, Surroundings around, Syntax& syntax) {
     node.isSkippable = around.isSkippable;
     node.isChosen = around.isChosen;
+    if (node.kind == NodeKind::value || node.kind == NodeKind::pairs) syntax.arguments.push_back(&node);
     if (node.kind == NodeKind::key) {
         addOnce(syntax.keys, node.text);
         if (!around.isAfterKey) addOnce(syntax.outerKeys, node.text);
@@ -258,20 +318,49 @@ void forEachNode(const SyntaxNode& node, const Visit& visit) {
     for (const SyntaxNode& each : node.children) forEachNode(each, visit);
 }
 
+/// How a classic statement of these arguments is read.
+ArgumentForm formOfArguments(std::span<const SyntaxNode* const> arguments) {
+    if (arguments.empty()) return ArgumentForm::numbers;
+    if (arguments.back()->kind == NodeKind::pairs) return ArgumentForm::program;
+    switch (arguments.back()->type) {
+        case ValueType::file:
+            return arguments.size() > 1 ? ArgumentForm::cubeMap : ArgumentForm::file;
+        case ValueType::unit:
+            return ArgumentForm::units;
+        case ValueType::texels:
+            return ArgumentForm::texture;
+        case ValueType::oneOf:
+            return ArgumentForm::topology;
+        case ValueType::truth:
+            return ArgumentForm::switchWord;
+        case ValueType::line:
+            return ArgumentForm::message;
+        case ValueType::points:
+            return ArgumentForm::pointGroups;
+        default:
+            return ArgumentForm::numbers;
+    }
+}
+
+std::vector<Syntax> compiled(std::span<const StatementRow> rows) {
+    std::vector<Syntax> all(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        all[i].root = Compiler(expanded(rows[i].syntax)).compile();
+        finishNode(all[i].root, {}, all[i]);
+        all[i].form = formOfArguments(all[i].arguments);
+    }
+    return all;
+}
+
 }  // namespace
 
 const Syntax& syntaxOf(const StatementRow& row) {
-    static const auto kAll = [] {
-        std::map<CommandId, Syntax> all;
-        for (const StatementRow& each : statementTable()) {
-            Syntax syntax;
-            syntax.root = Compiler(expanded(each.syntax)).compile();
-            finishNode(syntax.root, {}, syntax);
-            all.emplace(each.id, std::move(syntax));
-        }
-        return all;
-    }();
-    return kAll.at(row.id);
+    static const std::span<const StatementRow> kClassicRows = commandTable();
+    static const std::vector<Syntax> kClassic = compiled(kClassicRows), kModern = compiled(statementTable());
+    const StatementRow* const first = kClassicRows.data();
+    const bool isClassic = !std::less<>()(&row, first) && std::less<>()(&row, first + kClassicRows.size());
+    return isClassic ? kClassic[static_cast<std::size_t>(&row - first)]
+                     : kModern[static_cast<std::size_t>(&row - statementTable().data())];
 }
 
 bool hasNode(const StatementRow& row, bool (*isSuch)(const SyntaxNode&)) {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "glib/message_log.h"
-#include "glib/modern/pieces.h"
-#include "glib/modern/statement_table.h"
+#include "glib/parse/pieces.h"
+#include "glib/statement_table.h"
 
 namespace glibra::glib {
 

@@ -87,9 +87,7 @@ bool isSame(const Command& a, const Command& b) {
         return text;
     };
     return a.id == b.id && sameWord(a.word, b.word) && a.position.line == b.position.line &&
-           a.numbers == b.numbers && a.givenNumbers == b.givenNumbers && a.text == b.text &&
-           a.files == b.files &&
-           std::ranges::equal(a.points, b.points, {}, &PointGroup::values, &PointGroup::values) &&
+           a.numbers == b.numbers && a.givenNumbers == b.givenNumbers &&
            std::ranges::equal(a.uniforms, b.uniforms, {}, pair, pair) &&
            values(a.values) == values(b.values) && a.body == b.body && a.isModern == b.isModern &&
            a.partner == b.partner && a.bodyPosition == b.bodyPosition &&

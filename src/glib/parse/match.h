@@ -6,9 +6,9 @@
 
 #include "glib/lexer.h"
 #include "glib/message_log.h"
-#include "glib/modern/mismatch.h"
-#include "glib/modern/statement_table.h"
+#include "glib/parse/mismatch.h"
 #include "glib/script.h"
+#include "glib/statement_table.h"
 
 namespace glibra::glib {
 

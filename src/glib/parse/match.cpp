@@ -1,4 +1,4 @@
-#include "glib/modern/match.h"
+#include "glib/parse/match.h"
 
 #include <fmt/format.h>
 
@@ -14,12 +14,12 @@
 #include "base/suggest.h"
 #include "glib/limits.h"
 #include "glib/message_log.h"
-#include "glib/modern/grammar.h"
-#include "glib/modern/mismatch.h"
-#include "glib/modern/pieces.h"
-#include "glib/modern/statement_table.h"
 #include "glib/number.h"
+#include "glib/parse/mismatch.h"
+#include "glib/parse/pieces.h"
 #include "glib/script.h"
+#include "glib/statement_table.h"
+#include "glib/syntax.h"
 #include "glib/text.h"
 
 namespace glibra::glib {

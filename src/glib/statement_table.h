@@ -1,0 +1,167 @@
+#pragma once
+// The words of the language: one row per statement. Parser, reference, suggestions, editor grammar and tests
+// read the rows.
+//
+// A row states the syntax after the statement's word in a small notation, which syntax.h compiles:
+//
+//   from            a key, matched in any case; `blend.#` may be followed by .NUMBER, `stencil.front,back` by
+//   one
+//                   of the words
+//   name:type       a value; the types are those of ValueType, a comma list of words, or a $list of words
+//   name:number*9   nine numbers; an expression may stand for several of them
+//   name:number+3   one to three numbers
+//   a...            one or more; [a]... none or more
+//   [a]             may be left out
+//   (a | b)         one of them
+//   {a | b}         any number of them in any order, each once; {a | b}+ at least one
+//   pairs, pairs+   `tag value` pairs
+//   $name           a fragment of the table of fragments
+//
+// Classic statements have no keys. Their numbers may say more:
+//
+//   name:type=5     5 replaces a missing number without a message
+//   name:type~0     0 replaces a missing number with glib-W06; after =5, only if another number is given
+//   name:type/1..9  the limits, numbers or names of limits; what happens beyond them is said by the type
+//   name:.../pixels the unit
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glib/command_id.h"
+
+namespace glibra::geometry {
+struct PrimitiveSpec;
+}
+
+namespace glibra::glib {
+
+struct Command;
+struct Position;
+class MessageLog;
+
+/// The clear colour until a scene sets one, and that of a Background without numbers.
+inline constexpr std::array<double, 3> kDefaultBackground{18 / 255., 27 / 255., 33 / 255.};
+
+/// What a statement does to the blocks of the script.
+enum class BlockRole : std::uint8_t { none, opens, divides, closes };
+
+/// Where a statement may stand.
+enum class Standing : std::uint8_t {
+    anywhere,
+    declaration,  ///< outside Group, Repeat, When, Once and Step
+    outermost,    ///< outside all blocks
+    notInPass,    ///< outside Pass
+};
+
+/// How the text after the word of a classic statement is read, and which members of Command it fills. The
+/// syntax says which it is (syntax.h).
+enum class ArgumentForm : std::uint8_t {
+    numbers,      ///< fills `numbers`
+    file,         ///< one file name or none: `text`
+    cubeMap,      ///< a unit and six files: `numbers`, `files`
+    units,        ///< up to eight texture units, or none: `numbers`
+    texture,      ///< a unit and a file: `numbers`, `text`; or a unit, sizes and a format: `numbers`, `text`
+    topology,     ///< a word of the row, with or without gl_: `text`, without gl_, in lower case
+    switchWord,   ///< on, off, 1, 0, true, false: `numbers` (1 or 0), `text`
+    message,      ///< the raw text to the end of the line: `text`
+    pointGroups,  ///< `points`, a multiple of the row's number
+    program,      ///< a name and pairs: `text`, `uniforms`
+};
+
+/// What a single number of a classic statement means where the row has several.
+enum class LoneNumber : std::uint8_t {
+    first,       ///< the first argument
+    firstThree,  ///< the first three arguments
+    grey,        ///< the first three arguments, with glib-W06
+};
+
+struct StatementRow {
+    CommandId id{};
+    std::string_view name{};
+    std::string_view syntax{};
+    std::string_view summary{};  ///< one line
+    std::string_view alias{};
+    /// Checks and mends all numbers together. `places` are those of the numbers that stand in the file.
+    void (*together)(Command&, std::span<const Position> places, MessageLog&) = nullptr;
+    LoneNumber loneNumber = LoneNumber::first;
+    BlockRole role = BlockRole::none;
+    CommandId opener{};  ///< of the block that the statement divides or closes
+    Standing standing = Standing::anywhere;
+    bool declaresName = false;  ///< its first value is a new name of the namespace of objects
+    bool takesBody = false;     ///< the word `inline` in it begins GLSL, up to End and the statement's name
+    bool restartsSimulation = true;  ///< false for what acts on the frame alone outside of Once and Step
+
+    [[nodiscard]] std::array<std::string_view, 2> names() const { return {name, alias}; }
+
+    /// True if a classic and a modern statement have the word, so that the arguments decide which of them it
+    /// is.
+    [[nodiscard]] bool sharesWord() const;
+};
+
+/// All classic statements, in the order of the language's section 3.
+std::span<const StatementRow> commandTable();
+
+/// All modern statements, in the order of the specification.
+std::span<const StatementRow> statementTable();
+
+/// The row of a classic word or alias, in any case; null if there is none.
+const StatementRow* findCommand(std::string_view word);
+
+/// The id of a classic statement that exists, by its word or alias.
+CommandId commandOf(std::string_view word);
+
+/// The row of a word that only modern statements have, in any case; null if there is none.
+const StatementRow* findStatement(std::string_view word);
+
+/// The modern form of a word that a classic statement has as well; null if there is none.
+const StatementRow* modernFormOf(std::string_view word);
+
+/// The modern row of an id; null if the id has none. The stages in the script have the ids of the classic
+/// stages.
+const StatementRow* statementOf(CommandId id);
+
+/// The row of the primitive; null if the statement is not one.
+const geometry::PrimitiveSpec* primitiveOf(CommandId id);
+
+/// False for what acts on the frame alone where it stands outside of Once and Step. The window does not start
+/// a simulation again if such a statement changes.
+bool restartsSimulation(CommandId id);
+
+/// The word of a statement, as the reference spells it.
+std::string_view nameOf(CommandId id);
+
+/// The word or alias nearest to an unknown word, spelled as in its table; empty if none is near.
+std::string_view nearestCommand(std::string_view word);
+
+/// The text that the notation's `$name` stands for; empty if there is no such fragment.
+std::string_view syntaxFragment(std::string_view name);
+/// The words of such a fragment that is a list of words, in their order.
+std::vector<std::string_view> wordsOfFragment(std::string_view name);
+
+/// The syntax as the reference shows it, with the statement's word and without types. A long list of words is
+/// shown by its name.
+std::string usage(const StatementRow& row);
+
+/// The long lists of words in a syntax.
+struct WordList {
+    std::string name;
+    std::vector<std::string> words;
+};
+std::vector<WordList> wordLists(const StatementRow& row);
+
+/// All words that may stand as keys or as words of a list in a statement, each once.
+std::vector<std::string> wordsOf(const StatementRow& row);
+
+/// A format of the empty textures of classic statements: its word and the bytes of one texel.
+struct TextureFormat {
+    std::string_view name;
+    int bytes = 4;
+};
+/// RGBA8 (the default) first.
+std::span<const TextureFormat> textureFormats();
+
+}  // namespace glibra::glib
