@@ -12,7 +12,7 @@ namespace glibra::suite {
 
 class Folder {
   public:
-    Folder() : path_(test::newFolder("suite")) {}
+    Folder() : path_(glibra::test::newFolder("suite")) {}
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
     ~Folder() {
