@@ -77,11 +77,11 @@ configure() (
 
 # expected FOLDER TARGET...: what is to be built there, and how long that took the last time: "41 steps, about 3 minutes".
 expected() (
-    folder=$1
+    expected_in=$1
     shift
     # Without the step that looks for new files, at which a dry run ends.
-    sed '/^build build\.ninja:/,/^$/d' "$folder/build.ninja" >"$folder/dry.ninja"
-    { cat "$folder/.ninja_log" 2>/dev/null; ninja -C "$folder" -f dry.ninja -n "$@"; } | awk -v jobs="$(nproc)" '
+    sed '/^build build\.ninja:/,/^$/d' "$expected_in/build.ninja" >"$expected_in/dry.ninja"
+    { cat "$expected_in/.ninja_log" 2>/dev/null; ninja -C "$expected_in" -f dry.ninja -n "$@"; } | awk -v jobs="$(nproc)" '
         NF == 5 && $2 ~ /^[0-9]+$/ { took[$4] = $2 - $1; next }
         /^\[[0-9]+\// { ++steps; seconds += ($NF in took ? took[$NF] : 10000) / 1000 }
         END {
