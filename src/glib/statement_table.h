@@ -61,15 +61,15 @@ enum class Standing : std::uint8_t {
 /// syntax says which it is (syntax.h).
 enum class ArgumentForm : std::uint8_t {
     numbers,      ///< fills `numbers`
-    file,         ///< one file name or none: `text`
-    cubeMap,      ///< a unit and six files: `numbers`, `files`
+    file,         ///< one file name or none: `values`
+    cubeMap,      ///< a unit and six files: `numbers`, `values`
     units,        ///< up to eight texture units, or none: `numbers`
-    texture,      ///< a unit and a file: `numbers`, `text`; or a unit, sizes and a format: `numbers`, `text`
-    topology,     ///< a word of the row, with or without gl_: `text`, without gl_, in lower case
-    switchWord,   ///< on, off, 1, 0, true, false: `numbers` (1 or 0), `text`
-    message,      ///< the raw text to the end of the line: `text`
-    pointGroups,  ///< `points`, a multiple of the row's number
-    program,      ///< a name and pairs: `text`, `uniforms`
+    texture,      ///< a unit and a file, or a unit, sizes and a format: `numbers`, `values`
+    topology,     ///< a word of the row, with or without gl_: `values`, without gl_, in lower case
+    switchWord,   ///< on, off, 1, 0, true, false: `numbers` (1 or 0), `values`
+    message,      ///< the raw text to the end of the line: `values`
+    pointGroups,  ///< points in `numbers`, a multiple of the row's number
+    program,      ///< a name and pairs: `values`, `tags`, `uniforms`
 };
 
 /// What a single number of a classic statement means where the row has several.

@@ -100,7 +100,7 @@ TEST(Es, VariablesGetTheirFirstValuesInMain) {
 
 TEST(Es, ValuesOfUniformsAreGivenToWhoeverDraws) {
     const Written written = Written::fragment(
-        "const float kHalf = 1. / 2.; uniform float a = -kHalf, b = 3; uniform vec3 v = vec3(.25); uniform "
+        "const float kHalf = 1. / 2.; uniform float a = -kHalf, b = 3; uniform vec3 v = vec3(.25); uniform float none = 1 / 2 * .5; uniform "
         "mat2 m = "
         "mat2(2.); uniform bool on = true; uniform int list[2] = int[2](3, 4); struct L { vec2 p; float q; "
         "}; uniform "

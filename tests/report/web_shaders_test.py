@@ -59,7 +59,7 @@ def programs_in(folder):
     for path in pathlib.Path(folder).rglob("*.*"):
         name = path.relative_to(folder)
         programs[str(name.with_suffix(""))][path.suffix[1:]] = path.read_text()
-    return {name: stages for name, stages in programs.items() if set(stages) == {"vert", "frag"}}
+    return programs
 
 
 def main():
@@ -68,6 +68,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         count, lacking = scenes_with_messages(folder)
         programs = programs_in(folder)
+        if halves := [name for name, stages in programs.items() if set(stages) != {"vert", "frag"}]:
+            sys.exit(f"programs without both stages: {halves}")
         with webdriver.Browser(gl=True) as browser:
             browser.open("about:blank")
             refused = browser.run(COMPILE, programs)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,8 @@ namespace {
 
 using Numbers = std::optional<std::vector<double>>;
 
+/// The components of constant expressions of literals, constructors, arithmetic and constants of the file,
+/// in single precision; matrices by columns, booleans as 0 and 1. Nothing for other expressions.
 class Evaluation {
   public:
     explicit Evaluation(const Unit& unit) : unit_(unit) {}
@@ -81,10 +84,12 @@ class Evaluation {
 
     [[nodiscard]] Numbers chain(const Node& at) {
         Numbers left = of(at.child);
+        bool isIntegral = node(at.child).type.integral();  // what stands on the left: 1 / 2 * .5 is 0
         for (std::uint32_t each = node(at.child).next; left && each != kNone; each = node(each).next) {
             if (!at.type.numeric() || at.type.matrix()) return std::nullopt;
+            isIntegral = isIntegral && node(each).type.integral();
             const Numbers right = of(each);
-            left = right ? joined(*left, unit_.text(node(each).first - 1), *right, at.type.integral())
+            left = right ? joined(*left, unit_.text(node(each).first - 1), *right, isIntegral)
                          : std::nullopt;
         }
         return left;
@@ -153,10 +158,6 @@ class Evaluation {
 
 }  // namespace
 
-std::optional<std::vector<double>> constantNumbers(const Unit& unit, std::uint32_t node) {
-    return Evaluation(unit).of(node);
-}
-
 bool addInitialValues(const Unit& unit, const std::string& uniform, std::string_view type, std::uint32_t node,
                       std::vector<InitialValue>& values) {
     const std::vector<Node>& nodes = unit.bodies.nodes;
@@ -164,7 +165,7 @@ bool addInitialValues(const Unit& unit, const std::string& uniform, std::string_
         return each.type.isStruct && each.type.name == type;
     });
     if (structure == unit.syntax.declarations.end()) {
-        std::optional<std::vector<double>> numbers = constantNumbers(unit, node);
+        Numbers numbers = Evaluation(unit).of(node);
         if (numbers) values.push_back({uniform, std::string(type), std::move(*numbers)});
         return numbers.has_value();
     }

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
-#include <set>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -13,7 +12,6 @@
 #include "glsl/es/constants.h"
 #include "glsl/es/conversions.h"
 #include "glsl/parse/bodies.h"
-#include "glsl/parse/lexical.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
 #include "glsl/read/source.h"
@@ -35,6 +33,12 @@ constexpr std::string_view kMissingNames =
     "gl_PrimitiveID gl_SampleID gl_SamplePosition gl_SampleMask gl_SampleMaskIn gl_NumSamples gl_Layer "
     "gl_ViewportIndex gl_ClipDistance gl_CullDistance gl_HelperInvocation gl_BaseVertex gl_BaseInstance "
     "gl_DrawID gl_BaseVertexARB gl_BaseInstanceARB gl_DrawIDARB ";
+
+/// The limits that it has.
+constexpr std::string_view kLimits =
+    " gl_MaxVertexAttribs gl_MaxVertexUniformVectors gl_MaxVertexOutputVectors gl_MaxFragmentInputVectors "
+    "gl_MaxVertexTextureImageUnits gl_MaxCombinedTextureImageUnits gl_MaxTextureImageUnits "
+    "gl_MaxFragmentUniformVectors gl_MaxDrawBuffers gl_MaxProgramTexelOffset ";
 
 /// The samplers that GLSL ES 3.00 has, without the i and u of those of integers.
 constexpr std::string_view kSamplers =
@@ -176,8 +180,6 @@ class EsStage {
         return {core_.lineMap.files[static_cast<std::size_t>(user.line.file)], user.line.line, user.column};
     }
 
-    [[nodiscard]] Unit& unit() { return unit_; }
-
   private:
     void declaration(const Declaration& each) {
         if (each.kind == DeclarationKind::precision ||
@@ -199,6 +201,10 @@ class EsStage {
             return lacks("web-E04", "the storage block '" + name + "' is not possible in WebGL 2", each.name);
         if (each.qualifiers.storage != Storage::input && each.qualifiers.storage != Storage::output) return;
         if (name == "gl_PerVertex") return unit_.remove(each.tokens);
+        if (!each.declarators.empty() && !each.declarators.front().dimensions.empty())
+            return lacks("web-E04",
+                         "'" + name + "' is an array of blocks between stages, which GLSL ES 3.00 (WebGL 2) has not",
+                         each.name);
         const std::string word(each.qualifiers.storage == Storage::input ? "in " : "out ");
         unit_.remove({each.tokens.first, each.body.first + 1});
         unit_.remove({each.body.end - 1, each.tokens.end});
@@ -310,7 +316,8 @@ class EsStage {
             if (role == WordRole::global) member(at, text);
             return;
         }
-        if (listed(kMissingNames, text) || text.starts_with("atomic") || text.starts_with("imageAtomic"))
+        if (listed(kMissingNames, text) || (text.starts_with("gl_Max") && !listed(kLimits, text)) ||
+            text.starts_with("atomic") || text.starts_with("imageAtomic"))
             lacks("web-E02",
                   "'" + std::string(text) + "' is not in GLSL ES 3.00, which browsers compile for WebGL 2",
                   at);
@@ -371,7 +378,7 @@ class EsStage {
             const bool isFetch = name == "texelFetch";
             unit_.edits.before(unit_.view[place.first].raw, isFetch ? "ivec2(" : "vec2(");
             unit_.edits.after(unit_.view[place.end - 1].raw, isFetch ? ", 0)" : ", .5)");
-        } else if (listed(" textureProj textureGrad textureOffset textureLodOffset textureProjLod ", name)) {
+        } else if (!unit_.isDeclared(name) && name.starts_with("tex")) {
             lacks("web-E02",
                   "'" + std::string(name) + "' of a sampler1D has no counterpart in GLSL ES 3.00 (WebGL 2)",
                   each.name);
@@ -460,6 +467,14 @@ EsProgram toEs(const TranslatedProgram& program) {
     if (units.size() == 2) connect(units.front(), units.back());
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());
+    // Only the core profile links a vertex stage alone.
+    if (!result.stages.empty() && result.stages.back().stage == Stage::vertex) {
+        TranslatedStage& fragment = result.stages.emplace_back();
+        fragment.stage = Stage::fragment;
+        fragment.source = "#version 300 es\nvoid main() {}\n";
+        fragment.lineMap.lines.resize(2);
+        fragment.lineMap.columns.resize(2);
+    }
     result.diagnostics = report.take();
     return result;
 }
