@@ -100,18 +100,20 @@ TEST(Es, VariablesGetTheirFirstValuesInMain) {
 
 TEST(Es, ValuesOfUniformsAreGivenToWhoeverDraws) {
     const Written written = Written::fragment(
-        "const float kHalf = 1. / 2.; uniform float a = -kHalf, b = 3; uniform vec3 v = vec3(.25); uniform float none = 1 / 2 * .5; uniform "
+        "const float kHalf = 1. / 2.; uniform float a = -kHalf, b = 3; uniform vec3 v = vec3(.25); uniform "
+        "float none = 1 / 2 * .5; uniform "
         "mat2 m = "
         "mat2(2.); uniform bool on = true; uniform int list[2] = int[2](3, 4); struct L { vec2 p; float q; "
         "}; uniform "
         "L lights[2] = L[2](L(vec2(1., 2.), 3.), L(vec2(4.), 5.));",
-        "c.x = a + b + v.x + m[0][0] + float(list[0]) + lights[1].q; if (on) c.y = 0.;");
+        "c.x = a + b + none + v.x + m[0][0] + float(list[0]) + lights[1].q; if (on) c.y = 0.;");
     EXPECT_EQ(ids(written.es.diagnostics), "");
     EXPECT_EQ(written.errors(), "");
     using Numbers = std::vector<double>;
     EXPECT_EQ(written.initial("a"), Numbers{-.5});
     EXPECT_EQ(written.initial("b"), Numbers{3});
     EXPECT_EQ(written.initial("v"), (Numbers{.25, .25, .25}));
+    EXPECT_EQ(written.initial("none"), Numbers{0});
     EXPECT_EQ(written.initial("m"), (Numbers{2, 0, 0, 2}));
     EXPECT_EQ(written.initial("on"), Numbers{1});
     EXPECT_EQ(written.initial("list"), (Numbers{3, 4}));

@@ -89,8 +89,7 @@ class Evaluation {
             if (!at.type.numeric() || at.type.matrix()) return std::nullopt;
             isIntegral = isIntegral && node(each).type.integral();
             const Numbers right = of(each);
-            left = right ? joined(*left, unit_.text(node(each).first - 1), *right, isIntegral)
-                         : std::nullopt;
+            left = right ? joined(*left, unit_.text(node(each).first - 1), *right, isIntegral) : std::nullopt;
         }
         return left;
     }

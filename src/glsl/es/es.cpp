@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -202,9 +202,10 @@ class EsStage {
         if (each.qualifiers.storage != Storage::input && each.qualifiers.storage != Storage::output) return;
         if (name == "gl_PerVertex") return unit_.remove(each.tokens);
         if (!each.declarators.empty() && !each.declarators.front().dimensions.empty())
-            return lacks("web-E04",
-                         "'" + name + "' is an array of blocks between stages, which GLSL ES 3.00 (WebGL 2) has not",
-                         each.name);
+            return lacks(
+                "web-E04",
+                "'" + name + "' is an array of blocks between stages, which GLSL ES 3.00 (WebGL 2) has not",
+                each.name);
         const std::string word(each.qualifiers.storage == Storage::input ? "in " : "out ");
         unit_.remove({each.tokens.first, each.body.first + 1});
         unit_.remove({each.body.end - 1, each.tokens.end});
