@@ -264,6 +264,7 @@ void addCheck(CommandLine& program, int& status) {
               "report what WebGL 2, which browsers have, lacks for the shaders; --translated then writes "
               "them in "
               "GLSL ES 3.00")
+        .excludes(command.find("--no-shim"))
         .rare();
     command.find("--untrusted").rare();
     command.flag(

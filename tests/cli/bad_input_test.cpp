@@ -185,6 +185,7 @@ TEST_F(BadInput, TheTextOfAFileOutsideOfTheSceneIsNeverQuoted) {
     EXPECT_EQ(web.status, 3);
     EXPECT_NE(web.err.find("web-E05"), std::string::npos) << web.err;
     EXPECT_EQ(web.err.find("TOP_SECRET"), std::string::npos) << web.err;
+    EXPECT_EQ(glibra(folder.path(), "check scenes/a.glib --web --no-shim").status, 2);
     scene("../outside/good.frag", "Obj ../outside/secret.obj");
     ASSERT_EQ(glibra(folder.path(), "check scenes/a.glib --translated out").status, 0);
     std::string translated;
