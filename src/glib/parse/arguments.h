@@ -32,8 +32,8 @@ void evaluateNumbers(const StatementRow& row, Command& command, std::span<const 
 /// E08, E12, E15, E16, E29, E31.
 void readArguments(const Statement& statement, Command& command, MessageLog& log);
 
-/// Fills `values` and `uniforms`. `fragmentFile` is the current fragment shader as written; a program without a
-/// name is named after it. Reports glib-W04, W05, W08, W09, W10, W14 to W19, E15, E31. glib-W15 is reported
+/// Fills `values` and `uniforms`. `fragmentFile` is the current fragment shader as written; a program without
+/// a name is named after it. Reports glib-W04, W05, W08, W09, W10, W14 to W19, E15, E31. glib-W15 is reported
 /// here only where the type of the uniform does not matter: for colours and ranges of one or two values, and
 /// for those with too many.
 void readProgram(const Statement& statement, std::string_view fragmentFile, Command& command,
