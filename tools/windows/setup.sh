@@ -1,4 +1,4 @@
-# Sourced by tools/package-windows and tools/test-windows: installs the cross-compiler, and builds the libraries for Windows
+# Sourced by tools/package-windows and tools/test-windows, after tools/sources.sh: installs the cross-compiler, and builds the libraries for Windows
 # from the sources of their Debian packages, into build/windows-libraries.
 # shellcheck shell=sh disable=SC2034,SC2154
 
@@ -9,50 +9,10 @@ windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip cpp-httpli
  libjpeg-turbo libwebp tiff imath openexr"
 windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libboost-dev"
 
-# fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes: of each the newest version
-# whose files are all there. A mirror may list an update whose files it has not yet, or no longer.
-fetch_sources() (
-    folder=$1
-    shift
-    mkdir -p "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial"
-    for each in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
-        [ ! -f "$each" ] || sed -n 's/^deb /deb-src /p' "$each"
-    done >"$folder/apt/one.list"
-    for each in /etc/apt/sources.list.d/*.sources; do
-        [ ! -f "$each" ] || { sed 's/^Types:.*/Types: deb-src/' "$each"; echo; }
-    done >"$folder/apt/two.sources"
-    mkdir -p "$folder/apt/parts"
-    cp "$folder/apt/one.list" "$folder/apt/two.sources" "$folder/apt/parts"
-    export APT_CONFIG="$folder/apt/apt.conf"
-    cat >"$APT_CONFIG" <<END
-Dir::Etc::SourceList "/dev/null";
-Dir::Etc::SourceParts "$folder/apt/parts";
-Dir::State::Lists "$folder/apt/lists";
-Dir::Cache "$folder/apt/cache";
-APT::Sandbox::User "";
-Acquire::Retries "2";
-END
-    log=$folder/apt/log
-    cd "$folder" || exit
-    apt-get update >"$log" 2>&1 || true  # without a source of somebody else, too
-    for package in "$@"; do
-        found=false
-        for version in $(apt-cache showsrc --only-source "$package" 2>>"$log" | sed -n 's/^Version: //p' | sort -urV); do
-            rm -f ./*.dsc
-            if { apt-get source --download-only --only-source "$package=$version" && dpkg-source --no-check -x ./*.dsc; } \
-                   >>"$log" 2>&1; then
-                found=true
-                break
-            fi
-        done
-        $found || { cat "$log" >&2; say "cannot fetch the source of $package (above: what apt-get printed)"; exit 4; }
-    done
-)
-
 # windows_libraries: builds what build/windows-libraries lacks; made again when this file or the list of libraries changes.
 windows_libraries() (
     folder=$root/build/windows-libraries
-    stamp=$(cat "$root/tools/windows/setup.sh" "$root/tools/windows/libraries/CMakeLists.txt" \
+    stamp=$(cat "$root/tools/windows/setup.sh" "$root/tools/sources.sh" "$root/tools/cmake/libraries.cmake" "$root/tools/windows/libraries/CMakeLists.txt" \
                 "$root/tools/cmake/windows.cmake" | sha256sum)
     [ "$(cat "$folder/stamp" 2>/dev/null)" != "$stamp" ] || return 0
     rm -rf "$folder" "$root/build/windows"  # headers have the times of their sources

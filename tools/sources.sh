@@ -1,0 +1,42 @@
+# Sourced: fetches the sources of Debian packages, for libraries that are built for other systems.
+# shellcheck shell=sh
+
+# fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes: of each the newest version
+# whose files are all there. A mirror may list an update whose files it has not yet, or no longer.
+fetch_sources() (
+    folder=$1
+    shift
+    mkdir -p "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial"
+    for each in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+        [ ! -f "$each" ] || sed -n 's/^deb /deb-src /p' "$each"
+    done >"$folder/apt/one.list"
+    for each in /etc/apt/sources.list.d/*.sources; do
+        [ ! -f "$each" ] || { sed 's/^Types:.*/Types: deb-src/' "$each"; echo; }
+    done >"$folder/apt/two.sources"
+    mkdir -p "$folder/apt/parts"
+    cp "$folder/apt/one.list" "$folder/apt/two.sources" "$folder/apt/parts"
+    export APT_CONFIG="$folder/apt/apt.conf"
+    cat >"$APT_CONFIG" <<END
+Dir::Etc::SourceList "/dev/null";
+Dir::Etc::SourceParts "$folder/apt/parts";
+Dir::State::Lists "$folder/apt/lists";
+Dir::Cache "$folder/apt/cache";
+APT::Sandbox::User "";
+Acquire::Retries "2";
+END
+    log=$folder/apt/log
+    cd "$folder" || exit
+    apt-get update >"$log" 2>&1 || true  # without a source of somebody else, too
+    for package in "$@"; do
+        found=false
+        for version in $(apt-cache showsrc --only-source "$package" 2>>"$log" | sed -n 's/^Version: //p' | sort -urV); do
+            rm -f ./*.dsc
+            if { apt-get source --download-only --only-source "$package=$version" && dpkg-source --no-check -x ./*.dsc; } \
+                   >>"$log" 2>&1; then
+                found=true
+                break
+            fi
+        done
+        $found || { cat "$log" >&2; say "cannot fetch the source of $package (above: what apt-get printed)"; exit 4; }
+    done
+)
