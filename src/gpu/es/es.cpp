@@ -23,6 +23,7 @@ Own own;
 GLuint program = 0;            ///< in use
 GLenum pending = GL_NO_ERROR;  ///< of a function that ES does not have
 bool clampsDepth = false;      ///< EXT_depth_clamp
+bool hasWideTexels = false;    ///< EXT_texture_norm16
 
 // ---- States
 
@@ -330,7 +331,9 @@ void store(double value, TexelType type, std::byte* at) {
     }
 }
 
+/// True for formats of which only EXT_texture_norm16 knows.
 bool isWide(TexelFormat format) {
+    if (hasWideTexels) return false;
     const base::TexelFormatRow& row = base::rowOf(format);
     return row.bits == 16 &&
            (row.kind == base::TexelClass::normalized || row.kind == base::TexelClass::signedNormalized);
@@ -390,6 +393,7 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     program = 0;
     pending = GL_NO_ERROR;
     clampsDepth = hasExtension("GL_EXT_depth_clamp");
+    hasWideTexels = hasExtension("GL_EXT_texture_norm16");
     isLoaded = true;
     return true;
 }

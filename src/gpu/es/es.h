@@ -35,9 +35,10 @@ struct TexelLayout {
 std::vector<std::byte> converted(std::span<const std::byte> texels, TexelLayout from, TexelLayout to,
                                  bool isNormalized);
 
-/// GL's number of a format in ES: normalized formats of 16 bits are 32-bit floats there.
+/// GL's number of a format where ES has another one, or GL_NONE: without EXT_texture_norm16, normalized formats of 16
+/// bits are 32-bit floats.
 GLenum esInternalFormat(TexelFormat format);
-/// The only layout in which ES takes texels of that format; `packed` differs.
+/// The layout in which ES takes texels of that format, if it is another one than OpenGL's; else GL_NONE.
 Transfer esTransfer(TexelFormat format);
 /// The texels in the layout of esTransfer().
 std::vector<std::byte> forEs(std::span<const std::byte> texels, TexelLayout layout, TexelFormat format);
