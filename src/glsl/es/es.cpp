@@ -9,6 +9,7 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_line.h"
+#include "glsl/es/borders.h"
 #include "glsl/es/constants.h"
 #include "glsl/es/conversions.h"
 #include "glsl/parse/bodies.h"
@@ -118,8 +119,8 @@ std::string withoutDirectives(std::string_view source) {
 /// One stage, from the core text to that of GLSL ES.
 class EsStage {
   public:
-    EsStage(const TranslatedStage& core, Unit& unit, Report& report)
-        : core_(core), unit_(unit), report_(report) {}
+    EsStage(const TranslatedStage& core, Unit& unit, Report& report, bool hasBorders)
+        : core_(core), unit_(unit), report_(report), hasBorders_(hasBorders) {}
 
     void adapt(std::vector<InitialValue>& initialValues) {
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
@@ -130,7 +131,10 @@ class EsStage {
         for (const auto& [name, at] : unit_.declared)
             if (unit_.function(name) && std::ranges::find(core, name) != core.end())
                 unit_.renames[name] = std::string(kOwnOverload) + name;
-        for (const Call& each : unit_.bodies.calls) call(each);
+        for (const Call& each : unit_.bodies.calls) {
+            call(each);
+            if (hasBorders_) readBorders(unit_, each);
+        }
         writeConversions(unit_);
         begin();
     }
@@ -401,6 +405,7 @@ class EsStage {
     const TranslatedStage& core_;
     Unit& unit_;
     Report& report_;
+    bool hasBorders_;
     std::vector<std::string> beginnings_;  ///< statements that give variables their first values
     /// The variables in place of the members of blocks, by instance and member.
     std::map<std::pair<std::string, std::string>, std::string> members_;
@@ -435,7 +440,7 @@ void connect(Unit& vertex, Unit& fragment) {
 
 }  // namespace
 
-EsProgram toEs(const TranslatedProgram& program) {
+EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
     EsProgram result;
     Report report, ignored;  // the core text has been reported already
     ProgramRequest core, es;
@@ -463,7 +468,7 @@ EsProgram toEs(const TranslatedProgram& program) {
         unit.declare("precision highp int;");
         unit.declare("precision highp sampler2D;");
         unit.declare("precision highp samplerCube;");
-        stages.emplace_back(each, unit, report);
+        stages.emplace_back(each, unit, report, hasBorders);
     }
     if (units.size() == 2) connect(units.front(), units.back());
     for (EsStage& each : stages) each.adapt(result.initialValues);

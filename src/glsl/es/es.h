@@ -19,7 +19,8 @@ struct EsProgram {
     Diagnostics diagnostics;
 };
 
-/// `program` must have been translated without errors.
-EsProgram toEs(const TranslatedProgram& program);
+/// `program` must have been translated without errors. `hasBorders`: textures that it reads may have a
+/// border, which whoever draws says by the uniforms of borders.h.
+EsProgram toEs(const TranslatedProgram& program, bool hasBorders = false);
 
 }  // namespace glibra::glsl
