@@ -65,20 +65,27 @@ std::string text(const Reader& reader) {
            ") : v; }";
 }
 
-}  // namespace
+bool hasBorder(std::string_view type) {
+    return type == "sampler2D" || type == "sampler2DShadow";
+}
 
-void readBorders(Unit& unit, const Call& call) {
+/// Declares what the border of a sampler is if that is a uniform; the border of a parameter is a parameter.
+std::string borderOf(Unit& unit, Range argument) {
+    constexpr const char* kNone = "vec4[2](vec4(0.), vec4(0.))";
+    if (argument.end != argument.first + 1) return kNone;
+    const std::string name(unit.text(argument.first));
+    const bool isGlobal = unit.bodies.roles[argument.first] == WordRole::global;
+    const Variable* const variable = isGlobal ? unit.firstVariable(name) : nullptr;
+    if (variable != nullptr) unit.declare("uniform vec4 " + (kBorderOf + name) + "[2];");
+    return isGlobal && variable == nullptr ? kNone : kBorderOf + name;
+}
+
+/// A call of a function of GLSL.
+void readBorder(Unit& unit, const Call& call) {
     if (call.types.empty() || call.arguments.empty()) return;
     const std::string_view sampler = call.types.front().word, name = unit.text(call.name);
-    if ((sampler != "sampler2D" && sampler != "sampler2DShadow") ||
-        (name != "texture" && name != "textureLod" && name != "textureProj") || unit.function(name))
-        return;
+    if (!hasBorder(sampler) || (name != "texture" && name != "textureLod" && name != "textureProj")) return;
     const Range first = call.arguments.front();
-    if (first.end != first.first + 1) return;
-    const Variable* const variable = unit.firstVariable(unit.text(first.first));
-    if (variable == nullptr || variable->storage != Storage::uniform) return;
-    const std::string border = kBorderOf + variable->name;
-    unit.declare("uniform vec4 " + border + "[2];");
     unit.declare(kNear);
     unit.declare(kOutside);
     const bool isColor = sampler == "sampler2D";
@@ -89,7 +96,34 @@ void readBorders(Unit& unit, const Call& call) {
             (unit.stage == Stage::fragment || name != "texture" || !each.takesNumber))
             unit.declare(text(each));
     unit.edits.replace(unit.view[call.name].raw, "glibra_" + std::string(name));
-    unit.edits.before(unit.view[first.first].raw, border + ", ");
+    unit.edits.before(unit.view[first.first].raw, borderOf(unit, first) + ", ");
+}
+
+}  // namespace
+
+void passBorders(Unit& unit) {
+    for (const Declaration& each : unit.syntax.declarations)
+        for (const Parameter& parameter : each.parameters)
+            if (hasBorder(parameter.type.name))
+                unit.edits.before(
+                    unit.view[parameter.qualifiers.tokens.empty() ? parameter.type.tokens.first
+                                                                  : parameter.qualifiers.tokens.first]
+                        .raw,
+                    "vec4 " +
+                        (parameter.name == kNone ? std::string()
+                                                 : kBorderOf + std::string(unit.text(parameter.name))) +
+                        "[2], ");
+    for (const Call& each : unit.bodies.calls) {
+        const std::string_view name = unit.text(each.name);
+        if (unit.function(name) == nullptr) {
+            readBorder(unit, each);
+            continue;
+        }
+        for (std::size_t i = 0; i < each.arguments.size() && i < each.types.size(); ++i)
+            if (hasBorder(each.types[i].word))
+                unit.edits.before(unit.view[each.arguments[i].first].raw,
+                                  borderOf(unit, each.arguments[i]) + ", ");
+    }
 }
 
 }  // namespace glibra::glsl

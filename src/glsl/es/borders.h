@@ -1,8 +1,6 @@
 #pragma once
 // GLSL ES 3.00 has textures without borders: what lies outside is read by functions of the shader.
 
-#include <cstdint>
-
 #include "glsl/parse/unit.h"
 
 namespace glibra::glsl {
@@ -11,8 +9,9 @@ namespace glibra::glsl {
 /// t that has one, 1 if depths compare as less, 1 for linear filters; then the colour.
 inline constexpr const char* kBorderOf = "glibra_Border_";
 
-/// Makes a call of texture(), textureLod() or textureProj() with a two-dimensional sampler that is a uniform
-/// read its border. Near a border no level but the first is read.
-void readBorders(Unit& unit, const Call& call);
+/// Makes texture(), textureLod() and textureProj() read the borders of two-dimensional samplers; functions
+/// with such parameters get the border as a further one. Of arrays of samplers no border is read, and near a
+/// border no level but the first.
+void passBorders(Unit& unit);
 
 }  // namespace glibra::glsl

@@ -131,10 +131,8 @@ class EsStage {
         for (const auto& [name, at] : unit_.declared)
             if (unit_.function(name) && std::ranges::find(core, name) != core.end())
                 unit_.renames[name] = std::string(kOwnOverload) + name;
-        for (const Call& each : unit_.bodies.calls) {
-            call(each);
-            if (hasBorders_) readBorders(unit_, each);
-        }
+        for (const Call& each : unit_.bodies.calls) call(each);
+        if (hasBorders_) passBorders(unit_);
         writeConversions(unit_);
         begin();
     }
