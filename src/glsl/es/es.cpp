@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +15,7 @@
 #include "glsl/es/borders.h"
 #include "glsl/es/constants.h"
 #include "glsl/es/conversions.h"
+#include "glsl/es/geometry.h"
 #include "glsl/parse/bodies.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
@@ -167,6 +171,10 @@ class EsStage {
         return stage;
     }
 
+    /// Of the stage as a whole.
+    void lacks(const char* id, const std::string& text) const {
+        report_.reportOnce(core_.path + text, id, text, {core_.path, core_.firstLine, 1});
+    }
     void lacks(const char* id, const std::string& text, std::uint32_t at) {
         report_.reportOnce(core_.path + text, id, text, userPlaceOf(at));
     }
@@ -436,6 +444,53 @@ void connect(Unit& vertex, Unit& fragment) {
     }
 }
 
+/// Stages as one text: what they declare alike before the user's text stands once.
+TranslatedStage joined(TranslatedStage first, const TranslatedStage& second, const std::string& ending) {
+    const auto files = static_cast<int>(first.lineMap.files.size());
+    const auto macros = static_cast<int>(first.lineMap.macros.size());
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(first.lineMap.files, second.lineMap.files);
+    append(first.lineMap.macros, second.lineMap.macros);
+    const std::string firstText = first.source;
+    std::set<std::string_view> known;
+    for (const std::string_view line : textLines(firstText)) {
+        if (isLineNumber(line)) break;
+        known.insert(line);
+    }
+    bool isPrologue = true;
+    std::size_t i = 0;
+    for (const std::string_view line : textLines(second.source)) {
+        LineOrigin origin = second.lineMap.lines[i];
+        std::vector<ColumnShift> columns = second.lineMap.columns[i++];
+        isPrologue = isPrologue && !isLineNumber(line);
+        if (isPrologue && known.contains(line)) continue;
+        const std::size_t number = line.rfind(' ');
+        if (isLineNumber(line) && files > 0 && number != std::string_view::npos)
+            first.source += std::string(line.substr(0, number + 1)) +
+                            std::to_string(std::atoi(std::string(line.substr(number)).c_str()) + files);
+        else
+            first.source += line;
+        first.source += '\n';
+        if (origin.file >= 0) origin.file += files;
+        for (ColumnShift& each : columns) {
+            if (each.line.file >= 0) each.line.file += files;
+            if (each.macro >= 0) each.macro += macros;
+        }
+        first.lineMap.lines.push_back(origin);
+        first.lineMap.columns.push_back(std::move(columns));
+    }
+    first.source += ending;
+    const auto count = static_cast<std::size_t>(std::ranges::count(first.source, '\n'));
+    first.lineMap.lines.resize(count);
+    first.lineMap.columns.resize(count);
+    return first;
+}
+
+Unit* stageIn(std::vector<Unit>& units, Stage stage) {
+    const auto found = std::ranges::find(units, stage, &Unit::stage);
+    return found == units.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
@@ -448,8 +503,10 @@ EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
     std::vector<Unit> units;
     units.reserve(program.stages.size() + 1);
     std::vector<EsStage> stages;
+    const bool isTessellated = !program.tessellationOutput.empty();
     for (const TranslatedStage& each : program.stages) {
-        if (const std::string_view name = stageName(each.stage); !name.empty()) {
+        const std::string_view name = stageName(each.stage);
+        if (!name.empty() && (each.stage != Stage::geometry || isTessellated)) {
             report.reportOnce(std::string(name), "web-E01", "WebGL 2 has no " + std::string(name) + " stage",
                               {each.path, each.firstLine, 1});
             continue;
@@ -468,16 +525,33 @@ EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
         unit.declare("precision highp samplerCube;");
         stages.emplace_back(each, unit, report, hasBorders);
     }
-    if (units.size() == 2) connect(units.front(), units.back());
+    Unit *const vertex = stageIn(units, Stage::vertex), *const geometry = stageIn(units, Stage::geometry),
+                *const fragment = stageIn(units, Stage::fragment);
+    if (Unit* const last = geometry ? geometry : vertex; last && fragment) connect(*last, *fragment);
+    std::optional<GeometryInVertex> expanded;
+    if (vertex && geometry) {
+        const std::string problem = expanded.emplace(*vertex, *geometry, program).prepare();
+        const EsStage& stage = stages[static_cast<std::size_t>(geometry - units.data())];
+        if (!problem.empty())
+            stage.lacks("web-E01", "WebGL 2 has no geometry stage, and cannot do without: " + problem);
+        result.expanded = expanded->expansion();
+    }
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());
+    if (expanded) {
+        const auto at = [&](Stage stage) {
+            return std::ranges::find(result.stages, stage, &TranslatedStage::stage);
+        };
+        *at(Stage::vertex) = joined(*at(Stage::vertex), *at(Stage::geometry), expanded->ending());
+        result.stages.erase(at(Stage::geometry));
+    }
     // Only the core profile links a vertex stage alone.
     if (!result.stages.empty() && result.stages.back().stage == Stage::vertex) {
-        TranslatedStage& fragment = result.stages.emplace_back();
-        fragment.stage = Stage::fragment;
-        fragment.source = "#version 300 es\nvoid main() {}\n";
-        fragment.lineMap.lines.resize(2);
-        fragment.lineMap.columns.resize(2);
+        TranslatedStage& empty = result.stages.emplace_back();
+        empty.stage = Stage::fragment;
+        empty.source = "#version 300 es\nvoid main() {}\n";
+        empty.lineMap.lines.resize(2);
+        empty.lineMap.columns.resize(2);
     }
     result.diagnostics = report.take();
     return result;

@@ -15,6 +15,7 @@ struct EsProgram {
     /// Their line maps lead to the lines of the user, as those of the core text do.
     std::vector<TranslatedStage> stages;
     std::vector<InitialValue> initialValues;
+    ExpandedGeometry expanded{};
     /// What GLSL ES 3.00 lacks: web-E01 to web-E05, at the user's places. `stages` may then not compile.
     Diagnostics diagnostics;
 };

@@ -205,6 +205,8 @@ class FrameDrawer {
     /// The same without the counts that buffers hold. The mesh of the draw must be on the device.
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.
+    /// Of a program that does the work of its geometry stage in the vertex stage (glsl::ExpandedGeometry).
+    static void submitExpanded(const BuiltProgram& built, const Elements& elements);
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The program that records the loops of the frame in place of, or beside, the given one; null: none.
     [[nodiscard]] const BuiltProgram* loopCounterOf(plan::PlannedProgramIndex program,

@@ -239,6 +239,8 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
     }
     Elements part = elements;
     part.count -= elements.points;
+    if (const BuiltProgram& built = *programOf(planned); built.interface.facts.expanded.corners > 0)
+        return submitExpanded(built, part);
     if (part.count > 0 || elements.points == 0) submitPart(planned, part, mode);
     // A geometry stage takes lines or points, not both.
     const std::string& geometryInput = programOf(planned)->interface.facts.geometryInput;
@@ -248,6 +250,19 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
         submitPart(planned, part, GL_POINTS);
     }
     if (restarts) glDisable(GL_PRIMITIVE_RESTART);
+}
+
+void FrameDrawer::submitExpanded(const BuiltProgram& built, const Elements& elements) {
+    const auto& [corners, vertices, ofPrimitive] = built.interface.facts.expanded;
+    constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
+    const auto instance =
+        std::ranges::find(built.interface.uniforms, "glibra_Instance", &base::ActiveUniform::emittedName);
+    for (int i = 0; i < elements.instances; ++i) {
+        const std::array<double, 1> number{static_cast<double>(i)};
+        if (instance != built.interface.uniforms.end()) gpu::setUniform(*built.program, *instance, number);
+        glDrawArraysInstanced(kModes.at(static_cast<std::size_t>(ofPrimitive) - 1), 0, vertices,
+                              elements.count / corners);
+    }
 }
 
 void FrameDrawer::submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const {

@@ -115,7 +115,8 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
         } else {
             continue;
         }
-        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, value);
+        for (int corner = 0; corner < std::max(1, built.interface.facts.expanded.corners); ++corner)
+            gpu::setConstantAttribute(static_cast<GLuint>(input.location + corner), input.type, value);
     }
 }
 

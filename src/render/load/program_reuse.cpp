@@ -88,6 +88,7 @@ glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramReques
     glsl::EsProgram es = glsl::toEs(program, hasBorders(scene_));
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
+    program.expanded = es.expanded;
     append(program.diagnostics, std::move(es.diagnostics));
     return program;
 }
