@@ -126,6 +126,9 @@ class EsStage {
     EsStage(const TranslatedStage& core, Unit& unit, Report& report, bool hasBorders)
         : core_(core), unit_(unit), report_(report), hasBorders_(hasBorders) {}
 
+    /// It becomes a part of the vertex stage.
+    void becomePart(GeometryInVertex& expanded) { expanded_ = &expanded; }
+
     void adapt(std::vector<InitialValue>& initialValues) {
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
         for (Variable& each : unit_.variables) variable(each, initialValues);
@@ -211,12 +214,15 @@ class EsStage {
             return lacks("web-E04", "the storage block '" + name + "' is not possible in WebGL 2", each.name);
         if (each.qualifiers.storage != Storage::input && each.qualifiers.storage != Storage::output) return;
         if (name == "gl_PerVertex") return unit_.remove(each.tokens);
-        if (!each.declarators.empty() && !each.declarators.front().dimensions.empty())
+        const bool isInput = each.qualifiers.storage == Storage::input;
+        const bool isOfCorners = expanded_ != nullptr && unit_.stage == Stage::geometry && isInput;
+        if (!isOfCorners && !each.declarators.empty() && !each.declarators.front().dimensions.empty())
             return lacks(
                 "web-E04",
                 "'" + name + "' is an array of blocks between stages, which GLSL ES 3.00 (WebGL 2) has not",
                 each.name);
-        const std::string word(each.qualifiers.storage == Storage::input ? "in " : "out ");
+        const bool isPlain = isOfCorners || (expanded_ != nullptr && unit_.stage == Stage::vertex);
+        const std::string word(isPlain ? "" : isInput ? "in " : "out ");
         unit_.remove({each.tokens.first, each.body.first + 1});
         unit_.remove({each.body.end - 1, each.tokens.end});
         const std::string_view instance =
@@ -231,11 +237,18 @@ class EsStage {
             if (before == "noperspective" || before == "smooth") before.clear();
             if (!before.empty()) before += ' ';
             if (member.qualifiers.centroid || each.qualifiers.centroid) before += "centroid ";
+            if (isPlain) before.clear();
             unit_.edits.before(unit_.view[member.type.tokens.first].raw, before + word);
             for (const Declarator& one : member.declarators) {
                 const std::string own(unit_.text(one.name));
-                const std::string variable = "glibra_" + name + "_" + own;
-                unit_.edits.replace(unit_.view[one.name].raw, variable);
+                const std::string variable = (isOfCorners ? "glibra_c_"
+                                              : isPlain   ? "glibra_v_"
+                                                          : "glibra_") +
+                                             name + "_" + own;
+                unit_.edits.replace(unit_.view[one.name].raw,
+                                    variable + (isOfCorners ? expanded_->pass(name, own) : ""));
+                if (expanded_ != nullptr && unit_.stage == Stage::geometry && !isInput)
+                    expanded_->keep(std::string(member.type.name), variable);
                 if (instance.empty())
                     unit_.renames[own] = variable;
                 else
@@ -369,11 +382,13 @@ class EsStage {
 
     /// instance.member of a block between stages
     void member(std::uint32_t at, std::string_view instance) {
-        if (unit_.text(at + 1) != ".") return;
-        const auto known = members_.find({std::string(instance), std::string(unit_.text(at + 2))});
+        const auto size = static_cast<std::uint32_t>(unit_.view.size());
+        const std::uint32_t dot = unit_.text(at + 1) == "[" ? closing(unit_.view, at + 1, size) + 1 : at + 1;
+        if (dot + 1 >= size || unit_.text(dot) != ".") return;
+        const auto known = members_.find({std::string(instance), std::string(unit_.text(dot + 1))});
         if (known == members_.end()) return;
         unit_.edits.replace(unit_.view[at].raw, known->second);
-        unit_.remove({at + 1, at + 3});
+        unit_.remove({dot, dot + 2});
     }
 
     /// Textures of one dimension are those of two with one row.
@@ -412,7 +427,8 @@ class EsStage {
     Unit& unit_;
     Report& report_;
     bool hasBorders_;
-    std::vector<std::string> beginnings_;  ///< statements that give variables their first values
+    GeometryInVertex* expanded_ = nullptr;  ///< that the stage is a part of
+    std::vector<std::string> beginnings_;   ///< statements that give variables their first values
     /// The variables in place of the members of blocks, by instance and member.
     std::map<std::pair<std::string, std::string>, std::string> members_;
 };
@@ -531,7 +547,9 @@ EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
     std::optional<GeometryInVertex> expanded;
     if (vertex && geometry) {
         const std::string problem = expanded.emplace(*vertex, *geometry, program).prepare();
-        const EsStage& stage = stages[static_cast<std::size_t>(geometry - units.data())];
+        EsStage& stage = stages[static_cast<std::size_t>(geometry - units.data())];
+        stage.becomePart(*expanded);
+        stages[static_cast<std::size_t>(vertex - units.data())].becomePart(*expanded);
         if (!problem.empty())
             stage.lacks("web-E01", "WebGL 2 has no geometry stage, and cannot do without: " + problem);
         result.expanded = expanded->expansion();

@@ -60,8 +60,9 @@ bool hasTwin(const Unit& unit, const Declaration& wanted, std::string_view name)
 std::string GeometryInVertex::prepare() {
     corners_ = cornersOf(program_.geometryInput);
     if (corners_ == 0 || program_.maxVertices <= 0) return "its primitives are not known";
-    if (vertex_.isUsed("gl_VertexID")) return "gl_VertexID before a geometry stage";
     prepareVertex();
+    // Vertices without data are numbered; those of a mesh have lost their numbers.
+    if (vertex_.isUsed("gl_VertexID") && !attributes_.empty()) return "gl_VertexID and vertex data before it";
     std::string problem = prepareGeometry();
     const auto inputs = static_cast<int>(attributes_.size()) * corners_;
     if (problem.empty() && inputs > kMostInputs)
@@ -79,6 +80,8 @@ void GeometryInVertex::prepareVertex() {
     vertex_.renames["gl_Position"] = "glibra_vPosition";
     vertex_.renames["gl_PointSize"] = "glibra_vPointSize";
     vertex_.renames["gl_InstanceID"] = "glibra_Instance";
+    vertex_.renames["gl_VertexID"] = "glibra_vertex";
+    vertex_.declare("int glibra_vertex;");
     vertex_.declare("vec4 glibra_vPosition;");
     vertex_.declare("float glibra_vPointSize;");
     vertex_.declare("uniform int glibra_Instance;");
@@ -98,7 +101,7 @@ void GeometryInVertex::prepareVertex() {
 std::string GeometryInVertex::prepareGeometry() {
     for (const auto& [name, written] :
          std::initializer_list<std::pair<const char*, const char*>>{{"main", "glibra_g_main"},
-                                                                    {"gl_in", "glibra_in"},
+                                                                    {"gl_in", "glibra_corners"},
                                                                     {"EmitVertex", "glibra_emit"},
                                                                     {"EndPrimitive", "glibra_end"},
                                                                     {"gl_PrimitiveIDIn", "gl_InstanceID"},
@@ -135,7 +138,7 @@ std::string GeometryInVertex::prepareGeometry() {
                    (location && own ? *location == *own : other.name == each.name);
         });
         if (output == vertex_.variables.end()) return "inputs that the vertex stage does not have";
-        passed_.push_back({output->name, each.name});
+        passed_.push_back({vertexName(output->name), each.name});
         makePlain(each);
         each.typeSizes.clear();
         each.nameSizes = {std::to_string(corners_)};
@@ -144,13 +147,17 @@ std::string GeometryInVertex::prepareGeometry() {
     for (Variable& each : vertex_.variables)
         if (each.storage == Storage::output && !each.name.starts_with("gl_")) makePlain(each);
     geometry_.declare("struct glibra_Corner { vec4 glibra_position; float glibra_pointSize; };");
-    geometry_.declare(fmt::format("glibra_Corner glibra_in[{}];", corners_));
+    geometry_.declare(fmt::format("glibra_Corner glibra_corners[{}];", corners_));
     geometry_.declare("int glibra_invocation;");
-    if (cornersOfOutput() == 1 && !geometry_.isWritten("gl_PointSize"))
-        geometry_.declare("uniform float glibra_PointSize;");
     geometry_.declare("void glibra_emit();");
     geometry_.declare("void glibra_end();");
     return {};
+}
+
+std::string GeometryInVertex::pass(const std::string& block, const std::string& member) {
+    passed_.push_back(
+        {fmt::format("glibra_v_{}_{}", block, member), fmt::format("glibra_c_{}_{}", block, member)});
+    return fmt::format("[{}]", corners_);
 }
 
 int GeometryInVertex::cornersOfOutput() const {
@@ -169,6 +176,7 @@ ExpandedGeometry GeometryInVertex::expansion() const {
 std::vector<GeometryInVertex::Kept> GeometryInVertex::kept() const {
     std::vector<Kept> result{{"vec4", "gl_Position", ""}};
     if (cornersOfOutput() == 1) result.push_back({"float", "gl_PointSize", ""});
+    result.insert(result.end(), blockOutputs_.begin(), blockOutputs_.end());
     for (const Variable& each : geometry_.variables) {
         if (each.storage != Storage::output || each.removed || each.name.starts_with("gl_")) continue;
         const auto renamed = geometry_.renames.find(each.name);
@@ -180,7 +188,11 @@ std::vector<GeometryInVertex::Kept> GeometryInVertex::kept() const {
 
 std::string GeometryInVertex::ending() const {
     const int corners = cornersOfOutput();
-    std::string text, shift, found, first, second, third, result;
+    std::string text, shift, first, second, third, result;
+    const bool statesPointSize = corners == 1 && !geometry_.isWritten("gl_PointSize");
+    constexpr const char* kPointSize = "uniform float glibra_PointSize;";
+    if (statesPointSize && std::ranges::find(vertex_.prologue, kPointSize) == vertex_.prologue.end())
+        text += std::string(kPointSize) + "\n";
     for (const Kept& each : kept()) {
         const std::string_view name = std::string_view(each.name).starts_with("gl_")
                                           ? std::string_view(each.name).substr(3)
@@ -195,7 +207,8 @@ std::string GeometryInVertex::ending() const {
         third += fmt::format(" glibra_kept_{0} = glibra_c_{0};", name);
         result += fmt::format(" {} = glibra_kept_{};", each.name, name);
     }
-    text += "int glibra_strip, glibra_count, glibra_want, glibra_corner;\nbool glibra_isFound;\n";
+    text +=
+        "int glibra_strip = 0, glibra_count = 0, glibra_want, glibra_corner;\nbool glibra_isFound = false;\n";
     // Every second triangle of a strip has its first two corners in the other order (OpenGL 4.6
     // Core, 10.1.8).
     text += fmt::format(
@@ -211,18 +224,18 @@ std::string GeometryInVertex::ending() const {
         for (const Attribute& each : attributes_)
             text += fmt::format(" {} = {}{}_{};", vertexName(each.name), kCornerInput, corner, each.name);
         text += fmt::format(
-            " {}(); glibra_in[{}].glibra_position = glibra_vPosition; glibra_in[{}].glibra_pointSize = "
+            " glibra_vertex = {} * gl_InstanceID + {}; {}(); glibra_corners[{}].glibra_position = "
+            "glibra_vPosition; glibra_corners[{}].glibra_pointSize = "
             "glibra_vPointSize;",
-            vertexName("main"), corner, corner);
-        for (const Passed& each : passed_)
-            text += fmt::format(" {}[{}] = {};", each.to, corner, vertexName(each.from));
+            corners_, corner, vertexName("main"), corner, corner);
+        for (const Passed& each : passed_) text += fmt::format(" {}[{}] = {};", each.to, corner, each.from);
         text += "\n";
     }
     text += fmt::format(
         " glibra_want = gl_VertexID / {0}; glibra_corner = gl_VertexID - {0} * glibra_want;"
         " glibra_invocation = glibra_want / {1}; glibra_want -= glibra_invocation * {1};\n",
         corners, most());
-    if (corners == 1 && !geometry_.isWritten("gl_PointSize")) text += " gl_PointSize = glibra_PointSize;";
+    if (statesPointSize) text += " gl_PointSize = glibra_PointSize;";
     return text + " glibra_g_main();" + result +
            "\n if (!glibra_isFound) gl_Position = vec4(0., 0., 2., 1.);\n}\n";
 }

@@ -22,6 +22,13 @@ class GeometryInVertex {
 
     /// Rewrites both. Returns what cannot be expressed, as a text, or nothing.
     std::string prepare();
+    /// For a member of a block of inputs of the geometry stage: the size of the array that takes its place,
+    /// "[3]".
+    std::string pass(const std::string& block, const std::string& member);
+    /// A variable in place of a member of a block of outputs of the geometry stage.
+    void keep(std::string type, std::string name) {
+        blockOutputs_.push_back({std::move(type), std::move(name), {}});
+    }
     /// After that, and after the outputs were connected to the fragment stage: the text that follows both.
     [[nodiscard]] std::string ending() const;
     [[nodiscard]] ExpandedGeometry expansion() const;
@@ -30,7 +37,7 @@ class GeometryInVertex {
     struct Attribute {
         std::string type, name;
     };
-    /// An output of the vertex stage as the geometry stage reads it.
+    /// A variable of the vertex stage, and the array that the geometry stage reads.
     struct Passed {
         std::string from, to;
     };
@@ -52,6 +59,7 @@ class GeometryInVertex {
     int invocations_ = 1;
     std::vector<Attribute> attributes_;
     std::vector<Passed> passed_;
+    std::vector<Kept> blockOutputs_;
 };
 
 /// How an input of the vertex stage is named for a corner; ExpandedGeometry says how they are placed.
