@@ -340,6 +340,7 @@ class EsStage {
             if (role == WordRole::global) member(at, text);
             return;
         }
+        if (unit_.renames.contains(text)) return;
         if (listed(kMissingNames, text) || (text.starts_with("gl_Max") && !listed(kLimits, text)) ||
             text.starts_with("atomic") || text.starts_with("imageAtomic"))
             lacks("web-E02",
@@ -546,7 +547,7 @@ EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
     if (Unit* const last = geometry ? geometry : vertex; last && fragment) connect(*last, *fragment);
     std::optional<GeometryInVertex> expanded;
     if (vertex && geometry) {
-        const std::string problem = expanded.emplace(*vertex, *geometry, program).prepare();
+        const std::string problem = expanded.emplace(*vertex, *geometry, fragment, program).prepare();
         EsStage& stage = stages[static_cast<std::size_t>(geometry - units.data())];
         stage.becomePart(*expanded);
         stages[static_cast<std::size_t>(vertex - units.data())].becomePart(*expanded);

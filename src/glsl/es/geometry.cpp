@@ -113,7 +113,15 @@ std::string GeometryInVertex::prepareGeometry() {
             geometry_.edits.replace(geometry_.view[i].raw, geometry_.text(i) == "gl_Position"
                                                                ? "glibra_position"
                                                                : "glibra_pointSize");
-    if (geometry_.isWritten("gl_PrimitiveID")) return "gl_PrimitiveID";
+    if (geometry_.isWritten("gl_PrimitiveID")) {
+        geometry_.renames["gl_PrimitiveID"] = "glibra_PrimitiveID";
+        geometry_.declare("flat out int glibra_PrimitiveID;");
+        keep("int", "glibra_PrimitiveID");
+        if (fragment_ != nullptr) {
+            fragment_->renames["gl_PrimitiveID"] = "glibra_PrimitiveID";
+            fragment_->declare("flat in int glibra_PrimitiveID;");
+        }
+    }
     for (const Declaration& each : geometry_.syntax.declarations) {
         const bool isStruct = each.type.isStruct && each.declarators.empty() && each.name != kNone;
         const bool isBlock =

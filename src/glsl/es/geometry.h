@@ -17,8 +17,9 @@ namespace glibra::glsl {
 class GeometryInVertex {
   public:
     /// Both were parsed. Call prepare() before they are adapted to GLSL ES.
-    GeometryInVertex(Unit& vertex, Unit& geometry, const TranslatedProgram& program)
-        : vertex_(vertex), geometry_(geometry), program_(program) {}
+    /// `fragment` may be null.
+    GeometryInVertex(Unit& vertex, Unit& geometry, Unit* fragment, const TranslatedProgram& program)
+        : vertex_(vertex), geometry_(geometry), fragment_(fragment), program_(program) {}
 
     /// Rewrites both. Returns what cannot be expressed, as a text, or nothing.
     std::string prepare();
@@ -54,6 +55,7 @@ class GeometryInVertex {
 
     Unit& vertex_;
     Unit& geometry_;
+    Unit* fragment_;
     const TranslatedProgram& program_;
     int corners_ = 0;  ///< of a primitive of the mesh
     int invocations_ = 1;
