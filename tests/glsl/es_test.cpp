@@ -182,14 +182,13 @@ TEST(Es, WhatItLacksIsSaidAtTheUsersPlace) {
                           "#version 400\nnoperspective in vec2 v; out vec4 c;\nvoid main() { c = "
                           "v.xyxy; }\n"}});
     EXPECT_EQ(ids(flown.es.diagnostics), "web-E04 web-E04");
-    const Written geometry({{Stage::vertex, kVertex},
-                            {Stage::geometry,
-                             "#version 400\nlayout(triangles) in; layout(points, max_vertices = 1) "
-                             "out;\nvoid main() { gl_Position = "
-                             "gl_in[0].gl_Position; EmitVertex(); }\n"},
-                            {Stage::fragment, kPlainFragment}});
-    EXPECT_EQ(ids(geometry.es.diagnostics), "web-E01");
-    EXPECT_EQ(placeOf(geometry.es.diagnostics, "web-E01").file, "a.geom");
+    const Written patches({{Stage::vertex, kVertex},
+                           {Stage::tessEvaluation,
+                            "#version 400\nlayout(triangles) in;\nvoid main() { gl_Position = "
+                            "gl_in[0].gl_Position; }\n"},
+                           {Stage::fragment, kPlainFragment}});
+    EXPECT_EQ(ids(patches.es.diagnostics), "web-E01");
+    EXPECT_EQ(placeOf(patches.es.diagnostics, "web-E01").file, "a.tese");
 }
 
 TEST(Es, LinesAreThoseOfTheUser) {
@@ -202,6 +201,83 @@ TEST(Es, LinesAreThoseOfTheUser) {
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(found[0].place.line, 5);
     EXPECT_EQ(found[0].place.file, "a.frag");
+}
+
+// Geometry stages become a part of the vertex stage.
+
+struct WithGeometry : Written {
+    WithGeometry(const std::string& vertex, const std::string& geometry, const std::string& fragment)
+        : Written({{Stage::vertex, "#version 400\n" + vertex},
+                   {Stage::geometry, "#version 400\n" + geometry},
+                   {Stage::fragment, "#version 400\n" + fragment}}) {}
+};
+
+TEST(Es, GeometryStagesRunInTheVertexStage) {
+    const WithGeometry written(
+        "out vec3 vColor; float twice(float x) { return 2. * x; }\n"
+        "void main() { vColor = vec3(twice(.5)); gl_Position = aVertex; }",
+        "layout(triangles, invocations = 2) in; layout(triangle_strip, max_vertices = 4) out;\n"
+        "in vec3 vColor[]; out vec3 gColor; float twice(float x) { return x + x; }\n"
+        "void main() { for (int i = 0; i < gl_in.length(); ++i) { gColor = vColor[i] * twice(.5) * "
+        "float(gl_InvocationID + gl_PrimitiveIDIn); gl_Position = gl_in[i].gl_Position; EmitVertex(); } "
+        "EndPrimitive(); }",
+        "in vec3 gColor; out vec4 c; void main() { c = vec4(gColor, 1.); }");
+    EXPECT_EQ(ids(written.es.diagnostics), "");
+    EXPECT_EQ(written.errors(), "");
+    ASSERT_EQ(written.es.stages.size(), 2U);
+    // Two triangles of four vertices, in two invocations.
+    EXPECT_EQ(written.es.expanded.corners, 3);
+    EXPECT_EQ(written.es.expanded.vertices, 12);
+    EXPECT_EQ(written.es.expanded.ofPrimitive, 3);
+    EXPECT_TRUE(
+        hasTokens(written.source(Stage::vertex), "layout(location = 2) in vec4 glibra_Corner2_aVertex;"))
+        << written.source(Stage::vertex);
+}
+
+TEST(Es, GeometryStagesPassBlocksPointsAndNumbers) {
+    const WithGeometry written(
+        "out Data { vec3 color; float size; } to; void main() { to.color = vec3(gl_VertexID); to.size = 3.; "
+        "gl_Position = vec4(0.); }",
+        "layout(points) in; layout(points, max_vertices = 1) out; in Data { vec3 color; float size; } "
+        "from[];\n"
+        "out Data { vec3 color; } to; void main() { to.color = from[0].color; gl_PrimitiveID = 7; "
+        "gl_PointSize = "
+        "from[0].size; gl_Position = gl_in[0].gl_Position; EmitVertex(); }",
+        "in Data { vec3 color; } to; out vec4 c; void main() { c = vec4(to.color, float(gl_PrimitiveID)); }");
+    EXPECT_EQ(ids(written.es.diagnostics), "");
+    EXPECT_EQ(written.errors(), "");
+    EXPECT_EQ(written.es.expanded.vertices, 1);
+}
+
+TEST(Es, GeometryStagesThatNeedTooMuchAreReported) {
+    const WithGeometry written(
+        "in vec4 a, b, d; out vec4 v; void main() { v = a + b + d; gl_Position = aVertex; }",
+        "layout(triangles_adjacency) in; layout(points, max_vertices = 1) out; in vec4 v[];\n"
+        "void main() { gl_Position = v[0]; EmitVertex(); }",
+        "out vec4 c; void main() { c = vec4(1.); }");
+    EXPECT_EQ(ids(written.es.diagnostics), "web-E01");
+}
+
+TEST(Es, BordersAreReadByTheShader) {
+    TranslatedProgram core = translateStages(
+        {{Stage::vertex, kVertex},
+         {Stage::fragment,
+          "#version 400\nuniform sampler2D a; uniform sampler2DShadow s; uniform sampler2D many[2]; out vec4 "
+          "c;\n"
+          "float lit(sampler2DShadow map, vec4 at) { return textureProj(map, at) + texture(map, at.xyz); }\n"
+          "vec4 of(sampler2D map) { return textureLod(map, vec2(1.), 0.); }\n"
+          "void main() { c = texture(a, vec2(2.)) + of(a) + of(many[1]) + lit(s, vec4(2.)) + texture(a, "
+          "vec2(1.), "
+          "-1.) + textureProj(a, vec3(1.)) + textureProj(a, vec4(1.)); }\n"}});
+    const EsProgram es = toEs(core, true);
+    EXPECT_EQ(ids(es.diagnostics), "");
+    TranslatedProgram program;
+    program.stages = es.stages;
+    EXPECT_EQ(glslangErrors(program), "");
+    const std::string& text = es.stages.back().source;
+    EXPECT_TRUE(hasTokens(text, "uniform vec4 glibra_Border_a[2];")) << text;
+    EXPECT_TRUE(hasTokens(text, "glibra_texture(glibra_Border_a, a, vec2(2.))")) << text;
+    EXPECT_TRUE(hasTokens(text, "lit(glibra_Border_s, s, vec4(2.))")) << text;
 }
 
 }  // namespace
