@@ -109,6 +109,10 @@ function(glibra_files_of_system result system)
             endif()
         endforeach()
     endif()
+    if(system STREQUAL "web")  # and what its standard library lacks
+        file(GLOB plain CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/web/libcxx/*.cpp)
+        list(APPEND sources ${plain})
+    endif()
     set(${result} ${sources} ${PROJECT_SOURCE_DIR}/src/system/common.cpp PARENT_SCOPE)
 endfunction()
 
