@@ -7,6 +7,6 @@ target_link_libraries(glibra_page_runtime PRIVATE glibra_render glibra_source nl
 # A page calls functions of the module; it has no main. Its stack lies below its data, so that an overflow traps.
 target_link_options(glibra_page_runtime PRIVATE
     -mexec-model=reactor -L/usr/lib/llvm-19/lib/wasm32-wasi
-    LINKER:--gc-sections,--stack-first,-z,stack-size=2097152,--max-memory=2147483648,--no-allow-undefined
-    LINKER:--lto-O3 LINKER:--lto-CGO2)
+    LINKER:--gc-sections,--stack-first,-z,stack-size=2097152,--max-memory=2147483648
+    LINKER:--error-limit=0 LINKER:--lto-O3 LINKER:--lto-CGO2)
 target_link_libraries(glibra_page_runtime PRIVATE -lwasi-emulated-signal -lwasi-emulated-process-clocks -lwasi-emulated-mman)

@@ -3,6 +3,7 @@
 
 #include "system/web/page_files.h"
 
+#include <cerrno>
 #include <cstddef>
 #include <memory>
 #include <system_error>
@@ -40,17 +41,15 @@ bool isFolder(const std::string& name) {
     return name.empty() || (first != pageFiles().end() && first->first.starts_with(begin));
 }
 
-FileKind kindOf(const fs::path& path) {
-    const std::string name = nameInPage(path);
-    return pageFiles().contains(name) ? FileKind::regular : isFolder(name) ? FileKind::folder : FileKind::missing;
-}
-
 }  // namespace
 
 int factsOf(const fs::path& path, Links /*links*/, FileFacts& facts) {
-    facts = {.kind = kindOf(path)};
-    if (facts.kind == FileKind::missing) return ENOENT;
-    if (facts.kind == FileKind::regular) facts.size = pageFiles().find(nameInPage(path))->second.size();
+    facts = {};
+    const std::string name = nameInPage(path);
+    const auto file = pageFiles().find(name);
+    if (file == pageFiles().end() && !isFolder(name)) return ENOENT;
+    facts.kind = file != pageFiles().end() ? FileKind::regular : FileKind::folder;
+    if (file != pageFiles().end()) facts.size = file->second.size();
     return 0;
 }
 
@@ -72,7 +71,7 @@ void tell(error_code* to, errc failed = {}) {
 
 file_status __status(const path& at, error_code* failed) {
     tell(failed);
-    switch (glibra::system::kindOf(at)) {
+    switch (kindOf(at, glibra::system::Links::followed)) {
         case glibra::system::FileKind::regular:
             return file_status(file_type::regular, perms::owner_read);
         case glibra::system::FileKind::folder:
