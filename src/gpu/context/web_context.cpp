@@ -48,7 +48,7 @@ class CanvasBackend final : public Backend {
             if (each.name == function) return glibra_has(function) ? each.address : nullptr;
         return nullptr;
     }
-    [[nodiscard]] Driver driver() const override { return Driver::egl; }
+    [[nodiscard]] Driver driver() const override { return Driver::gles; }
     [[nodiscard]] std::string description() const override { return "WebGL 2 of the page"; }
 };
 
@@ -56,7 +56,7 @@ Attempt openCanvas(const ContextOptions& /*options*/) {
     return std::make_unique<CanvasBackend>();
 }
 
-constexpr ContextWay kWays[] = {{Driver::egl, openCanvas}};
+constexpr ContextWay kWays[] = {{Driver::gles, openCanvas}};
 
 }  // namespace
 

@@ -213,7 +213,7 @@ bool open(const std::string& name) {
     Shown& page = shown();
     page.diagnostics.clear();
     if (!page.context) {
-        Result<gpu::Context> opened = gpu::openContext();
+        Result<gpu::Context> opened = gpu::openContext({.driver = gpu::Driver::gles});
         note(std::move(opened.diagnostics));
         if (!opened) return false;
         page.context.emplace(std::move(*opened));
