@@ -377,7 +377,7 @@ export function glImports(context, module) {
 
     /** What is not above takes numbers alone, or WebGL lacks it. @returns {Call | undefined} */
     const find = (/** @type {string} */ name) => {
-        const own = name[2]?.toLowerCase() + name.slice(3);
+        const own = name[2]?.toLowerCase() + name.slice(3).replace(/(Depth|Range)f$/, "$1");
         if (!calls[name] && typeof gl[own] === "function") calls[name] = gl[own].bind(gl);
         return calls[name];
     };
