@@ -14,9 +14,9 @@
 #include "classroom/page_parts.h"
 #include "embedded/gallery_page.h"
 #include "embedded/report_page.h"
-#include "source/code_html.h"
 #include "glib/number.h"
 #include "glib/text.h"
+#include "source/code_html.h"
 #include "suite/report/html_report.h"
 #include "suite/write_below.h"
 

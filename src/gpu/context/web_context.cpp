@@ -1,4 +1,5 @@
-// The context of a page's canvas: WebGL 2. Its functions are imports of the module (page/web/gl.js), which the page maps.
+// The context of a page's canvas: WebGL 2. Its functions are imports of the module (page/web/gl.js), which
+// the page maps.
 
 #include <glad/gl.h>
 
@@ -15,13 +16,15 @@ extern "C" {
 /// True if the page's WebGL has a function.
 [[clang::import_module("gl"), clang::import_name("has")]] bool glibra_has(const char* function);
 
-#define GLIBRA_ES_FUNCTION(name)                                         \
-    [[clang::import_module("gl"), clang::import_name("gl" #name)]] extern \
-        std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
+#define GLIBRA_ES_FUNCTION(name)  \
+    [[clang::import_module("gl"), \
+      clang::import_name(         \
+          "gl" #name)]] extern std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
 #include "gpu/es/functions.def"
-#define GLIBRA_ES_FUNCTION(name)                                         \
-    [[clang::import_module("gl"), clang::import_name("gl" #name)]] extern \
-        std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
+#define GLIBRA_ES_FUNCTION(name)  \
+    [[clang::import_module("gl"), \
+      clang::import_name(         \
+          "gl" #name)]] extern std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
 GLIBRA_ES_FUNCTION(GetBufferSubData)
 #undef GLIBRA_ES_FUNCTION
 }
@@ -62,6 +65,10 @@ constexpr ContextWay kWays[] = {{Driver::gles, openCanvas}};
 
 std::span<const ContextWay> contextWays() {
     return kWays;
+}
+
+bool loadCoreFunctions(Backend& /*backend*/) {
+    return false;
 }
 
 std::string_view adviceWithoutDriver() {
