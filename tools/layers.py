@@ -102,6 +102,10 @@ ORDER = {
         "run": {"", "options", "file", "golden", "results", "report"},
         "serve": {"", "module", "options", "file", "golden", "results", "report", "run"},
     },
+    "page": {
+        "": set(),
+        "runtime": set(),  # a program of WebAssembly
+    },
     "bench": {
         "core": set(),
         "subjects": {"core"},

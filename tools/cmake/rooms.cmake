@@ -114,7 +114,7 @@ function(glibra_room room)
     cmake_parse_arguments(arg "QUICK_TO_COMPILE" "SYSTEM" "OFTEN_RUN;ROOMS;WITHOUT;LINK" ${ARGN})
     # Without the sub-folders that are a module or a program of their own.
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
-    list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program)/")
+    list(FILTER sources EXCLUDE REGEX "/src/${room}/(module|window|program|runtime)/")
     if(arg_SYSTEM)
         glibra_files_of_system(sources ${arg_SYSTEM})
     endif()
