@@ -34,13 +34,13 @@ struct PublishArguments : GalleryArguments {
     std::vector<std::string> named;
 };
 
-fs::path folderOf(const fs::path& scene) {
+fs::path sceneFolder(const fs::path& scene) {
     return scene.has_parent_path() ? scene.parent_path() : fs::path(".");
 }
 
 /// The folder that all of the scenes are in.
 fs::path commonFolder(const std::vector<std::string>& scenes) {
-    fs::path common = wholePath(folderOf(scenes.front()));
+    fs::path common = wholePath(sceneFolder(scenes.front()));
     for (const std::string& each : scenes) {
         const fs::path place = wholePath(each);
         while (std::ranges::mismatch(common, place).in1 != common.end()) common = common.parent_path();
@@ -50,7 +50,7 @@ fs::path commonFolder(const std::vector<std::string>& scenes) {
 
 page::PageTask taskOf(const std::string& scene, const RenderOptions& picture) {
     page::PageTask task{scene, picture};
-    task.options.within = folderOf(scene);
+    task.options.within = sceneFolder(scene);
     for (fs::path& each : libraryRoots()) task.options.libraryRoots.push_back(std::move(each));
     if (std::optional<fs::path> library = libraryAbove(task.options.within))
         task.options.libraryRoots.push_back(std::move(*library));
@@ -58,7 +58,7 @@ page::PageTask taskOf(const std::string& scene, const RenderOptions& picture) {
 }
 
 /// The answer of the worker, or what stands for one.
-page::PageScene made(const std::string& scene, const SiteOptions& options, const base::Outcome& outcome,
+page::PageScene pageFrom(const std::string& scene, const SiteOptions& options, const base::Outcome& outcome,
                      std::optional<page::PageScene> answer) {
     if (answer) return std::move(*answer);
     suite::Shot shot = options.picture;
@@ -100,7 +100,7 @@ int publishScene(const PublishArguments& arguments, const fs::path& file, image:
                      .sharesDevice = gpu::mayUseHardware(arguments.made.driver),
                      .sandbox = sandbox ? &*sandbox : nullptr},
                     [&](std::size_t, const base::Outcome& outcome, std::optional<page::PageScene> answer) {
-                        page = made(scene, arguments.made, outcome, std::move(answer));
+                        page = pageFrom(scene, arguments.made, outcome, std::move(answer));
                     });
     interruption.obey();
     print(page.diagnostics);
