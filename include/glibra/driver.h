@@ -9,15 +9,17 @@
 namespace glibra {
 
 /// Which GL the pictures are drawn with. `automatic` tries EGL without a surface, then an EGL device, then
-/// OSMesa; on Windows WGL, then OSMesa.
-enum class Driver { automatic, egl, eglDevice, osmesa, wgl };
+/// OSMesa; on Windows WGL, then OSMesa. `gles` is OpenGL ES 3.0, what browsers have as WebGL 2: it draws what
+/// a live page shows, and has no geometry, tessellation and compute stages.
+enum class Driver { automatic, egl, eglDevice, osmesa, wgl, gles };
 
-inline constexpr std::array<std::pair<std::string_view, Driver>, 5> kDriverWords{{
+inline constexpr std::array<std::pair<std::string_view, Driver>, 6> kDriverWords{{
     {"auto", Driver::automatic},
     {"egl", Driver::egl},
     {"egl-device", Driver::eglDevice},
     {"osmesa", Driver::osmesa},
     {"wgl", Driver::wgl},
+    {"gles", Driver::gles},
 }};
 
 /// The driver's word: "egl-device".

@@ -14,7 +14,7 @@
 #include "classroom/page_parts.h"
 #include "embedded/gallery_page.h"
 #include "embedded/report_page.h"
-#include "gallery/code_html.h"
+#include "source/code_html.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "page/page.h"
@@ -197,7 +197,7 @@ std::string sourcesHtml(const Description& about) {
             "<details{}><summary><strong>{}</strong> <small>{}</small></summary><div class=\"source\">{}"
             "</div></details>\n",
             each.role == "included" ? "" : " open", nameHtml(each.name), escapeXml(each.role),
-            codeHtml(each.text, isScene ? source::CodeLanguage::glib : source::CodeLanguage::glsl));
+            source::codeHtml(each.text, isScene ? source::CodeLanguage::glib : source::CodeLanguage::glsl));
     }
     return html.empty() ? html : "<h2>Sources</h2>" + html;
 }

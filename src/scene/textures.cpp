@@ -8,17 +8,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <istream>
-#include <memory>
 #include <span>
-#include <sstream>
 #include <string>
-#include <system_error>
 
 #include "base/text.h"
+#include "image/file.h"
+#include "image/foreign_headers.h"
 #include "image/format.h"
 #include "noise/noise.h"
+#include "system/file.h"
 
 namespace glibra::scene {
 namespace {
@@ -39,23 +37,20 @@ struct Beginning {
     }
 };
 
-std::unique_ptr<std::istream> opened(const base::FileSource& source) {
-    if (source.content) return std::make_unique<std::istringstream>(*source.content);
-    return std::make_unique<std::ifstream>(source.path, std::ios::binary);
-}
-
 std::optional<Beginning> beginningOf(const base::FileSource& source) {
-    if (!source.content && !isOrdinaryFile(source.path)) return std::nullopt;
     Beginning beginning;
-    std::error_code failure;
-    beginning.length =
-        source.content ? source.content->size() : std::filesystem::file_size(source.path, failure);
-    std::array<char, kLookedAt> read{};
-    const auto file = opened(source);
-    file->read(read.data(), read.size());
-    beginning.count = static_cast<std::size_t>(std::max<std::streamsize>(file->gcount(), 0));
-    if (failure || beginning.count == 0) return std::nullopt;
-    std::ranges::transform(read, beginning.bytes.begin(), [](char c) { return static_cast<std::byte>(c); });
+    if (source.content) {
+        const auto bytes = std::as_bytes(std::span(*source.content));
+        beginning.length = bytes.size();
+        beginning.count = std::min(bytes.size(), kLookedAt);
+        std::ranges::copy(bytes.first(beginning.count), beginning.bytes.begin());
+    } else if (const system::File file = system::openToRead(source.path, system::Links::followed)) {
+        system::FileFacts facts;
+        if (factsOf(file, facts) != 0 || facts.kind != system::FileKind::regular) return std::nullopt;
+        beginning.length = facts.size;
+        if (readFull(file, beginning.bytes, beginning.count) != 0) return std::nullopt;
+    }
+    if (beginning.count == 0) return std::nullopt;
     return beginning;
 }
 
@@ -75,32 +70,11 @@ bool fitsRaw(const Beginning& beginning, std::size_t dimensions, std::uint64_t c
     return beginning.length - header == 4 * componentBytes * texels;
 }
 
-/// The size in the first frame header (ISO/IEC 10918-1, B.2.2).
-std::optional<std::array<double, 3>> sizeOfJpeg(std::istream& file) {
-    constexpr int kMostSegments = 1000;
-    const auto byte = [&] { return file.get() & 0xff; };
-    const auto number = [&] {
-        const int high = byte();
-        return high * 256 + byte();
-    };
-    file.seekg(2);
-    for (int i = 0; i < kMostSegments && byte() == 0xff && file; ++i) {
-        int marker = byte();
-        while (marker == 0xff && file) marker = byte();
-        const int length = number();
-        const bool isFrame =
-            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-        if (isFrame) {
-            byte();  // precision
-            const int height = number();
-            const int width = number();
-            if (!file || width == 0 || height == 0) return std::nullopt;
-            return std::array<double, 3>{static_cast<double>(width), static_cast<double>(height), 1};
-        }
-        if (length < 2) return std::nullopt;
-        file.seekg(length - 2, std::ios::cur);
-    }
-    return std::nullopt;
+std::optional<std::array<double, 3>> sizeOfJpeg(const base::FileSource& source) {
+    const auto bytes = image::readFile(source, {source.path.generic_string(), {}});
+    const image::JpegFacts facts = bytes ? image::jpegFacts(*bytes) : image::JpegFacts();
+    if (facts.width == 0 || facts.height == 0) return std::nullopt;
+    return std::array<double, 3>{static_cast<double>(facts.width), static_cast<double>(facts.height), 1};
 }
 
 }  // namespace
@@ -116,7 +90,7 @@ std::optional<std::array<double, 3>> sizeOfFile(const base::FileSource& source, 
     std::array<double, 3> size{1, 1, 1};
     switch (image::formatOf(std::span(beginning->bytes).first(beginning->count))) {
         case image::Format::jpeg:
-            return sizeOfJpeg(*opened(source));
+            return sizeOfJpeg(source);
         case image::Format::png:
             if (beginning->count < kNeeded) return std::nullopt;
             for (std::size_t i = 0; i < 2; ++i) {

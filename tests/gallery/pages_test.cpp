@@ -9,7 +9,7 @@
 #include <string>
 
 #include "../support/new_folder.h"
-#include "gallery/code_html.h"
+#include "source/code_html.h"
 #include "gallery/describe.h"
 #include "gallery/gallery_page.h"
 
@@ -105,13 +105,13 @@ TEST(GalleryPages, ExercisesAndSolutionsNameEachOther) {
 
 TEST(CodeHtml, HasTheColoursOfBothLanguages) {
     EXPECT_EQ(
-        codeHtml("uniform vec3 a; // <b>\n#define X 2\n", source::CodeLanguage::glsl),
+        source::codeHtml("uniform vec3 a; // <b>\n#define X 2\n", source::CodeLanguage::glsl),
         "<ol><li data-line=\"1\"><span class=\"keyword\">uniform</span> <span class=\"type\">vec3</span> a; "
         "<span class=\"comment\">// &lt;b&gt;</span></li><li data-line=\"2\"><span "
         "class=\"directive\">#define "
         "X 2</span></li></ol>");
     const std::string scene =
-        codeHtml("Fragment inline\nvoid main() {}\nEndFragment\nSphere 1\n", source::CodeLanguage::glib);
+        source::codeHtml("Fragment inline\nvoid main() {}\nEndFragment\nSphere 1\n", source::CodeLanguage::glib);
     EXPECT_NE(scene.find("<span class=\"type\">void</span>"), std::string::npos);
     EXPECT_NE(scene.find("<span class=\"keyword\">Sphere</span> <span class=\"number\">1</span>"),
               std::string::npos);

@@ -14,6 +14,7 @@ get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 set(CMAKE_CXX_FLAGS_INIT "-fexceptions -fignore-exceptions -fexperimental-library -nostdinc++ -isystem ${root}/tools/web/libcxx \
 -isystem /usr/lib/llvm-19/include/wasm32-wasi/c++/v1 -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_PROCESS_CLOCKS -D_WASI_EMULATED_MMAN")
 set(CMAKE_CXX_STANDARD_LIBRARIES "")
+set(CMAKE_HAVE_LIBC_PTHREAD TRUE CACHE INTERNAL "")  # one thread, and no library for more
 set(libraries ${root}/build/web-libraries)
 set(CMAKE_FIND_ROOT_PATH ${libraries})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

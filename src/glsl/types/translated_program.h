@@ -184,6 +184,8 @@ struct TranslatedProgram {
     /// happens where a driver ends loops early.
     std::vector<Place> loopSites{};
     Placement placement = Placement::unknown;
+    /// Of GLSL ES: the values of initialisers of uniforms, which it does not have.
+    std::vector<InitialValue> initialValues{};
     bool isOpaque = false;  ///< the text proves that the only colour written always has alpha 1
 
     std::string name;  ///< the Program's name, for the notes after compile errors

@@ -6,7 +6,9 @@
 #include <array>
 #include <charconv>
 
+#include "gpu/context/errors.h"
 #include "gpu/context/family.h"
+#include "gpu/es/es.h"
 
 namespace glibra::gpu {
 namespace {
@@ -43,7 +45,8 @@ void readExtensions(Capabilities& driver) {
 }
 
 void read(GLenum what, int& value) {
-    value = integerOf(what);
+    const int given = integerOf(what);
+    if (given != 0 || !isEs()) value = given;  // ES does not know all of them
 }
 
 void read(GLenum what, std::int64_t& value) {
@@ -72,15 +75,17 @@ void readLimits(Capabilities& driver) {
     driver.compute = driver.atLeast(4, 3);
 }
 
+constexpr GLenum kAliasedPointSizeRange = 0x846D;  // of ES alone
+
 void readRaster(Capabilities& driver) {
     std::array<GLfloat, 2> range{1, 1};
     glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range.data());
     driver.minLineWidth = static_cast<double>(range[0]);
     driver.maxLineWidth = static_cast<double>(range[1]);
     const bool forwardCompatible =
-        (integerOf(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0;
+        !driver.isEs && (integerOf(GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0;
     driver.wideLines = !forwardCompatible && driver.maxLineWidth > 1;
-    glGetFloatv(GL_POINT_SIZE_RANGE, range.data());
+    glGetFloatv(driver.isEs ? kAliasedPointSizeRange : GL_POINT_SIZE_RANGE, range.data());
     driver.minPointSize = static_cast<double>(range[0]);
     driver.maxPointSize = static_cast<double>(range[1]);
 }
@@ -97,8 +102,9 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.renderer = text(GL_RENDERER);
     driver.version = text(GL_VERSION);
     driver.shadingLanguage = text(GL_SHADING_LANGUAGE_VERSION);
-    driver.major = integerOf(GL_MAJOR_VERSION);
-    driver.minor = integerOf(GL_MINOR_VERSION);
+    driver.isEs = isEs();
+    driver.major = driver.isEs ? 4 : integerOf(GL_MAJOR_VERSION);
+    driver.minor = driver.isEs ? 1 : integerOf(GL_MINOR_VERSION);
     // Mesa with a lowered version of OpenGL still reports its own version of GLSL.
     driver.glslVersion = std::min(glslNumber(driver.shadingLanguage), 100 * driver.major + 10 * driver.minor);
     driver.family = familyOf(driver.vendor + " " + driver.renderer);
@@ -111,9 +117,10 @@ Capabilities readCapabilities(bool throughOsmesa) {
     readRaster(driver);
     driver.packInvert = driver.hasExtension("GL_MESA_pack_invert");
     driver.parallelCompile = driver.hasExtension("GL_KHR_parallel_shader_compile");
-    driver.debugOutput = driver.atLeast(4, 3) || driver.hasExtension("GL_KHR_debug");
+    driver.debugOutput = driver.atLeast(4, 3) || (!driver.isEs && driver.hasExtension("GL_KHR_debug"));
     driver.persistentMaps = driver.atLeast(4, 4);
-    glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &driver.timerBits);
+    if (!driver.isEs) glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &driver.timerBits);
+    clearErrors();
     return driver;
 }
 

@@ -18,7 +18,8 @@ struct Capabilities {
     bool isSoftware = false;  ///< Mesa draws on the processor: llvmpipe or softpipe, through EGL or OSMesa
     /// Mesa's software rasterizer draws, also below zink: it tessellates with the limits of drawPatches().
     bool tessellatesInSoftware = false;
-    int major = 0, minor = 0;  ///< of GL
+    bool isEs = false;         ///< OpenGL ES 3.0, which does what OpenGL 4.1 does as far as it can
+    int major = 0, minor = 0;  ///< of GL; 4.1 for ES
     int glslVersion = 0;       ///< the number for #version, 410..460
 
 #define GLIBRA_LIMIT(type, member, initial, ...) type member = initial;

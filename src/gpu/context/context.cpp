@@ -15,6 +15,7 @@
 #include "gpu/context/call_counter.h"
 #include "gpu/context/fork.h"
 #include "gpu/context/reset.h"
+#include "gpu/es/es.h"
 #include "system/places.h"
 
 namespace glibra::gpu {
@@ -99,7 +100,11 @@ std::string loadFunctions(Backend& backend, DebugLog& log) {
         const auto address = [](void* from, const char* function) {
             return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
         };
-        const bool isLoaded = gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
+        leaveEs();
+        const bool isLoaded =
+            backend.driver() == Driver::gles
+                ? loadEsFunctions([&](const char* function) { return backend.address(function); })
+                : gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
         if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
         table.driver = isLoaded ? driver : std::string();
         if (!isLoaded) return "no OpenGL 4.1" + (driver.empty() ? "" : "; it is " + versionOf(backend));
@@ -181,7 +186,8 @@ Result<Context> openContext(const ContextOptions& options) {
     prepareEnvironment(options);
     std::vector<std::string> failures;
     for (const ContextWay& way : contextWays()) {
-        if (options.driver != Driver::automatic && options.driver != way.driver) continue;
+        const bool isAsked = options.driver == way.driver;
+        if (!isAsked && (options.driver != Driver::automatic || way.driver == Driver::gles)) continue;
         Attempt attempt = way.open(options);
         if (auto* phrases = std::get_if<std::vector<std::string>>(&attempt)) {
             failures.insert(failures.end(), phrases->begin(), phrases->end());

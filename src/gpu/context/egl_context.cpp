@@ -1,6 +1,7 @@
 // EGL contexts without a surface: on the surfaceless platform (EGL_MESA_platform_surfaceless) or on a device
 // (EGL_EXT_platform_device).
 
+#include <fmt/format.h>
 #include <glad/egl.h>
 #include <array>
 #include <cstddef>
@@ -156,9 +157,9 @@ struct Candidate {
 };
 
 /// Any config that supports OpenGL, for libraries that cannot create a context without one.
-EGLConfig anyConfig(const EglLibrary& egl, EGLDisplay display) {
-    static constexpr std::array<EGLint, 5> kWanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
-                                                   EGL_NONE};
+EGLConfig anyConfig(const EglLibrary& egl, EGLDisplay display, bool isEs) {
+    const std::array<EGLint, 5> kWanted{EGL_RENDERABLE_TYPE, isEs ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT,
+                                        EGL_SURFACE_TYPE, 0, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!egl.chooseConfig(display, kWanted.data(), &config, 1, &count) || count < 1) return nullptr;
@@ -202,6 +203,11 @@ EGLContext bestContext(const EglLibrary& egl, EGLDisplay display, EGLConfig conf
     return EGL_NO_CONTEXT;
 }
 
+EGLContext esContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config) {
+    constexpr std::array<EGLint, 3> kAttributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
+    return egl.createContext(display, config, EGL_NO_CONTEXT, kAttributes.data());
+}
+
 /// Tries one display. A text says why it failed, without the candidate's name.
 std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary& egl,
                                                                const Candidate& candidate, bool debug) {
@@ -214,11 +220,13 @@ std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary&
     const char* list = egl.queryString(display, EGL_EXTENSIONS);
     const std::string extensions = list ? list : "";
     if (!listHas(extensions, "EGL_KHR_surfaceless_context")) return "it needs a surface";
-    if (!egl.bindApi(EGL_OPENGL_API)) return "it has OpenGL ES only";
+    const bool isEs = candidate.driver == Driver::gles;
+    if (!egl.bindApi(isEs ? EGL_OPENGL_ES_API : EGL_OPENGL_API))
+        return isEs ? "it has no OpenGL ES" : "it has OpenGL ES only";
     EGLConfig config = nullptr;
     if (!listHas(extensions, "EGL_KHR_no_config_context") &&
         !listHas(extensions, "EGL_MESA_configless_context")) {
-        config = anyConfig(egl, display);
+        config = anyConfig(egl, display, isEs);
         if (!config) return "it has no config for OpenGL";
     }
     // With Mesa, robust access costs nothing that can be measured: a software rasteriser checks every access
@@ -227,8 +235,10 @@ std::variant<std::unique_ptr<Backend>, std::string> tryDisplay(const EglLibrary&
     const Care care{.robust = isEgl15 && candidate.platform == EGL_PLATFORM_SURFACELESS_MESA &&
                               listHas(extensions, "EGL_EXT_create_context_robustness"),
                     .notifies = isEgl15 || listHas(extensions, "EGL_KHR_create_context")};
-    EGLContext context = bestContext(egl, display, config, debug, care);
-    if (context == EGL_NO_CONTEXT) return "no OpenGL 4.1 core context (" + egl.lastError() + ")";
+    EGLContext context =
+        isEs ? esContext(egl, display, config) : bestContext(egl, display, config, debug, care);
+    if (context == EGL_NO_CONTEXT)
+        return fmt::format("no {} context ({})", isEs ? "OpenGL ES 3.0" : "OpenGL 4.1 core", egl.lastError());
     if (!egl.makeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         std::string why = "eglMakeCurrent failed (" + egl.lastError() + ")";
         egl.destroyContext(display, context);
@@ -273,7 +283,7 @@ std::vector<Candidate> devices(const EglLibrary& egl) {
     return hardware;
 }
 
-Attempt openEglSurfaceless(const ContextOptions& options) {
+Attempt openSurfaceless(const ContextOptions& options, Driver driver) {
     const auto opened = openEglLibrary(options.eglLibrary);
     if (const std::string* why = std::get_if<std::string>(&opened))
         return std::vector<std::string>{"EGL without a surface: " + *why};
@@ -281,8 +291,16 @@ Attempt openEglSurfaceless(const ContextOptions& options) {
     if (!egl.getPlatformDisplay || !egl.hasClientExtension("EGL_MESA_platform_surfaceless"))
         return std::vector<std::string>{"EGL without a surface: " + egl.name +
                                         " has no EGL_MESA_platform_surfaceless"};
-    return tryAll(egl, {{EGL_PLATFORM_SURFACELESS_MESA, nullptr, Driver::egl, "EGL without a surface"}},
+    return tryAll(egl, {{EGL_PLATFORM_SURFACELESS_MESA, nullptr, driver, "EGL without a surface"}},
                   options.debugContext);
+}
+
+Attempt openEglSurfaceless(const ContextOptions& options) {
+    return openSurfaceless(options, Driver::egl);
+}
+
+Attempt openEs(const ContextOptions& options) {
+    return openSurfaceless(options, Driver::gles);
 }
 
 Attempt openEglDevice(const ContextOptions& options) {
@@ -297,8 +315,10 @@ Attempt openEglDevice(const ContextOptions& options) {
     return tryAll(egl, candidates, options.debugContext);
 }
 
-constexpr ContextWay kWays[] = {
-    {Driver::egl, openEglSurfaceless}, {Driver::eglDevice, openEglDevice}, {Driver::osmesa, openOsmesa}};
+constexpr ContextWay kWays[] = {{Driver::egl, openEglSurfaceless},
+                                {Driver::eglDevice, openEglDevice},
+                                {Driver::osmesa, openOsmesa},
+                                {Driver::gles, openEs}};
 
 }  // namespace
 

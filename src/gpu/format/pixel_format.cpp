@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "gpu/es/es.h"
+
 namespace glibra::gpu {
 namespace {
 
@@ -67,10 +69,14 @@ FormatUse guaranteedUse(const Capabilities& capabilities, TexelFormat format) {
 }  // namespace
 
 GLenum internalFormat(TexelFormat format) {
+    if (isEs())
+        if (const GLenum es = esInternalFormat(format); es != GL_NONE) return es;
     return glRowOf(format).internal;
 }
 
 Transfer nativeTransfer(TexelFormat format) {
+    if (isEs())
+        if (const Transfer es = esTransfer(format); es.format != GL_NONE) return es;
     return {glRowOf(format).transferFormat, glRowOf(format).transferType};
 }
 

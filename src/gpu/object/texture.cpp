@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "gpu/context/errors.h"
+#include "gpu/es/es.h"
+#include "gpu/object/texture_copy.h"
 
 namespace glibra::gpu {
 
@@ -23,6 +25,8 @@ GLenum glTarget(TextureShape shape) {
                                                           GL_TEXTURE_RECTANGLE,
                                                           GL_TEXTURE_2D_MULTISAMPLE,
                                                           GL_TEXTURE_2D_MULTISAMPLE_ARRAY};
+    // ES has no textures of one dimension; those have one row there.
+    if (shape == TextureShape::texture1D && isEs()) return GL_TEXTURE_2D;
     return kTargets.at(static_cast<std::size_t>(shape));
 }
 
@@ -118,7 +122,7 @@ int largestSide(const Capabilities& capabilities, TextureShape shape) {
 
 void allocate(const Capabilities& capabilities, const TextureLayout& layout) {
     if (isMultisampled(layout.shape)) return allocateSamples(capabilities, layout);
-    if (!capabilities.atLeast(4, 2)) {
+    if (!capabilities.atLeast(4, 2) && !capabilities.isEs) {
         for (int level = 0; level < layout.levels; ++level)
             allocateLevel(layout.shape, layout.format, sizeOfLevel(layout.shape, layout.size, level), level);
         return;
@@ -257,8 +261,14 @@ Diagnostics Texture::upload(int level, const Texels& texels) {
     bind(kWorkUnit);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    fillLevel(shape_, size, level, {glFormat(texels.components, format_), glType(texels.type)},
-              texels.data.data(), texels.data.size() / 6);
+    const Transfer given{glFormat(texels.components, format_), glType(texels.type)};
+    const Transfer native = nativeTransfer(format_);
+    if (isEs() && (given.format != native.format || given.type != native.type)) {
+        const std::vector<std::byte> taken = forEs(texels.data, {texels.components, texels.type}, format_);
+        fillLevel(shape_, size, level, native, taken.data(), taken.size() / 6);
+    } else {
+        fillLevel(shape_, size, level, given, texels.data.data(), texels.data.size() / 6);
+    }
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
         return {allocationError(code, describe(shape_, format_, size))};
     return {};
@@ -282,7 +292,9 @@ Result<std::vector<std::byte>> Texture::read(int level, int components, TexelTyp
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     const GLenum format = glFormat(components, format_);
-    if (shape_ == TextureShape::cube)
+    if (isEs())
+        readLayers(*this, level, format, glType(type), texels);
+    else if (shape_ == TextureShape::cube)
         for (GLenum face = 0; face < 6; ++face)
             glGetTexImage(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, format, glType(type),
                           texels.data() + face * (texels.size() / 6));

@@ -258,6 +258,18 @@ bool TextureCopier::copy(const Capabilities& capabilities, const Texture& from, 
     return known->second == Way::computed;
 }
 
+void readLayers(const Texture& texture, int level, GLenum format, GLenum type, std::span<std::byte> texels) {
+    const FramebufferBindings bindings;
+    const TextureSize size = sizeOfLevel(texture.shape(), texture.size(), level);
+    const int layers = texture.layers(level);
+    const std::size_t bytes = texels.size() / static_cast<std::size_t>(layers);
+    for (int layer = 0; layer < layers; ++layer)
+        withAttached(GL_READ_FRAMEBUFFER, texture, level, layer, [&] {
+            glReadPixels(0, 0, size.width, size.height, format, type,
+                         texels.data() + static_cast<std::size_t>(layer) * bytes);
+        });
+}
+
 void resolveSamples(const Texture& from, const Texture& to) {
     const FramebufferBindings bindings;
     blitLevel(from, to, 0);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "glsl/emit/emitted_lines.h"
+#include "glsl/es/es.h"
 #include "glsl/translate.h"
 #include "plan/overrides.h"
 #include "render/load/programs.h"
@@ -72,8 +73,18 @@ const ProgramLibrary::Translation& ProgramLibrary::translationOf(const plan::Pro
     return translation;
 }
 
+glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramRequest& asked) const {
+    glsl::TranslatedProgram program = glsl::translate(asked);
+    if (!context_.capabilities().isEs || hasError(program.diagnostics)) return program;
+    glsl::EsProgram es = glsl::toEs(program);
+    program.stages = std::move(es.stages);
+    program.initialValues = std::move(es.initialValues);
+    append(program.diagnostics, std::move(es.diagnostics));
+    return program;
+}
+
 std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::ProgramRequest asked) {
-    if (!shared_) return std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
+    if (!shared_) return std::make_shared<const glsl::TranslatedProgram>(translationFor(asked));
     const std::string key = requestKeyOf(asked);
     if (const auto known = shared_->translations.find(key)) {
         stats_.add("translations kept", 1);
@@ -92,7 +103,7 @@ std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::P
             asksMore = true;
             return kinds(tag);
         };
-    auto translated = std::make_shared<const glsl::TranslatedProgram>(glsl::translate(asked));
+    auto translated = std::make_shared<const glsl::TranslatedProgram>(translationFor(asked));
     std::size_t size = key.size();
     for (const glsl::TranslatedStage& each : translated->stages) size += each.source.size();
     if (!asksMore) shared_->translations.add(key, translated, size);

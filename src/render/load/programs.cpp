@@ -150,7 +150,7 @@ bool boundFilter(glsl::TranslatedStage& stage, const FilterBound& bound) {
 
 glsl::Target glslTargetOf(const gpu::Capabilities& capabilities) {
     glsl::Target target;
-    target.version = std::clamp(capabilities.glslVersion, 410, 450);
+    target.version = capabilities.isEs ? 450 : std::clamp(capabilities.glslVersion, 410, 450);
     target.lineDirectiveTakesFileName = capabilities.hasExtension("GL_ARB_shading_language_include");
     target.maxGeometryOutputVertices = capabilities.maxGeometryOutputVertices;
     target.maxGeometryTotalOutputComponents = capabilities.maxGeometryTotalOutputComponents;
@@ -275,6 +275,9 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     if (!context_.capabilities().atLeast(4, 3))
         built.interface.outputs = declaredOutputs(translated, *outcome.program);
     built.program = std::move(outcome.program);
+    for (const glsl::InitialValue& value : translated.initialValues)
+        for (const base::ActiveUniform& each : built.interface.uniforms)
+            if (each.emittedName == value.uniform) gpu::setUniform(*built.program, each, value.numbers);
     takeRecord(glsl::kUndefinedBlock, glsl::kNumbersPerSite * translated.undefinedSites.size(), built,
                diagnostics);
     return true;

@@ -124,6 +124,8 @@ class ProgramLibrary {
         Diagnostics diagnostics;
     };
     const Translation& translationOf(const plan::ProgramVariant& variant);
+    /// In the language of the driver.
+    [[nodiscard]] glsl::TranslatedProgram translationFor(const glsl::ProgramRequest& asked) const;
     std::shared_ptr<const glsl::TranslatedProgram> translate(glsl::ProgramRequest asked);
     bool borrow(const plan::ProgramVariant& variant, BuiltProgram& built);
     [[nodiscard]] glsl::ProgramRequest request(const plan::ProgramVariant& variant, Diagnostics& diagnostics);

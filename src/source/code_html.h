@@ -6,10 +6,10 @@
 
 #include "source/syntax.h"
 
-namespace glibra::gallery {
+namespace glibra::source {
 
 /// A list item per line with its number in `data-line`; words are in <span class="keyword"> and the like. All
 /// of the text is escaped.
-std::string codeHtml(std::string_view text, source::CodeLanguage language);
+std::string codeHtml(std::string_view text, CodeLanguage language);
 
-}  // namespace glibra::gallery
+}  // namespace glibra::source

@@ -1,4 +1,4 @@
-#include "gallery/code_html.h"
+#include "source/code_html.h"
 
 #include <fmt/format.h>
 
@@ -6,16 +6,16 @@
 
 #include "base/text.h"
 
-namespace glibra::gallery {
+namespace glibra::source {
 namespace {
 
 constexpr std::size_t kLongestLine = 2'000;  // bytes
 
-std::string lineHtml(std::string_view line, source::SyntaxReader& reader) {
+std::string lineHtml(std::string_view line, SyntaxReader& reader) {
     constexpr std::array kClasses{"", "keyword", "type", "number", "comment", "directive", "builtin"};
     std::string html;
     std::size_t at = 0;
-    for (const source::SyntaxPiece& each : reader.next(line)) {
+    for (const SyntaxPiece& each : reader.next(line)) {
         html += base::escapeXml(line.substr(at, each.begin - at));
         html += fmt::format("<span class=\"{}\">{}</span>", kClasses.at(static_cast<std::size_t>(each.kind)),
                             base::escapeXml(line.substr(each.begin, each.end - each.begin)));
@@ -26,8 +26,8 @@ std::string lineHtml(std::string_view line, source::SyntaxReader& reader) {
 
 }  // namespace
 
-std::string codeHtml(std::string_view text, source::CodeLanguage language) {
-    source::SyntaxReader reader(language);
+std::string codeHtml(std::string_view text, CodeLanguage language) {
+    SyntaxReader reader(language);
     std::string html = "<ol>";
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
@@ -40,4 +40,4 @@ std::string codeHtml(std::string_view text, source::CodeLanguage language) {
     return html + "</ol>";
 }
 
-}  // namespace glibra::gallery
+}  // namespace glibra::source

@@ -1,0 +1,461 @@
+#include "gpu/es/es.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace glibra::gpu {
+namespace {
+
+bool isLoaded = false;
+
+// What the driver's own functions are, where the table has others.
+struct Own {
+    PFNGLENABLEPROC enable = nullptr;
+    PFNGLDISABLEPROC disable = nullptr;
+    PFNGLISENABLEDPROC isEnabled = nullptr;
+    PFNGLREADPIXELSPROC readPixels = nullptr;
+    PFNGLUSEPROGRAMPROC useProgram = nullptr;
+    PFNGLGETERRORPROC getError = nullptr;
+};
+Own own;
+GLuint program = 0;            ///< in use
+GLenum pending = GL_NO_ERROR;  ///< of a function that ES does not have
+bool clampsDepth = false;      ///< EXT_depth_clamp
+bool hasWideTexels = false;    ///< EXT_texture_norm16
+
+// ---- States
+
+/// Others are always on, always off, or of the vertex stage.
+bool isOfEs(GLenum capability) {
+    switch (capability) {
+        case GL_BLEND:
+        case GL_CULL_FACE:
+        case GL_DEPTH_TEST:
+        case GL_DITHER:
+        case GL_POLYGON_OFFSET_FILL:
+        case GL_PRIMITIVE_RESTART_FIXED_INDEX:
+        case GL_RASTERIZER_DISCARD:
+        case GL_SAMPLE_ALPHA_TO_COVERAGE:
+        case GL_SCISSOR_TEST:
+        case GL_STENCIL_TEST:
+            return true;
+        case GL_DEPTH_CLAMP:
+            return clampsDepth;
+        default:
+            return false;
+    }
+}
+
+/// The index that restarts is the largest one, as glibra sets it.
+GLenum ofEs(GLenum capability) {
+    return capability == GL_PRIMITIVE_RESTART ? GL_PRIMITIVE_RESTART_FIXED_INDEX : capability;
+}
+
+void enable(GLenum capability) {
+    if (isOfEs(ofEs(capability))) own.enable(ofEs(capability));
+}
+void disable(GLenum capability) {
+    if (isOfEs(ofEs(capability))) own.disable(ofEs(capability));
+}
+GLboolean isEnabled(GLenum capability) {
+    if (isOfEs(ofEs(capability))) return own.isEnabled(ofEs(capability));
+    return GL_FALSE;
+}
+
+void depthRange(GLdouble nearest, GLdouble farthest) {
+    glad_glDepthRangef(static_cast<GLfloat>(nearest), static_cast<GLfloat>(farthest));
+}
+
+// ---- Framebuffers and textures
+
+void drawBuffer(GLenum buffer) {
+    std::array<GLenum, 8> outputs{};
+    const std::size_t index = buffer == GL_NONE ? 0 : std::min<std::size_t>(buffer - GL_COLOR_ATTACHMENT0, 7);
+    outputs[index] = buffer;
+    glad_glDrawBuffers(static_cast<GLsizei>(index + 1), outputs.data());
+}
+
+void framebufferTexture1D(GLenum target, GLenum point, GLenum, GLuint texture, GLint level) {
+    glad_glFramebufferTexture2D(target, point, GL_TEXTURE_2D, texture, level);
+}
+
+void texStorage1D(GLenum target, GLsizei levels, GLenum format, GLsizei width) {
+    glad_glTexStorage2D(target, levels, format, width, 1);
+}
+
+void texSubImage1D(GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
+                   const void* texels) {
+    glad_glTexSubImage2D(target, level, x, 0, width, 1, format, type, texels);
+}
+
+/// The layout in which ES gives pixels of the framebuffer that is read, and whether they are normalized.
+std::pair<Transfer, bool> readable() {
+    GLint buffer = GL_COLOR_ATTACHMENT0, kind = GL_NONE;
+    glad_glGetIntegerv(GL_READ_BUFFER, &buffer);
+    const GLenum point = buffer == GL_BACK ? GL_BACK : static_cast<GLenum>(buffer);
+    glad_glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, point,
+                                               GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &kind);
+    if (kind == GL_FLOAT) return {{GL_RGBA, GL_FLOAT}, false};
+    if (kind == GL_INT) return {{GL_RGBA_INTEGER, GL_INT}, false};
+    if (kind == GL_UNSIGNED_INT) return {{GL_RGBA_INTEGER, GL_UNSIGNED_INT}, false};
+    return {{GL_RGBA, GL_UNSIGNED_BYTE}, true};
+}
+
+int componentsIn(GLenum format) {
+    switch (format) {
+        case GL_RED:
+        case GL_RED_INTEGER:
+        case GL_DEPTH_COMPONENT:
+            return 1;
+        case GL_RG:
+        case GL_RG_INTEGER:
+            return 2;
+        case GL_RGB:
+        case GL_RGB_INTEGER:
+            return 3;
+        default:
+            return 4;
+    }
+}
+
+TexelType typeOf(GLenum type) {
+    for (const TexelType each :
+         {TexelType::u8, TexelType::u16, TexelType::u32, TexelType::i8, TexelType::i16, TexelType::i32})
+        if (glType(each) == type) return each;
+    return TexelType::f32;
+}
+
+void readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
+    const auto [transfer, isNormalized] = readable();
+    const bool isDepth = format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL;
+    if (pixels == nullptr || isDepth || (transfer.format == format && transfer.type == type))
+        return own.readPixels(x, y, width, height, format, type, pixels);
+    const TexelLayout from{4, typeOf(transfer.type)}, to{componentsIn(format), typeOf(type)};
+    std::vector<std::byte> read(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4 *
+                                bytesOf(from.type));
+    own.readPixels(x, y, width, height, transfer.format, transfer.type, read.data());
+    std::ranges::copy(converted(read, from, to, isNormalized || to.type == TexelType::u8),
+                      static_cast<std::byte*>(pixels));
+}
+
+void getBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
+    const void* mapped = glad_glMapBufferRange(target, offset, size, GL_MAP_READ_BIT);
+    if (mapped == nullptr) return;
+    std::copy_n(static_cast<const std::byte*>(mapped), size, static_cast<std::byte*>(data));
+    glad_glUnmapBuffer(target);
+}
+
+// ---- Programs
+
+void useProgram(GLuint used) {
+    program = used;
+    own.useProgram(used);
+}
+
+/// Sets a uniform of a program that need not be in use.
+template <auto& kUniform, class... Arguments>
+void programUniform(GLuint of, GLint location, Arguments... arguments) {
+    if (of != program) own.useProgram(of);
+    kUniform(location, arguments...);
+    if (of != program) own.useProgram(program);
+}
+
+// ---- The table
+
+GLenum getError() {
+    const GLenum noted = std::exchange(pending, GL_NO_ERROR);
+    return noted != GL_NO_ERROR ? noted : own.getError();
+}
+
+/// In place of a function that ES does not have.
+template <auto& kFunction, class = std::remove_cvref_t<decltype(kFunction)>>
+struct Missing;
+template <auto& kFunction, class Returned, class... Arguments>
+struct Missing<kFunction, Returned (*)(Arguments...)> {
+    static Returned refuse(Arguments...) {
+        pending = GL_INVALID_OPERATION;
+        return Returned();
+    }
+    /// What it would set has one value in ES, or is set in another way.
+    static Returned ignore(Arguments...) { return Returned(); }
+};
+
+void setMissing() {
+#define GLIBRA_REFUSED(name) glad_gl##name = Missing<glad_gl##name>::refuse;
+    GLIBRA_REFUSED(FramebufferTexture)
+    GLIBRA_REFUSED(TexBuffer)
+    GLIBRA_REFUSED(GetTexImage)
+    GLIBRA_REFUSED(GetTexLevelParameteriv)
+    GLIBRA_REFUSED(TexImage1D)
+    GLIBRA_REFUSED(TexImage2DMultisample)
+    GLIBRA_REFUSED(TexImage3DMultisample)
+    GLIBRA_REFUSED(DrawArraysIndirect)
+    GLIBRA_REFUSED(DrawElementsIndirect)
+    GLIBRA_REFUSED(GetUniformdv)
+    GLIBRA_REFUSED(GetQueryiv)
+    GLIBRA_REFUSED(GetQueryObjectiv)
+    GLIBRA_REFUSED(GetQueryObjectui64v)
+#undef GLIBRA_REFUSED
+#define GLIBRA_IGNORED(name) glad_gl##name = Missing<glad_gl##name>::ignore;
+    GLIBRA_IGNORED(BindFragDataLocation)
+    GLIBRA_IGNORED(ClampColor)
+    GLIBRA_IGNORED(EndConditionalRender)
+    GLIBRA_IGNORED(MinSampleShading)
+    GLIBRA_IGNORED(PatchParameterfv)
+    GLIBRA_IGNORED(PatchParameteri)
+    GLIBRA_IGNORED(PointParameterf)
+    GLIBRA_IGNORED(PointParameteri)
+    GLIBRA_IGNORED(PointSize)
+    GLIBRA_IGNORED(PolygonMode)
+    GLIBRA_IGNORED(PrimitiveRestartIndex)
+    GLIBRA_IGNORED(ProvokingVertex)
+    GLIBRA_IGNORED(SamplerParameterfv)
+#undef GLIBRA_IGNORED
+    for (auto* each : {&glad_glEnablei, &glad_glDisablei})
+        if (*each == nullptr) *each = Missing<glad_glEnablei>::refuse;
+    if (glad_glColorMaski == nullptr) glad_glColorMaski = Missing<glad_glColorMaski>::refuse;
+    if (glad_glBlendFuncSeparatei == nullptr)
+        glad_glBlendFuncSeparatei = Missing<glad_glBlendFuncSeparatei>::refuse;
+    if (glad_glBlendEquationSeparatei == nullptr)
+        glad_glBlendEquationSeparatei = Missing<glad_glBlendEquationSeparatei>::refuse;
+}
+
+void setProgramUniforms() {
+#define GLIBRA_UNIFORM(name) glad_glProgramUniform##name = programUniform<glad_glUniform##name>;
+#define GLIBRA_UNIFORMS(size) \
+    GLIBRA_UNIFORM(size##fv)  \
+    GLIBRA_UNIFORM(size##iv)  \
+    GLIBRA_UNIFORM(size##uiv)
+    GLIBRA_UNIFORMS(1)
+    GLIBRA_UNIFORMS(2)
+    GLIBRA_UNIFORMS(3)
+    GLIBRA_UNIFORMS(4)
+    GLIBRA_UNIFORM(Matrix2fv)
+    GLIBRA_UNIFORM(Matrix2x3fv)
+    GLIBRA_UNIFORM(Matrix2x4fv)
+    GLIBRA_UNIFORM(Matrix3fv)
+    GLIBRA_UNIFORM(Matrix3x2fv)
+    GLIBRA_UNIFORM(Matrix3x4fv)
+    GLIBRA_UNIFORM(Matrix4fv)
+    GLIBRA_UNIFORM(Matrix4x2fv)
+    GLIBRA_UNIFORM(Matrix4x3fv)
+#undef GLIBRA_UNIFORMS
+#undef GLIBRA_UNIFORM
+}
+
+bool hasExtension(std::string_view name) {
+    GLint count = 0;
+    glad_glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLuint i = 0; i < static_cast<GLuint>(std::max(count, 0)); ++i)
+        if (const auto* each = reinterpret_cast<const char*>(glad_glGetStringi(GL_EXTENSIONS, i));
+            each != nullptr && each == name)
+            return true;
+    return false;
+}
+
+// ---- Texels
+
+/// 1 of a whole number that stands for a fraction.
+double unitOf(TexelType type) {
+    switch (type) {
+        case TexelType::u8:
+            return 255;
+        case TexelType::i8:
+            return 127;
+        case TexelType::u16:
+            return 65535;
+        case TexelType::i16:
+            return 32767;
+        case TexelType::u32:
+            return 4294967295.0;
+        case TexelType::i32:
+            return 2147483647;
+        default:
+            return 1;
+    }
+}
+
+template <class T>
+double loaded(const std::byte* at) {
+    T value;
+    std::copy_n(at, sizeof value, reinterpret_cast<std::byte*>(&value));
+    return static_cast<double>(value);
+}
+
+double load(const std::byte* at, TexelType type) {
+    switch (type) {
+        case TexelType::u8:
+            return loaded<std::uint8_t>(at);
+        case TexelType::i8:
+            return loaded<std::int8_t>(at);
+        case TexelType::u16:
+            return loaded<std::uint16_t>(at);
+        case TexelType::i16:
+            return loaded<std::int16_t>(at);
+        case TexelType::u32:
+            return loaded<std::uint32_t>(at);
+        case TexelType::i32:
+            return loaded<std::int32_t>(at);
+        default:
+            return static_cast<double>(loaded<float>(at));
+    }
+}
+
+template <class T>
+void stored(double value, std::byte* at) {
+    if constexpr (std::is_integral_v<T>)
+        value = std::clamp(std::nearbyint(value), static_cast<double>(std::numeric_limits<T>::min()),
+                           static_cast<double>(std::numeric_limits<T>::max()));
+    const auto as = static_cast<T>(value);
+    std::copy_n(reinterpret_cast<const std::byte*>(&as), sizeof as, at);
+}
+
+void store(double value, TexelType type, std::byte* at) {
+    switch (type) {
+        case TexelType::u8:
+            return stored<std::uint8_t>(value, at);
+        case TexelType::i8:
+            return stored<std::int8_t>(value, at);
+        case TexelType::u16:
+            return stored<std::uint16_t>(value, at);
+        case TexelType::i16:
+            return stored<std::int16_t>(value, at);
+        case TexelType::u32:
+            return stored<std::uint32_t>(value, at);
+        case TexelType::i32:
+            return stored<std::int32_t>(value, at);
+        default:
+            return stored<float>(value, at);
+    }
+}
+
+/// True for formats of which only EXT_texture_norm16 knows.
+bool isWide(TexelFormat format) {
+    if (hasWideTexels) return false;
+    const base::TexelFormatRow& row = base::rowOf(format);
+    return row.bits == 16 &&
+           (row.kind == base::TexelClass::normalized || row.kind == base::TexelClass::signedNormalized);
+}
+
+}  // namespace
+
+bool isEs() {
+    return isLoaded;
+}
+
+void leaveEs() {
+    isLoaded = false;
+}
+
+bool loadEsFunctions(const std::function<void*(const char*)>& address) {
+    bool isWhole = true;
+#define GLIBRA_ES_FUNCTION(name)                                                    \
+    glad_gl##name = reinterpret_cast<decltype(glad_gl##name)>(address("gl" #name)); \
+    isWhole = isWhole && (glad_gl##name != nullptr || isOptional("gl" #name));
+    const auto isOptional = [](std::string_view name) {
+        constexpr std::array<std::string_view, 9> kOptional{"glEnablei",
+                                                            "glDisablei",
+                                                            "glColorMaski",
+                                                            "glBlendFuncSeparatei",
+                                                            "glBlendEquationSeparatei",
+                                                            "glMapBufferRange",
+                                                            "glUnmapBuffer",
+                                                            "glProgramParameteri",
+                                                            "glGetInternalformativ"};
+        return std::ranges::find(kOptional, name) != kOptional.end();
+    };
+#include "gpu/es/functions.def"
+    if (!isWhole) return false;
+    // Nothing of later versions is there, whatever the loader finds.
+    GLAD_GL_VERSION_4_1 = 1;
+    GLAD_GL_VERSION_4_2 = GLAD_GL_VERSION_4_3 = GLAD_GL_VERSION_4_4 = GLAD_GL_VERSION_4_5 =
+        GLAD_GL_VERSION_4_6 = 0;
+    own = {glad_glEnable,     glad_glDisable,    glad_glIsEnabled,
+           glad_glReadPixels, glad_glUseProgram, glad_glGetError};
+    glad_glEnable = enable;
+    glad_glDisable = disable;
+    glad_glIsEnabled = isEnabled;
+    glad_glReadPixels = readPixels;
+    glad_glUseProgram = useProgram;
+    glad_glGetError = getError;
+    glad_glDepthRange = depthRange;
+    glad_glDrawBuffer = drawBuffer;
+    glad_glFramebufferTexture1D = framebufferTexture1D;
+    glad_glTexStorage1D = texStorage1D;
+    glad_glTexSubImage1D = texSubImage1D;
+    glad_glGetBufferSubData = getBufferSubData;
+    if (glad_glMapBufferRange == nullptr)
+        glad_glGetBufferSubData = reinterpret_cast<PFNGLGETBUFFERSUBDATAPROC>(address("glGetBufferSubData"));
+    setMissing();
+    setProgramUniforms();
+    program = 0;
+    pending = GL_NO_ERROR;
+    clampsDepth = hasExtension("GL_EXT_depth_clamp");
+    hasWideTexels = hasExtension("GL_EXT_texture_norm16");
+    isLoaded = true;
+    return true;
+}
+
+std::vector<std::byte> converted(std::span<const std::byte> texels, TexelLayout from, TexelLayout to,
+                                 bool isNormalized) {
+    const std::size_t in = bytesOf(from.type), out = bytesOf(to.type);
+    const auto have = static_cast<std::size_t>(from.components),
+               want = static_cast<std::size_t>(to.components);
+    const std::size_t count = texels.size() / (in * have);
+    std::vector<std::byte> result(count * out * want);
+    const double scale = isNormalized ? unitOf(to.type) / unitOf(from.type) : 1;
+    const double one = isNormalized ? unitOf(to.type) : 1;
+    const bool isSame = from.type == to.type;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t c = 0; c < want; ++c) {
+            std::byte* const at = result.data() + (i * want + c) * out;
+            const std::byte* const source = texels.data() + (i * have + c) * in;
+            if (c >= have)
+                store(c == 3 ? one : 0, to.type, at);
+            else if (isSame)
+                std::copy_n(source, in, at);
+            else
+                store(load(source, from.type) * scale, to.type, at);
+        }
+    return result;
+}
+
+GLenum esInternalFormat(TexelFormat format) {
+    constexpr std::array<GLenum, 5> kFloats{0, GL_R32F, GL_RG32F, 0, GL_RGBA32F};
+    return isWide(format) ? kFloats.at(base::rowOf(format).components) : GL_NONE;
+}
+
+Transfer esTransfer(TexelFormat format) {
+    const base::TexelFormatRow& row = base::rowOf(format);
+    if (isWide(format)) return {glFormat(row.components), GL_FLOAT};
+    // Floats of all sizes are taken as 32 bits.
+    if (row.kind == base::TexelClass::floating) return {glFormat(row.components), GL_FLOAT};
+    return {GL_NONE, GL_NONE};
+}
+
+std::vector<std::byte> forEs(std::span<const std::byte> texels, TexelLayout layout, TexelFormat format) {
+    const base::TexelFormatRow& row = base::rowOf(format);
+    const Transfer transfer = nativeTransfer(format);
+    const bool isFraction = !isInteger(format);
+    if (format == TexelFormat::rgb10_a2) {
+        const std::vector<std::byte> floats = converted(texels, layout, {4, TexelType::f32}, true);
+        std::vector<std::byte> result(floats.size() / 4);
+        for (std::size_t i = 0; i < result.size() / 4; ++i) {
+            const auto bits = [&](std::size_t c, double most) {
+                const double value =
+                    std::clamp(load(floats.data() + (i * 4 + c) * 4, TexelType::f32), 0.0, 1.0);
+                return static_cast<std::uint32_t>(std::nearbyint(value * most));
+            };
+            const std::uint32_t packed =
+                bits(0, 1023) | bits(1, 1023) << 10U | bits(2, 1023) << 20U | bits(3, 3) << 30U;
+            std::copy_n(reinterpret_cast<const std::byte*>(&packed), 4, result.data() + i * 4);
+        }
+        return result;
+    }
+    return converted(texels, layout, {hasDepth(format) ? 1 : row.components, typeOf(transfer.type)},
+                     isFraction);
+}
+
+}  // namespace glibra::gpu
