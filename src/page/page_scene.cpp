@@ -52,14 +52,11 @@ class Names {
     explicit Names(const PageTask& task) : roots_(task.options.libraryRoots) {
         const fs::path folder = whole(task.scene).parent_path();
         top_ = folder.has_filename() ? folder.parent_path() : folder;
-        for (fs::path each = folder;; each = each.parent_path()) {
+        for (fs::path each = folder; each.has_relative_path(); each = each.parent_path()) {
             std::error_code failure;
-            if (fs::is_directory(each / "shaders", failure) || fs::is_directory(each / "textures", failure)) {
-                library_ = each;
-                if (each != folder) top_ = each;
-                break;
-            }
-            if (!each.has_relative_path()) break;
+            if (!fs::is_directory(each / "shaders", failure) && !fs::is_directory(each / "textures", failure)) continue;
+            top_ = each;
+            break;
         }
         for (fs::path& each : roots_) each = whole(each);
     }
@@ -68,17 +65,13 @@ class Names {
         const fs::path file = whole(path);
         if (const auto inside = below(top_, file)) return inside->generic_string();
         for (const fs::path& root : roots_)
-            if (const auto inside = below(root, file))
-                return (library_.empty() ? *inside : library_.lexically_relative(top_) / *inside)
-                    .lexically_normal()
-                    .generic_string();
+            if (const auto inside = below(root, file)) return inside->generic_string();
         return file.filename().generic_string();
     }
 
   private:
     std::vector<fs::path> roots_;
-    fs::path top_;      ///< that names are relative to
-    fs::path library_;  ///< empty: no folder above the scene has one
+    fs::path top_;  ///< that names are relative to
 };
 
 bool needsModule(image::Format format) {

@@ -50,9 +50,9 @@ struct PageTask {
 /// The most bytes that the files of a scene may have together.
 inline constexpr std::size_t kLargestScene = std::size_t{256} << 20U;
 
-/// The files of a scene as its page has them. They keep their places to each other, so that the module finds them as on
-/// the disk: names start at the nearest folder with `shaders` or `textures`, from the scene's own upwards, or else at the
-/// folder around the scene's. Files of other library folders stand where that library would have them. Pictures in
+/// The files of a scene as its page has them. They keep their places to each other, so that the runtime, which takes the
+/// page for a library, finds them as on the disk: names are relative to the nearest folder with `shaders` or `textures`,
+/// from the scene's own upwards, or else to the folder around the scene's; or to another library folder. Pictures in
 /// formats that only the image module reads become PNG or PFM. Reads nothing outside of `within` and the library, follows
 /// no link there, and opens nothing that is hidden. Reports page-W01 for each file that is left out, page-E02 if all
 /// together are too large, and what readImage() does for pictures.

@@ -1,61 +1,74 @@
 // In place of src/page/web/runtime.js, for tests of the interface: the answers of a scene that only this file knows. What it is
 // told is kept in `globalThis.told`.
 
-const kOf = { owner: "", declaration: "", isInteger: false, minimum: 0, maximum: 1, components: 1, words: [], shared: [] };
+const kKnob = { owner: "", declaration: "", isInteger: false, minimum: 0, maximum: 1 };
 const identityOfMock = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+globalThis.told = { frames: [], changes: [], opened: 0 };
 
-class MockModule {
-    constructor(canvas) {
+export class Runtime {
+    constructor(module, canvas) {
+        this.canvas = canvas;
         this.context = canvas.getContext("webgl2", { alpha: false });
-        if (!this.context) throw new Error("there is no WebGL 2");
         this.files = new Map();
-        globalThis.told = { frames: [], sets: [], opened: 0, files: this.files };
+        this.calls = null;
+        this.onrestored = () => {};
+        this.knobs = undefined;
+        globalThis.runtime = this;
+        canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); this.calls = null; });
+        canvas.addEventListener("webglcontextrestored", () => this.onrestored());
     }
     file(name, content) { this.files.set(name, new TextDecoder().decode(content)); }
-    text() { return [...this.files.values()].join("\n"); }
-    open(scene) {
+    async open(scene) {
+        if (!this.context) return { drawn: false, messages: [{ severity: "error", id: "gpu-E01", text: "this browser has no WebGL 2" }] };
+        this.calls = {};
         globalThis.told.opened += 1;
-        const lines = (this.files.get(scene) ?? "").split("\n");
-        const faulty = lines.findIndex((each) => each.includes("Spere"));
-        const messages = faulty < 0 ? [] : [{ severity: "error", id: "glib-E01", text: "unknown command 'Spere'; did you mean 'Sphere'?", file: scene, line: faulty + 1, column: 1 }];
-        const hostile = globalThis.hostile ?? "uTone";
-        this.knobs = [
-            { ...kOf, name: "size", widget: "slider", minimum: .2, maximum: 2, initial: [1], current: [1] },
-            { ...kOf, name: "show", widget: "choice", words: ["plain", "striped"], initial: [0], current: [0] },
-            { ...kOf, owner: "Ball", name: hostile, widget: "slider", declaration: "float uTone", initial: [.8], current: [.8] },
-            { ...kOf, owner: "Ball", name: "uOn", widget: "checkBox", initial: [1], current: [1] },
-            { ...kOf, owner: "Ball", name: "uTint", widget: "color", components: 3, initial: [1, .5, .2], current: [1, .5, .2] },
-            { ...kOf, owner: "Ball", name: "uPlace", widget: "numbers", components: 3, initial: [0, 1, 2], current: [0, 1, 2] },
-            { ...kOf, owner: "Ball", name: "uCount", widget: "slider", isInteger: true, minimum: 1, maximum: 9, initial: [3], current: [3] },
-            { ...kOf, owner: "Ball", name: "uKd", widget: "slider", initial: [.5], current: [.5], shared: [7, 8] },
-            { ...kOf, owner: "Floor", name: "uKd", widget: "slider", initial: [.5], current: [.5], shared: [7, 8] },
+        const messages = [], text = this.files.get(scene) ?? "";
+        text.split("\n").forEach((each, i) => {
+            if (each.includes("Spere")) messages.push({ severity: "error", id: "glib-E01", text: `unknown command '${each.split(" ")[0]}'; did you mean 'Sphere'?`, file: scene, line: i + 1, column: 1 });
+        });
+        const owner = text.match(/Program (\S+)/)?.[1] ?? "Ball", name = text.match(/Program \S+ (\S+)/)?.[1] ?? "uTone";
+        this.knobs ??= [
+            { ...kKnob, name: "size", widget: "slider", minimum: .2, maximum: 2, initial: [1], current: [1] },
+            { ...kKnob, name: "show", widget: "numbers", words: ["plain", "striped"], initial: [0], current: [0] },
+            { ...kKnob, owner, name, widget: "slider", declaration: "float uTone", initial: [.8], current: [.8] },
+            { ...kKnob, owner, name: "uOn", widget: "checkBox", initial: [1], current: [1] },
+            { ...kKnob, owner, name: "uTint", widget: "color", initial: [1, .5, .2], current: [1, .5, .2] },
+            { ...kKnob, owner, name: "uPlace", widget: "numbers", initial: [0, 1, 2], current: [0, 1, 2] },
+            { ...kKnob, owner, name: "uCount", widget: "slider", isInteger: true, minimum: 1, maximum: 9, initial: [3], current: [3] },
+            { ...kKnob, owner, name: "uKd", widget: "slider", initial: [.5], current: [.5] },
+            { ...kKnob, owner: "Floor", name: "uKd", widget: "slider", initial: [.5], current: [.5] },
         ];
+        this.animated = [...this.files.values()].join("").includes("Timer");
         return {
-            drawn: true, messages, title: "", width: 512, height: 384, animated: this.text().includes("Timer"), readsMouse: false,
-            hasSteps: false, stepRate: 0, missing: [], cameras: ["eye", "lamp"], knobs: this.knobs,
-            files: [...this.files.keys()].map((name) => ({ name, language: name.endsWith(".glib") ? "glib" : "glsl" })),
-            keys: [{ key: "k", text: "next value of size", variable: "size", values: [[.5], [1.5]], isHeld: false, restarts: false },
-                { key: "g", text: "hold to move size", variable: "size", values: [[2]], isHeld: true, restarts: false }],
+            drawn: true, messages, width: 512, height: 384, animated: this.animated, hasSteps: false, missing: [], camera: this.camera ?? "",
+            cameras: ["eye", "lamp"], knobs: structuredClone(this.knobs), shared: [[7, 8]],
+            files: [...this.files.keys()].map((each) => ({ name: each, language: each.endsWith(".glib") ? "glib" : "glsl" })),
+            keys: [{ key: "k", what: "set size", isHeld: false }, { key: "g", what: "hold to move size", isHeld: true }],
         };
     }
     set(change) {
-        globalThis.told.sets.push(change);
-        this.knobs[change.knob].current = change.values;
-        return { knobs: [{ knob: change.knob, current: change.values }] };
+        globalThis.told.changes.push(change);
+        const moved = new Map();
+        const move = (knob, values) => { this.knobs[knob].current = [...values]; moved.set(knob, values); };
+        if ("knob" in change) for (const each of change.shared ? [7, 8] : [change.knob]) move(each, change.values);
+        if (change.reset === -1) this.knobs.forEach((each, i) => move(i, each.initial));
+        if (change.key === "k") move(0, [1.5]);
+        if (change.key === "g" && change.seconds) move(0, [this.knobs[0].current[0] + (2 - this.knobs[0].current[0]) * change.seconds]);
+        if ("camera" in change) this.camera = change.camera;
+        return { knobs: [...moved].map(([knob, current]) => ({ knob, current })), animated: this.animated, camera: this.camera ?? "", ...(change.restart && { restart: true }) };
     }
     draw(frame) {
         globalThis.told.frames.push(structuredClone(frame));
-        const gl = this.context;
+        if (this.canvas.width !== frame.width) this.canvas.width = frame.width;
+        if (this.canvas.height !== frame.height) this.canvas.height = frame.height;
+        const gl = this.context, [tone, tint] = [this.knobs[2].current[0], this.knobs[4].current];
         gl.viewport(0, 0, frame.width, frame.height);
-        gl.clearColor(this.knobs[4].current[0] * this.knobs[2].current[0], .3 + .2 * Math.sin(frame.time), .4, 1);
+        gl.clearColor(tint[0] * tone, tint[1] * tone, .4, 1);
         gl.clear(gl.COLOR_BUFFER_BIT);
-        return { worldView: identityOfMock.with(14, -5), projection: identityOfMock };
+        return { drawn: true, animated: this.animated, around: { before: identityOfMock.with(14, -5), projection: identityOfMock } };
     }
-    colour({ text }) {
+    colour(language, text) {
         const escaped = text.replace(/[&<>"]/g, (each) => `&#${each.charCodeAt(0)};`);
-        return `<ol>${escaped.split("\n").map((each) => `<li>${each.replace(/^(#.*|\/\/.*)$/, '<span class="comment">$1</span>')
-            .replace(/^(\w+)/, '<span class="keyword">$1</span>')}</li>`).join("")}</ol>`;
+        return `<ol>${escaped.split("\n").map((each) => `<li>${each.replace(/^(\w+)/, '<span class="keyword">$1</span>')}</li>`).join("")}</ol>`;
     }
 }
-
-export async function startModule(module, canvas) { return new MockModule(canvas); }

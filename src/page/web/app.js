@@ -1,9 +1,9 @@
 // A scene on a page: it draws only while something moves, and only while it can be seen.
 
 /** @typedef {import("./types.js").Scene} Scene */
-/** @typedef {import("./types.js").Module} Module */
 /** @typedef {import("./types.js").Opened} Opened */
-/** @typedef {import("./types.js").Changed} Changed */
+/** @typedef {import("./types.js").Answer} Answer */
+/** @typedef {import("./runtime.js").Runtime} Runtime */
 /** @typedef {import("./types.js").Message} Message */
 import { Controls } from "./controls.js";
 import { iconButton, make, unpacked } from "./dom.js";
@@ -17,7 +17,7 @@ import { ViewControl } from "./view.js";
 const kGap = 16;  // CSS pixels between the picture and the values
 const kWide = 22 * 16 + 30 * 16;  // CSS pixels that values and sources take beside the picture
 
-/** @typedef {(canvas: HTMLCanvasElement) => Promise<Module>} Start compiles the module, or starts it once more */
+/** @typedef {(canvas: HTMLCanvasElement) => Promise<Runtime>} Start */
 
 export class App {
     /**
@@ -33,8 +33,8 @@ export class App {
         this.poster = element.querySelector("img");
         this.canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
         this.note = make("div", { class: "note", role: "status", hidden: true });
-        /** @type {Module | undefined} */
-        this.module = undefined;
+        /** @type {Runtime | undefined} */
+        this.runtime = undefined;
         /** @type {Opened | undefined} */
         this.opened = undefined;
         /** @type {Map<string, Uint8Array>} */
@@ -42,16 +42,17 @@ export class App {
         this.isStale = true;
         this.isSeen = true;
         this.frame = 0;  // that is asked for
+        this.size = { width: 0, height: 0 };  // of the canvas in pixels
         this.linkTimer = 0;
         /** @type {Message[]} of the last reading, and of frames since then */
         this.messages = [];
-        this.clock = new Clock(() => this.change());
-        this.view = new ViewControl(() => this.change());
+        this.clock = new Clock(() => this.change(), () => this.tell({ restart: true }));
+        this.view = new ViewControl(() => this.change(), (change) => this.tell(change));
         this.panel = make("aside", { class: "panel", "aria-label": "Values", hidden: true });
-        this.controls = new Controls(this.panel, (knob, values) => this.setKnob(knob, values));
+        this.controls = new Controls(this.panel, (change) => this.tell(change));
         this.keys = new Keys(this);
         this.list = make("ul", { class: "messages", "aria-label": "Messages", "aria-live": "polite", hidden: true });
-        this.editor = new Editor((name, text) => this.edit(name, text), (source) => this.module?.colour(source) ?? "");
+        this.editor = new Editor((name, text) => this.edit(name, text), (name, text) => this.runtime?.colour(this.languageOf(name), text) ?? "");
         this.sourceButton = iconButton("code", "Sources (E)", () => this.showSources(this.editor.element.hidden));
         this.bar = make("div", { class: "bar", role: "toolbar", "aria-label": "Scene" }, this.clock.element, this.view.element,
             make("span", { class: "tools" }, iconButton("save", "Save the picture", () => this.hardcopy()),
@@ -64,19 +65,22 @@ export class App {
         else this.run();
     }
 
+    /** Begins, once more after the runtime has ended. */
     async run() {
         this.hideNote();
         try {
             if (this.files.size === 0) await this.unpack();
-            this.module = await this.start(this.canvas);
+            if (!this.runtime) {
+                this.runtime = await this.start(this.canvas);
+                this.runtime.onrestored = () => this.run();
+                for (const [name, content] of this.files) this.runtime.file(name, content);
+            }
+            const isFirst = this.opened === undefined;
+            if (!(await this.read()) || !this.opened) return;
+            if (isFirst) this.build();
         } catch (failure) {
-            return this.fail(failure);
+            return this.stop(failure instanceof Error ? failure.message : String(failure));
         }
-        for (const [name, content] of this.files) this.module.file(name, content);
-        const isFirst = this.opened === undefined;
-        if (!this.read(true) || !this.opened) return;
-        if (isFirst) this.build();
-        else this.putBack();
         this.poster?.remove();
         this.stage.prepend(this.canvas);
         this.resize();
@@ -112,73 +116,59 @@ export class App {
     /** @param {HTMLCanvasElement} canvas */
     listen(canvas) {
         this.view.listen(canvas);
-        canvas.addEventListener("webglcontextlost", (event) => {
-            event.preventDefault();
-            this.module = undefined;
-            this.showNote("The browser took the graphics away. Continue", () => this.begin());
-        });
-        canvas.addEventListener("webglcontextrestored", () => this.run());
+        canvas.addEventListener("webglcontextlost", () => this.showNote("The browser took the graphics away. Continue", () => this.begin()));
     }
 
-    /** Begins with a new canvas, after the module or its context has ended. */
-    begin() {
-        const canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
+    /** Begins with a new canvas, where the browser does not give the old one its context back. */
+    async begin() {
+        const { hash } = this, canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
         this.canvas.replaceWith(canvas);
         this.canvas = canvas;
         this.listen(canvas);
-        return this.run();
+        this.runtime = undefined;
+        await this.run();
+        if (this.opened) restore(hash, this.opened.knobs, this.clock, this.view, (change) => this.tell(change));
     }
 
-    /** @param {unknown} failure why nothing more can be drawn */
-    fail(failure) {
-        this.module = undefined;
-        const why = failure instanceof Error ? failure.message : String(failure);
-        console.warn("glibra:", failure);
-        if (this.opened) this.showNote("The scene has stopped. Start it again", () => this.begin());
+    /** @param {string} why nothing more can be drawn */
+    stop(why) {
+        if (this.opened) this.showNote("The scene has stopped. Start it again", () => this.run());
         else this.showNote(`This is a picture: ${why}`);
         this.note.title = why;
     }
 
     /**
-     * Lets the module do something.
-     * @template Result
-     * @param {(module: Module) => Result} work
-     * @returns {Result | undefined} nothing if there is no module, or it has ended
+     * Reads the scene with what the files have now. False if there is nothing to draw.
      */
-    call(work) {
-        if (!this.module) return undefined;
-        try {
-            return work(this.module);
-        } catch (failure) {
-            this.fail(failure);
-            return undefined;
+    async read() {
+        /** @type {any} */
+        const answer = await this.runtime?.open(this.data.scene);
+        if (!answer) return false;
+        this.messages = answer.messages ?? [];
+        if (answer.ended || (!answer.drawn && !this.opened)) this.stop(this.messages[0]?.text ?? "");
+        if (answer.drawn) {
+            this.opened = /** @type {Opened} */ (answer);
+            this.clock.last = undefined;
+            this.fill(this.opened);
         }
+        this.showMessages();
+        return answer.drawn;
     }
 
-    /**
-     * Reads the scene with what the files have now.
-     * @param {boolean} isFirst
-     */
-    read(isFirst = false) {
-        const opened = this.call((module) => module.open(this.data.scene));
-        if (!opened) return false;
-        this.opened = { ...opened, files: opened.files ?? this.opened?.files ?? [] };
-        if (isFirst) this.clock.last = undefined;
-        this.messages = opened.messages ?? [];
-        this.fill(this.opened);
-        return true;
+    /** @param {string} name */
+    languageOf(name) {
+        return this.opened?.files.find((each) => each.name === name)?.language === "glib" ? "glib" : "glsl";
     }
 
     /** @param {Opened} opened */
     fill(opened) {
         this.clock.fill(opened);
-        this.view.fill(opened.cameras);
-        this.controls.fill(opened.knobs);
-        this.keys.fill(opened.keys ?? []);
+        this.view.fill(opened.cameras, opened.camera);
+        this.controls.fill(opened.knobs, opened.shared ?? []);
+        this.keys.fill(opened.keys);
         const text = new TextDecoder();
         this.editor.fill(opened.files.filter((each) => each.language && this.files.has(each.name))
             .map((each) => ({ name: each.name, text: text.decode(this.files.get(each.name)) })));
-        this.showMessages();
         this.resize();
     }
 
@@ -194,36 +184,28 @@ export class App {
         this.editor.mark(messages);
     }
 
-    /** @param {Changed | undefined} changed what the module answers */
-    take(changed) {
-        if (!changed || !this.opened) return;
-        if (changed.opened) {
-            this.opened = { ...this.opened, ...changed.opened };
-            this.fill(this.opened);
+    /** @param {Answer | undefined} answer of the runtime */
+    take(answer) {
+        if (!answer || !this.opened) return;
+        if (answer.messages) {
+            this.messages = answer.messages;
+            this.showMessages();
         }
-        if (changed.worldView) this.view.worldView = changed.worldView;
-        if (changed.projection) this.view.projection = changed.projection;
-        for (const each of changed.knobs ?? []) {
-            const knob = this.opened.knobs[each.knob];
-            if (knob) knob.current = each.current;
+        if (answer.ended) return this.stop(this.messages[0]?.text ?? "");
+        for (const { knob, current } of answer.knobs ?? []) this.opened.knobs[knob].current = current;
+        if (answer.knobs) this.controls.refresh();
+        if (answer.around) Object.assign(this.view.around, answer.around);
+        if (answer.camera !== undefined) this.view.camera = answer.camera;
+        if (answer.animated !== undefined && answer.animated !== this.opened.animated) {
+            this.opened.animated = answer.animated;
+            this.clock.fill(this.opened);
         }
-        if (changed.knobs?.length) this.controls.refresh();
-        if (changed.messages?.length) {
-            const before = sorted(this.messages).length;
-            this.messages = sorted([...this.messages, ...changed.messages]);
-            if (this.messages.length > before) this.showMessages();
-        }
+        if (answer.restart) this.clock.restart();
     }
 
-    /**
-     * @param {number} index
-     * @param {number[]} values
-     */
-    setKnob(index, values) {
-        const knob = this.opened?.knobs[index];
-        if (!knob) return;
-        knob.current = values;
-        this.take(this.call((module) => module.set({ knob: index, values })));
+    /** @param {object} change as glibra_set() takes it */
+    tell(change) {
+        this.take(this.runtime?.set(change));
         this.controls.refresh();
         this.change();
     }
@@ -232,27 +214,20 @@ export class App {
     preset(setting) {
         this.opened?.knobs.forEach((knob, index) => {
             if (knob.name !== setting.name || (setting.program && setting.program !== knob.owner)) return;
-            const values = setting.word ? [knob.words.indexOf(setting.word)] : setting.values;
-            if (values[0] === -1 && setting.word) return;
-            if (values.length === knob.current.length) this.setKnob(index, values);
+            const values = setting.word ? [knob.words?.indexOf(setting.word) ?? -1] : setting.values;
+            if (values.length === knob.current.length && !(setting.word && values[0] < 0)) this.tell({ knob: index, values });
         });
-    }
-
-    /** After a new beginning of the module: the values that were there before. */
-    putBack() {
-        const hash = this.hash;
-        if (this.opened) restore(hash, this.opened.knobs, this.clock, this.view, (knob, values) => this.setKnob(knob, values));
     }
 
     /**
      * @param {string} name
      * @param {string} text
      */
-    edit(name, text) {
+    async edit(name, text) {
         const content = new TextEncoder().encode(text);
         this.files.set(name, content);
-        this.call((module) => module.file(name, content));
-        if (this.read()) this.change();
+        this.runtime?.file(name, content);
+        if (await this.read()) this.change();
     }
 
     /** Something has changed, or begins to move: a frame is drawn. */
@@ -271,7 +246,7 @@ export class App {
 
     /** Asks the browser for a frame if there is something to draw. */
     ask() {
-        if (this.frame || !this.module || !this.isSeen || document.hidden || (!this.isStale && !this.isMoving)) return;
+        if (this.frame || !this.runtime?.calls || !this.isSeen || document.hidden || (!this.isStale && !this.isMoving)) return;
         this.frame = requestAnimationFrame((time) => this.draw(time));
     }
 
@@ -285,16 +260,10 @@ export class App {
     /** @param {number} milliseconds */
     draw(milliseconds) {
         this.frame = 0;
-        const seconds = this.clock.last === undefined ? 0 : (milliseconds - this.clock.last) / 1000;
-        if (!this.clock.element.hidden) this.clock.advance(milliseconds);
-        this.keys.hold(Math.min(seconds, 0.1));
+        this.keys.hold(this.clock.secondsSince(milliseconds));
+        this.clock.advance(milliseconds);
         this.isStale = false;
-        const restart = this.clock.restarts;
-        this.clock.restarts = false;
-        this.take(this.call((module) => module.draw({
-            width: this.canvas.width, height: this.canvas.height, time: this.clock.seconds, samples: 1,
-            view: this.view.view, camera: this.view.camera, mouse: this.view.mouse, restart,
-        })));
+        this.take(this.runtime?.draw({ ...this.size, time: this.clock.seconds, samples: 1, view: this.view.view, mouse: this.view.mouse }));
         this.clock.show();
         if (!this.isMoving) this.clock.last = undefined;
         this.ask();
@@ -315,9 +284,8 @@ export class App {
         this.canvas.style.width = `${width}px`;
         this.canvas.style.height = `${height}px`;
         const sharp = (/** @type {number} */ side) => Math.max(1, Math.round(side * Math.min(devicePixelRatio, 2)));
-        if (this.canvas.width === sharp(width) && this.canvas.height === sharp(height)) return;
-        this.canvas.width = sharp(width);
-        this.canvas.height = sharp(height);
+        if (this.size.width === sharp(width) && this.size.height === sharp(height)) return;
+        this.size = { width: sharp(width), height: sharp(height) };
         this.change();
     }
 
@@ -338,7 +306,7 @@ export class App {
     restoreLink() {
         const { opened } = this;
         if (!opened || location.hash.length < 2 || location.hash.slice(1) === this.hash) return;
-        restore(location.hash, opened.knobs, this.clock, this.view, (knob, values) => this.setKnob(knob, values));
+        restore(location.hash, opened.knobs, this.clock, this.view, (change) => this.tell(change));
         this.change();
     }
 

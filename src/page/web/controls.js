@@ -20,43 +20,43 @@ const hexOf = (color) => "#" + color.slice(0, 3).map((each) =>
 export class Controls {
     /**
      * @param {HTMLElement} panel
-     * @param {(knob: number, values: number[]) => void} set
+     * @param {(change: object) => void} tell the runtime
      */
-    constructor(panel, set) {
+    constructor(panel, tell) {
         this.panel = panel;
-        this.set = set;
+        this.tell = tell;
         /** @type {Knob[]} */
         this.knobs = [];
         /** @type {Map<number, (() => void)[]>} what shows a knob's value again */
         this.shown = new Map();
         /** @type {Map<string, boolean>} folds that were opened or closed */
         this.folds = new Map();
+        this.shape = "";
     }
 
     /**
      * Shows other knobs.
      * @param {Knob[]} knobs
+     * @param {number[][]} shared those that one control moves together
      */
-    fill(knobs) {
-        const shapeOf = (/** @type {Knob[]} */ all) => JSON.stringify(all.map((each) => ({ ...each, current: 0, initial: 0 })));
-        const isSame = shapeOf(knobs) === shapeOf(this.knobs);
+    fill(knobs, shared) {
+        const shape = JSON.stringify([shared, knobs.map((each) => ({ ...each, current: each.current.length, initial: 0, line: 0 }))]);
         this.knobs = knobs;
-        if (isSame) return this.refresh();
+        if (shape === this.shape) return this.refresh();
+        this.shape = shape;
         this.shown.clear();
-        const shared = new Set();
         /** @type {[string, HTMLElement[]][]} */
         const groups = [["Variables", []], ["Shared by programs", []]];
         knobs.forEach((knob, index) => {
-            const isFirst = knob.shared.length > 1 && index === Math.min(...knob.shared);
-            if (isFirst) groups[1][1].push(this.row(index, knob.shared));
-            if (knob.shared.length > 1) shared.add(index);
+            const group = shared.find((each) => each.includes(index));
+            if (group?.[0] === index) groups[1][1].push(this.row(index, true));
         });
         knobs.forEach((knob, index) => {
-            if (shared.has(index)) return;
+            if (shared.some((each) => each.includes(index))) return;
             const title = knob.owner || "Variables";
             let group = groups.find((each) => each[0] === title);
             if (!group) groups.push(group = [title, []]);
-            group[1].push(this.row(index, [index]));
+            group[1].push(this.row(index, false));
         });
         const filled = groups.filter(([, rows]) => rows.length > 0);
         this.panel.replaceChildren(...filled.map(([title, rows]) => {
@@ -65,18 +65,12 @@ export class Controls {
             return fold;
         }));
         if (knobs.length > 0) {
-            const all = make("button", { type: "button", class: "reset-all", text: "Reset values", click: () => this.reset() });
+            const all = make("button", { type: "button", class: "reset-all", text: "Reset values", click: () => this.tell({ reset: -1 }) });
             this.panel.append(all);
             this.shows(0, () => { all.disabled = !this.knobs.some(isChanged); });
         }
         this.panel.hidden = knobs.length === 0;
         this.refresh();
-    }
-
-    reset() {
-        this.knobs.forEach((knob, index) => {
-            if (isChanged(knob)) this.set(index, [...knob.initial]);
-        });
     }
 
     /** Shows all values again. */
@@ -97,23 +91,24 @@ export class Controls {
     /**
      * The row of one knob, or of several that move together.
      * @param {number} index
-     * @param {number[]} together
+     * @param {boolean} isShared
      */
-    row(index, together) {
+    row(index, isShared) {
         const knob = this.knobs[index];
+        const set = (/** @type {number[]} */ values) => this.tell({ knob: index, values, shared: isShared });
         /** @param {number} component @param {number} value */
         const setOne = (component, value) => {
             if (!Number.isFinite(value)) return this.refresh();
             const values = [...this.knobs[index].current];
             values[component] = value;
-            for (const each of together) this.set(each, values);
+            set(values);
         };
-        const owner = knob.owner ? ` of ${knob.owner}` : "";
+        const owner = knob.owner && !isShared ? ` of ${knob.owner}` : "";
         const reset = make("button", { type: "button", class: "reset", text: "\u21ba", title: `Reset ${knob.name}`,
-            "aria-label": `Reset ${knob.name}${owner}`, click: () => together.forEach((each) => this.set(each, [...this.knobs[each].initial])) });
+            "aria-label": `Reset ${knob.name}${owner}`, click: () => set([...this.knobs[index].initial]) });
         this.shows(index, () => { reset.disabled = !isChanged(this.knobs[index]); });
-        const inputs = this.inputs(index, knob.name + owner, setOne, (values) => together.forEach((each) => this.set(each, values)));
-        return make("div", { class: `knob ${knob.widget}` },
+        const inputs = this.inputs(index, knob.name + owner, setOne, set);
+        return make("div", { class: `knob ${knob.words ? "choice" : knob.widget}` },
             make("span", { class: "name", text: knob.name, title: knob.declaration || knob.name }), make("span", { class: "inputs" }, ...inputs), reset);
     }
 
@@ -126,13 +121,13 @@ export class Controls {
      */
     inputs(index, label, setOne, setAll) {
         const knob = this.knobs[index], now = () => this.knobs[index].current;
-        if (knob.widget === "checkBox")
+        if (knob.widget === "checkBox" && !knob.words)
             return knob.current.map((_, i) => {
                 const box = make("input", { type: "checkbox", "aria-label": labelOf(label, knob, i), change: ({ target }) => setOne(i, target.checked ? 1 : 0) });
                 this.shows(index, () => { box.checked = now()[i] !== 0; });
                 return box;
             });
-        if (knob.widget === "choice") {
+        if (knob.words) {
             const menu = make("select", { "aria-label": label, change: ({ target }) => setAll([target.selectedIndex]) },
                 ...knob.words.map((word) => make("option", { text: word })));
             this.shows(index, () => { menu.selectedIndex = now()[0]; });

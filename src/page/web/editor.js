@@ -8,7 +8,7 @@ const kPause = 350;  // milliseconds without a key
 export class Editor {
     /**
      * @param {(name: string, text: string) => void} changed
-     * @param {(source: { name: string, text: string }) => string} colour
+     * @param {(name: string, text: string) => string} colour
      */
     constructor(changed, colour) {
         this.changed = changed;
@@ -59,12 +59,12 @@ export class Editor {
      * @param {Message} message
      */
     goTo(message) {
-        this.show(message.file);
-        const lines = this.area.value.split("\n");
-        const begin = lines.slice(0, message.line - 1).join("\n").length + (message.line > 1 ? 1 : 0);
+        this.show(message.file ?? "");
+        const lines = this.area.value.split("\n"), line = (message.line ?? 1) - 1;
+        const begin = lines.slice(0, line).join("\n").length + (line > 0 ? 1 : 0);
         this.area.focus({ preventScroll: true });
-        this.area.setSelectionRange(begin, begin + (lines[message.line - 1]?.length ?? 0));
-        this.lines.querySelectorAll("li")[message.line - 1]?.scrollIntoView({ block: "center" });
+        this.area.setSelectionRange(begin, begin + (lines[line]?.length ?? 0));
+        this.lines.querySelectorAll("li")[line]?.scrollIntoView({ block: "center" });
     }
 
     /** Draws the open text, and which texts have been changed. */
@@ -78,10 +78,10 @@ export class Editor {
             tab.classList.toggle("wrong", this.messages.some((each) => each.file === name && each.severity === "error"));
         }
         this.restoreButton.disabled = source.text === source.original;
-        this.lines.innerHTML = this.colour({ name: this.open, text: source.text });  // all of the text is escaped
+        this.lines.innerHTML = this.colour(this.open, source.text);  // all of the text is escaped
         const rows = this.lines.querySelectorAll("li");
         for (const each of this.messages) {
-            const row = each.file === this.open ? rows[each.line - 1] : undefined;
+            const row = each.file === this.open ? rows[(each.line ?? 1) - 1] : undefined;
             if (!row || row.classList.contains("error")) continue;
             row.classList.add(each.severity);
             row.title = each.text;

@@ -46,10 +46,10 @@ export class Keys {
     /** @param {Key[]} keys */
     fill(keys) {
         this.keys = keys;
-        this.element.replaceChildren(...keys.flatMap((each) => [make("button", { type: "button", class: "key", "aria-label": `Key ${each.key}: ${each.text}`,
-            pointerdown: () => this.press(each.key), pointerup: () => this.down.delete(each.key), pointerleave: () => this.down.delete(each.key),
+        this.element.replaceChildren(...keys.flatMap((each) => [make("button", { type: "button", class: "key", "aria-label": `Key ${each.key}: ${each.what}`,
+            pointerdown: () => this.press(each.key), pointerup: () => this.down.clear(), pointerleave: () => this.down.clear(),
             click: (/** @type {MouseEvent} */ event) => { if (event.detail === 0 && !each.isHeld) this.press(each.key); } },
-            make("kbd", { text: each.key })), ` ${each.text} `]));
+            make("kbd", { text: each.key })), ` ${each.what} `]));
         this.element.hidden = keys.length === 0;
     }
 
@@ -72,41 +72,19 @@ export class Keys {
         return this.keys.some((each) => each.isHeld && this.down.has(each.key.toLowerCase()));
     }
 
-    /** @param {Key} key the knob of its variable */
-    knobOf(key) {
-        return this.app.opened?.knobs.findIndex((each) => !each.owner && each.name === key.variable) ?? -1;
-    }
-
     /**
      * @param {string} name
      * @param {boolean} [isRepeated] by a key that stays down
      */
     press(name, isRepeated = false) {
-        this.down.add(name);
-        for (const key of this.keys) {
-            if (key.key.toLowerCase() !== name.toLowerCase()) continue;
-            if (key.restarts && !isRepeated) this.app.clock.restart();
-            const index = this.knobOf(key);
-            if (key.isHeld || index < 0 || key.values.length === 0) continue;
-            const now = this.app.opened?.knobs[index].current ?? [];
-            const at = key.values.findIndex((each) => each.length === now.length && each.every((value, i) => value === now[i]));
-            this.app.setKnob(index, [...key.values[(at + 1) % key.values.length]]);
-        }
+        this.down.add(name.toLowerCase());
+        if (!isRepeated) this.app.tell({ key: name });
         this.app.change();
     }
 
     /** @param {number} seconds that the keys have been down since the last frame */
     hold(seconds) {
-        for (const key of this.keys) {
-            const index = this.knobOf(key), knob = this.app.opened?.knobs[index];
-            if (!key.isHeld || !this.down.has(key.key.toLowerCase()) || !knob || key.values.length === 0) continue;
-            const moved = knob.current.map((each, k) => {
-                const next = each + ((key.values[0][k] ?? each) - each) * seconds;
-                if (knob.widget !== "slider") return next;
-                // A value that the scene states outside of its range can come back into it.
-                return Math.min(Math.max(next, Math.min(knob.minimum, each)), Math.max(knob.maximum, each));
-            });
-            this.app.setKnob(index, moved);
-        }
+        for (const { key, isHeld } of this.keys)
+            if (isHeld && this.down.has(key.toLowerCase())) this.app.tell({ key, seconds });
     }
 }

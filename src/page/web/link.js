@@ -57,19 +57,19 @@ export function hashOf(knobs, clock, view, hasTime) {
  * @param {Knob[]} knobs
  * @param {Clock} clock
  * @param {ViewControl} view
- * @param {(knob: number, values: number[]) => void} set
+ * @param {(change: object) => void} tell the runtime
  */
-export function restore(hash, knobs, clock, view, set) {
+export function restore(hash, knobs, clock, view, tell) {
     const parts = new URLSearchParams(hash.replace(/^#/, ""));
     knobs.forEach((knob, index) => {
         const values = numbersOf(parts.get(keyOf(knobs, index)), knob.current.length);
-        if (values) set(index, values);
+        if (values) tell({ knob: index, values });
     });
     const time = numbersOf(parts.get("time"), 1), speed = numbersOf(parts.get("speed"), 1);
     if (speed) clock.setSpeed(speed[0]);
     if (time) clock.goTo(time[0]);
     const camera = parts.get("camera") ?? "", projection = parts.get("projection");
-    if (view.cameras.includes(camera)) view.camera = camera;
+    if (view.cameras.includes(camera)) tell({ camera });
     if (projection === "perspective" || projection === "orthographic") view.view.projection = projection;
     for (const name of /** @type {const} */ (["eye", "scene", "texture"])) {
         const matrix = numbersOf(parts.get(name), 16);

@@ -3,7 +3,7 @@
 /** @typedef {import("./types.js").Scene} Scene */
 import { App } from "./app.js";
 import { make, unpacked, Unpacker } from "./dom.js";
-import { startModule } from "./runtime.js";
+import { Runtime } from "./runtime.js";
 
 /** @param {string} id */
 const contentOf = (id) => document.getElementById(id)?.textContent ?? "";
@@ -17,7 +17,7 @@ let compiled;
 /** @param {HTMLCanvasElement} canvas */
 async function startOn(canvas) {
     compiled ??= unpacked(site.glibraRuntime ?? contentOf("glibra-runtime")).then((bytes) => WebAssembly.compile(bytes));
-    return startModule(await compiled, canvas);
+    return new Runtime(await compiled, canvas);
 }
 
 const place = document.querySelector(".live");

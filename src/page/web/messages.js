@@ -12,9 +12,9 @@ export const textOfMessage = (message) => (message.file ? `${message.file}:${mes
  * @param {Message[]} messages
  */
 export function sorted(messages) {
-    const ranks = { error: 0, warning: 1, note: 2 };
+    const ranks = ["error", "warning", "note"];
     const distinct = new Map(messages.map((each) => [textOfMessage(each), each]));
-    return [...distinct.values()].sort((a, b) => ranks[a.severity] - ranks[b.severity]);
+    return [...distinct.values()].sort((a, b) => ranks.indexOf(a.severity) - ranks.indexOf(b.severity));
 }
 
 /**

@@ -6,13 +6,15 @@ const kFrameSeconds = 1 / 30;
 const kMostSeconds = 0.25;  // that one frame may take of the time
 
 export class Clock {
-    /** @param {() => void} changed */
-    constructor(changed) {
+    /**
+     * @param {() => void} changed
+     * @param {() => void} restart what lasts begins anew
+     */
+    constructor(changed, restart) {
         this.changed = changed;
         this.seconds = 0;
         this.speed = 1;
         this.isPlaying = !matchMedia("(prefers-reduced-motion: reduce)").matches;
-        this.restarts = false;  // the next frame begins all steps anew
         this.stepRate = 0;
         /** @type {number | undefined} of the last frame, in milliseconds */
         this.last = undefined;
@@ -27,12 +29,12 @@ export class Clock {
             iconButton("back", "Previous frame (,)", () => this.step(-1)),
             iconButton("forward", "Next frame (.)", () => this.step(1)),
             this.stepButton,
-            iconButton("restart", "Restart at 0 seconds", () => this.restart()),
+            iconButton("restart", "Restart at 0 seconds", restart),
             make("label", {}, this.field, " s"),
             make("label", {}, "\u00d7 ", this.speedField));
     }
 
-    /** @param {{ animated: boolean, hasSteps: boolean, stepRate: number }} scene */
+    /** @param {{ animated: boolean, hasSteps: boolean, stepRate?: number }} scene */
     fill(scene) {
         this.stepRate = scene.stepRate ?? 0;
         this.element.hidden = !scene.animated && !scene.hasSteps;
@@ -74,11 +76,19 @@ export class Clock {
         if (this.stepRate > 0) this.goTo((Math.floor(this.seconds * this.stepRate + 1e-6) + 1) / this.stepRate);
     }
 
+    /** The runtime has begun anew. */
     restart() {
         this.seconds = 0;
         this.last = undefined;
-        this.restarts = true;
         this.changed();
+    }
+
+    /**
+     * Seconds of real time since the last frame; none after a pause.
+     * @param {number} milliseconds
+     */
+    secondsSince(milliseconds) {
+        return this.last === undefined ? 0 : Math.min((milliseconds - this.last) / 1000, kMostSeconds);
     }
 
     /**
@@ -86,8 +96,7 @@ export class Clock {
      * @param {number} milliseconds
      */
     advance(milliseconds) {
-        if (this.isPlaying && this.last !== undefined)
-            this.seconds = Math.max(0, this.seconds + Math.min((milliseconds - this.last) / 1000, kMostSeconds) * this.speed);
+        if (this.isPlaying && !this.element.hidden) this.seconds = Math.max(0, this.seconds + this.secondsSince(milliseconds) * this.speed);
         this.last = milliseconds;
     }
 }

@@ -11,9 +11,11 @@ const kWheelPixels = 20;  // of a drag, for one notch
 export class ViewControl {
     /**
      * @param {() => void} changed
+     * @param {(change: object) => void} tell the runtime
      */
-    constructor(changed) {
+    constructor(changed, tell) {
         this.changed = changed;
+        this.tell = tell;
         /** @type {Mode} */
         this.mode = "eye";
         this.camera = "";
@@ -21,16 +23,14 @@ export class ViewControl {
         this.cameras = [];
         /** @type {[number, number, number]} */
         this.mouse = [0.5, 0.5, 0];
-        // Of the last frame: the camera's view without the transforms, and its projection.
-        this.worldView = identity();
-        this.projection = identity();
+        // Of the last frame: the camera's view without these transforms, and its projection.
+        this.around = { before: identity(), projection: identity() };
         /** @type {Map<number, PointerEvent>} */
         this.pointers = new Map();
         this.lastNotch = { size: 0, time: 0, shrinking: 0 };
         this.view = ViewControl.asInScene();
         this.cameraMenu = menu("Camera (C)", [["", "own camera"]], (value) => {
-            this.camera = value;
-            this.changed();
+            this.tell({ camera: value });
         });
         this.projectionMenu = menu("Projection (P)", [["scene", "own projection"], ["orthographic", "orthographic"], ["perspective", "perspective"]], (value) => {
             this.view.projection = /** @type {View["projection"]} */ (value);
@@ -43,9 +43,13 @@ export class ViewControl {
         this.element = make("span", { class: "view", role: "group", "aria-label": "View" }, this.modeMenu, this.projectionMenu, this.cameraMenu, this.resetButton);
     }
 
-    /** @param {string[]} cameras */
-    fill(cameras) {
+    /**
+     * @param {string[]} cameras
+     * @param {string} camera
+     */
+    fill(cameras, camera) {
         this.cameras = cameras;
+        this.camera = camera;
         this.cameraMenu.hidden = cameras.length < 2;
         this.cameraMenu.replaceChildren(...["", ...cameras].map((each) => make("option", { value: each, text: each || "own camera" })));
         this.show();
@@ -70,7 +74,7 @@ export class ViewControl {
 
     reset() {
         this.view = ViewControl.asInScene();
-        this.camera = "";
+        this.tell({ camera: "" });
         this.changed();
     }
 
@@ -90,16 +94,15 @@ export class ViewControl {
 
     nextCamera() {
         const round = ["", ...this.cameras];
-        this.camera = round[(round.indexOf(this.camera) + 1) % round.length];
-        this.changed();
+        this.tell({ camera: round[(round.indexOf(this.camera) + 1) % round.length] });
     }
 
     /** @param {Drag} drag */
     drag(drag) {
-        const { view } = this;
+        const { view } = this, { before, projection } = this.around;
         if (this.mode === "texture") view.texture = draggedTexture(view.texture, drag);
-        else if (this.mode === "eye") view.eye = dragged(view.eye, drag, this.worldView, product(this.projection, view.scene));
-        else view.scene = dragged(view.scene, drag, product(view.eye, this.worldView), this.projection);
+        else if (this.mode === "eye") view.eye = dragged(view.eye, drag, before, product(projection, view.scene));
+        else view.scene = dragged(view.scene, drag, product(view.eye, before), projection);
         this.changed();
     }
 
