@@ -2,8 +2,8 @@
 """Checks that no include runs upward, and that no files include each other in a circle.
 
 The rooms and their order are declared in CMakeLists.txt and tools/cmake/*.cmake: glibra_room(NAME ROOMS ...) may include
-itself, the rooms that it names, and the rooms that those name. Programs (src/cli, src/python, src/view/window and a
-room's folder program) may include every room and the command line, and no room may include them. The order of the
+itself, the rooms that it names, and the rooms that those name. Programs (src/cli, src/python, src/view/window,
+src/page/runtime and a room's folder program) may include every room and the command line, and no room may include them. The order of the
 sub-folders of a room is ORDER, below. What differs between operating systems stands in src/system alone (the door): no
 other file has a header, a condition, a call or a path of one system. A .cpp file and the header of the same name count as one file: the circle of two
 headers and the circle that is closed by a .cpp file are the same mistake. Prints each include that breaks a rule, as
@@ -33,6 +33,7 @@ ORDER = {
         "posix": {""},
         "linux": {"", "posix"},
         "windows": {""},
+        "web": {""},
     },
     "geometry": {
         "": set(),
@@ -112,6 +113,9 @@ ORDER = {
         "report": {"core"},
         "program": {"core", "subjects", "report"},
     },
+    "page": {
+        "runtime": set(),
+    },
     "view": {
         "style": set(),
         "scene": set(),
@@ -189,7 +193,8 @@ def reachable_rooms(named):
 
 def is_program(path):
     """True for files that belong to a program rather than to a room."""
-    return path.parts[0] in PROGRAMS or path.parts[1] == "program" or path.parts[:2] == ("view", "window")
+    return (path.parts[0] in PROGRAMS or path.parts[1] == "program" or
+            path.parts[:2] in (("view", "window"), ("page", "runtime")))
 
 
 def sources(folder):

@@ -14,10 +14,10 @@
 #include "classroom/page_parts.h"
 #include "embedded/gallery_page.h"
 #include "embedded/report_page.h"
-#include "source/code_html.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "page/page.h"
+#include "source/code_html.h"
 #include "suite/report/html_report.h"
 #include "suite/write_below.h"
 

@@ -138,7 +138,8 @@ std::vector<PageFile> filesOf(const PageTask& task, std::vector<fs::path>& read,
         if (!bytes) {
             std::error_code failure;
             const auto length = fs::file_size(each, failure);
-            if (!failure && length > kLargestScene - size) {
+            if (failure) continue;  // the scene reports what is missing
+            if (length > kLargestScene - size) {
                 problems.push_back(diagnose("page-E02",
                                             fmt::format("the files of the scene have more than {} together",
                                                         base::readableBytes(kLargestScene)),

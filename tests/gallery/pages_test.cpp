@@ -9,9 +9,9 @@
 #include <string>
 
 #include "../support/new_folder.h"
-#include "source/code_html.h"
 #include "gallery/describe.h"
 #include "gallery/gallery_page.h"
+#include "source/code_html.h"
 
 namespace glibra::gallery::test {
 namespace {
@@ -110,8 +110,8 @@ TEST(CodeHtml, HasTheColoursOfBothLanguages) {
         "<span class=\"comment\">// &lt;b&gt;</span></li><li data-line=\"2\"><span "
         "class=\"directive\">#define "
         "X 2</span></li></ol>");
-    const std::string scene =
-        source::codeHtml("Fragment inline\nvoid main() {}\nEndFragment\nSphere 1\n", source::CodeLanguage::glib);
+    const std::string scene = source::codeHtml("Fragment inline\nvoid main() {}\nEndFragment\nSphere 1\n",
+                                               source::CodeLanguage::glib);
     EXPECT_NE(scene.find("<span class=\"type\">void</span>"), std::string::npos);
     EXPECT_NE(scene.find("<span class=\"keyword\">Sphere</span> <span class=\"number\">1</span>"),
               std::string::npos);

@@ -97,14 +97,11 @@ std::string loadFunctions(Backend& backend, DebugLog& log) {
     if (driver.empty() || driver != table.driver || isCounting()) {
         if (driver != table.driver && table.isUsedElsewhere())
             return "another thread draws with another driver";
-        const auto address = [](void* from, const char* function) {
-            return reinterpret_cast<GLADapiproc>(static_cast<Backend*>(from)->address(function));
-        };
         leaveEs();
         const bool isLoaded =
             backend.driver() == Driver::gles
                 ? loadEsFunctions([&](const char* function) { return backend.address(function); })
-                : gladLoadGLUserPtr(address, &backend) != 0 && GLAD_GL_VERSION_4_1 != 0;
+                : loadCoreFunctions(backend);
         if (!isCounting()) gladUninstallGLDebug();  // glad installs its wrappers by itself
         table.driver = isLoaded ? driver : std::string();
         if (!isLoaded) return "no OpenGL 4.1" + (driver.empty() ? "" : "; it is " + versionOf(backend));

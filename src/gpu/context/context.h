@@ -67,6 +67,9 @@ struct ContextWay {
 /// Those of this system, best first. egl_context.cpp has them for all systems but Windows, wgl_context.cpp
 /// for that.
 std::span<const ContextWay> contextWays();
+/// Fills the table of functions from a context of OpenGL that is current. False below version 4.1, and where
+/// there is OpenGL ES alone (web_context.cpp).
+bool loadCoreFunctions(Backend& backend);
 /// What a user can do who has no driver, as a sentence without its full stop.
 std::string_view adviceWithoutDriver();
 

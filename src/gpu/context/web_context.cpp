@@ -1,4 +1,5 @@
-// The context of a page's canvas: WebGL 2. Its functions are imports of the module (page/web/gl.js), which the page maps.
+// The context of a page's canvas: WebGL 2. Its functions are imports of the module (page/web/gl.js), which
+// the page maps.
 
 #include <glad/gl.h>
 
@@ -15,13 +16,15 @@ extern "C" {
 /// True if the page's WebGL has a function.
 [[clang::import_module("gl"), clang::import_name("has")]] bool glibra_has(const char* function);
 
-#define GLIBRA_ES_FUNCTION(name)                                         \
-    [[clang::import_module("gl"), clang::import_name("gl" #name)]] extern \
-        std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
+#define GLIBRA_ES_FUNCTION(name)  \
+    [[clang::import_module("gl"), \
+      clang::import_name(         \
+          "gl" #name)]] extern std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
 #include "gpu/es/functions.def"
-#define GLIBRA_ES_FUNCTION(name)                                         \
-    [[clang::import_module("gl"), clang::import_name("gl" #name)]] extern \
-        std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
+#define GLIBRA_ES_FUNCTION(name)  \
+    [[clang::import_module("gl"), \
+      clang::import_name(         \
+          "gl" #name)]] extern std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
 GLIBRA_ES_FUNCTION(GetBufferSubData)
 #undef GLIBRA_ES_FUNCTION
 }
@@ -48,7 +51,7 @@ class CanvasBackend final : public Backend {
             if (each.name == function) return glibra_has(function) ? each.address : nullptr;
         return nullptr;
     }
-    [[nodiscard]] Driver driver() const override { return Driver::egl; }
+    [[nodiscard]] Driver driver() const override { return Driver::gles; }
     [[nodiscard]] std::string description() const override { return "WebGL 2 of the page"; }
 };
 
@@ -56,12 +59,16 @@ Attempt openCanvas(const ContextOptions& /*options*/) {
     return std::make_unique<CanvasBackend>();
 }
 
-constexpr ContextWay kWays[] = {{Driver::egl, openCanvas}};
+constexpr ContextWay kWays[] = {{Driver::gles, openCanvas}};
 
 }  // namespace
 
 std::span<const ContextWay> contextWays() {
     return kWays;
+}
+
+bool loadCoreFunctions(Backend& /*backend*/) {
+    return false;
 }
 
 std::string_view adviceWithoutDriver() {

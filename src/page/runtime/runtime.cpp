@@ -84,8 +84,8 @@ void addMessages(Json& json, bool always = false) {
     for (const Diagnostic& each : shown().diagnostics) all.push_back(jsonOf(each));
 }
 
-/// Frames report the same again and again. A note about the same place replaces the earlier one, whose numbers were for
-/// another size.
+/// Frames report the same again and again. A note about the same place replaces the earlier one, whose
+/// numbers were for another size.
 void note(Diagnostics diagnostics) {
     constexpr std::size_t kMost = 200;
     Diagnostics& known = shown().diagnostics;
@@ -120,6 +120,7 @@ Json jsonOf(const render::Knob& knob) {
               {"isShared", knob.isShared},
               {"minimum", knob.minimum},
               {"maximum", knob.maximum},
+              {"components", knob.type.components()},
               {"initial", knob.initial},
               {"current", knob.current},
               {"file", nameOf(knob.place.file)},
@@ -129,10 +130,10 @@ Json jsonOf(const render::Knob& knob) {
 }
 
 Json jsonOf(const scene::KeyBinding& key) {
-    const std::string what = key.restarts              ? "begin the scene anew"
-                             : key.isHeld              ? "hold to move " + key.variable
-                             : key.values.size() > 1   ? "next value of " + key.variable
-                                                       : "set " + key.variable;
+    const std::string what = key.restarts            ? "begin the scene anew"
+                             : key.isHeld            ? "hold to move " + key.variable
+                             : key.values.size() > 1 ? "next value of " + key.variable
+                                                     : "set " + key.variable;
     return {{"key", key.key}, {"what", what}, {"isHeld", key.isHeld}};
 }
 
@@ -146,14 +147,19 @@ Json filesOf(const render::LiveScene& live) {
         const std::string name = nameOf(path);
         if (path.empty() || !known.insert(name).second) return;
         const bool isGlib = base::sameWord(path.extension().generic_string(), ".glib");
-        files.push_back({{"name", name}, {"language", isGlib ? "glib" : isText ? "glsl" : ""}, {"role", role}});
+        files.push_back({{"name", name},
+                         {"language", isGlib   ? "glib"
+                                      : isText ? "glsl"
+                                               : ""},
+                         {"role", role}});
     };
     const scene::Scene& scene = live.scene();
     add(scene.path, "scene", true);
     for (const scene::Program& program : scene.programs)
         for (const scene::StageFile& each : program.stages)
             add(scene.files[each.file].path,
-                std::string(kStages.at(static_cast<std::size_t>(each.stage))) + " shader of " + program.name, true);
+                std::string(kStages.at(static_cast<std::size_t>(each.stage))) + " shader of " + program.name,
+                true);
     std::set<fs::path> data;
     for (const scene::FileReference& each : scene.files) data.insert(each.path);
     for (const fs::path& each : live.files())
@@ -200,11 +206,12 @@ void lookThrough(const std::string& camera) {
 RenderOptions options() {
     RenderOptions options;
     options.libraryRoots = {"/"};
-    options.reader = std::make_shared<const FileReader>([](const fs::path& path) -> std::optional<std::string> {
-        const auto file = system::pageFiles().find(system::nameInPage(path));
-        if (file == system::pageFiles().end()) return std::nullopt;
-        return file->second;
-    });
+    options.reader =
+        std::make_shared<const FileReader>([](const fs::path& path) -> std::optional<std::string> {
+            const auto file = system::pageFiles().find(system::nameInPage(path));
+            if (file == system::pageFiles().end()) return std::nullopt;
+            return file->second;
+        });
     return options;
 }
 
@@ -213,7 +220,7 @@ bool open(const std::string& name) {
     Shown& page = shown();
     page.diagnostics.clear();
     if (!page.context) {
-        Result<gpu::Context> opened = gpu::openContext();
+        Result<gpu::Context> opened = gpu::openContext({.driver = gpu::Driver::gles});
         note(std::move(opened.diagnostics));
         if (!opened) return false;
         page.context.emplace(std::move(*opened));
@@ -349,8 +356,8 @@ void showTarget() {
 
 bool draw(const Json& frame) {
     Shown& page = shown();
-    if (!makeTarget(frame.value("width", page.live->scene().width), frame.value("height", page.live->scene().height),
-                    frame.value("samples", 1)))
+    if (!makeTarget(frame.value("width", page.live->scene().width),
+                    frame.value("height", page.live->scene().height), frame.value("samples", 1)))
         return false;
     if (const auto mouse = frame.find("mouse"); mouse != frame.end()) {
         page.mouseX = mouse->at(0);
@@ -358,7 +365,8 @@ bool draw(const Json& frame) {
         page.isMouseDown = mouse->at(2).get<double>() != 0;
         page.live->setMouse(page.mouseX, page.mouseY, page.isMouseDown);
     }
-    if (const bool wanted = frame.value("wireframe", false); std::exchange(page.isWireframe, wanted) != wanted)
+    if (const bool wanted = frame.value("wireframe", false);
+        std::exchange(page.isWireframe, wanted) != wanted)
         page.live->drawer().setWireframe(wanted);
     note(page.live->draw(*page.target, viewOf(frame.value("view", Json::object())), frame.value("time", 0.0),
                          frame.value("axes", false)));
@@ -398,10 +406,10 @@ const char* glibra_set(char* change, std::size_t bytes) {
         setKnob(asked["knob"], asked.value("values", std::vector<double>()), asked.value("shared", false));
     if (asked.contains("reset")) reset(asked["reset"]);
     if (asked.contains("key"))
-        restarts = press(asked["key"].get<std::string>(), asked.contains("seconds")
-                                                              ? std::optional<double>(asked["seconds"])
-                                                              : std::nullopt) ||
-                   restarts;
+        restarts =
+            press(asked["key"].get<std::string>(),
+                  asked.contains("seconds") ? std::optional<double>(asked["seconds"]) : std::nullopt) ||
+            restarts;
     if (asked.contains("camera")) lookThrough(asked["camera"]);
     if (restarts) page.live->restart();
     Json json = Json::object();

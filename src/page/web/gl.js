@@ -12,7 +12,7 @@ const NUMBER = {
     SHADER_COMPILER: 0x8DFA, INFO_LOG_LENGTH: 0x8B84, SHADER_SOURCE_LENGTH: 0x8B88, ACTIVE_UNIFORM_MAX_LENGTH: 0x8B87,
     ACTIVE_ATTRIBUTE_MAX_LENGTH: 0x8B8A, ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH: 0x8A35, UNIFORM_BLOCK_NAME_LENGTH: 0x8A41,
     TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH: 0x8C76, UNIFORM_NAME_LENGTH: 0x8A39, NUM_SAMPLE_COUNTS: 0x9380,
-    PIXEL_PACK_BUFFER: 0x88EB, PIXEL_UNPACK_BUFFER: 0x88EC,
+    PIXEL_PACK_BUFFER: 0x88EB, PIXEL_UNPACK_BUFFER: 0x88EC, COPY_WRITE_BUFFER: 0x8F37, INVALID_ENUM: 0x0500,
 };
 
 // WebGL's extensions that are enabled where they are there, and other names that OpenGL ES has for them.
@@ -78,6 +78,15 @@ export function glImports(context, module) {
         if (extensions[name]) extensionNames.push(...[name, ...others].map((each) => `GL_${each}`));
     }
 
+    // What WebGL does not know is an error without its warning in the console.
+    const known = new Set([gl, ...Object.values(extensions)].flatMap((each) => {
+        const numbers = [];
+        for (const name in each)
+            if (name === name.toUpperCase()) numbers.push(each[name]);
+        return numbers;
+    }));
+    let isUnknown = false;
+
     // ---- The memory of the module
 
     /** @type {{buffer?: ArrayBuffer, [type: string]: any}} */
@@ -111,8 +120,8 @@ export function glImports(context, module) {
     const kept = new Map();
     /** The address of a text that stays. */
     const keep = (/** @type {string} */ text) => {
-        const known = kept.get(text);
-        if (known !== undefined) return known;
+        const before = kept.get(text);
+        if (before !== undefined) return before;
         const size = lengthOf(text) || 1, at = module.allocate(size);
         setText(text, size, 0, at);
         kept.set(text, at);
@@ -130,8 +139,14 @@ export function glImports(context, module) {
     /** @type {WeakMap<any, Map<string, number>>} */
     const locationsOf = new WeakMap();
     const locationOf = (/** @type {number} */ number) => number < 0 ? null : locations[number];
-    /** The buffers from and to which pixels go. */
+    // Pixels go to and come from buffers.
     let packs = false, unpacks = false;
+    // Only a buffer that is bound first for indices may hold some. Until one is bound to another target than that of uploads,
+    // its content waits here.
+    /** @type {Map<number, {content: number | Uint8Array, usage: number} | null>} */
+    const waiting = new Map();
+    /** The one that is bound for uploads and waits. */
+    let uploaded = 0;
 
     /** @type {Record<string, Call>} */
     const calls = {};
@@ -139,10 +154,17 @@ export function glImports(context, module) {
         const plural = kind === "Query" ? "Queries" : `${kind}s`;
         if ("phy".includes(letter)) continue;
         calls[`glGen${plural}`] = (count, at) => {
-            for (let i = 0; i < count; ++i) setNumber(at + 4 * i, names[letter].add(gl[`create${kind}`]()));
+            for (let i = 0; i < count; ++i) {
+                const number = names[letter].add(gl[`create${kind}`]());
+                setNumber(at + 4 * i, number);
+                if (letter === "b") waiting.set(number, null);
+            }
         };
         calls[`glDelete${plural}`] = (count, at) => {
-            for (const each of numbersAt(at, count)) gl[`delete${kind}`](names[letter].remove(each));
+            for (const each of numbersAt(at, count)) {
+                gl[`delete${kind}`](names[letter].remove(each));
+                if (letter === "b") waiting.delete(each);
+            }
         };
     }
     for (const [name, letters] of Object.entries(TAKES)) {
@@ -156,7 +178,21 @@ export function glImports(context, module) {
             call(...values);
         };
     }
-    const {glBindBuffer, glDeleteProgram, glDeleteShader, glDeleteSync} = calls;
+    /** Binds a buffer by a call, and gives it the content that has waited. */
+    const bind = (/** @type {number} */ target, /** @type {number} */ number, /** @type {() => void} */ call) => {
+        const content = waiting.get(number);
+        waiting.delete(number);
+        call();
+        if (content) gl.bufferData(target, content.content, content.usage);
+        if (uploaded === number && number) settle();
+    };
+    /** What is bound for uploads is so in WebGL, too. */
+    const settle = () => {
+        const number = uploaded;
+        uploaded = 0;
+        if (number) bind(NUMBER.COPY_WRITE_BUFFER, number, () => glBindBuffer(NUMBER.COPY_WRITE_BUFFER, number));
+    };
+    const {glBindBuffer, glBindBufferBase, glBindBufferRange, glDeleteProgram, glDeleteShader, glDeleteSync} = calls;
     Object.assign(calls, /** @type {Record<string, Call>} */ ({
         glCreateProgram: () => names.p.add(gl.createProgram()),
         glCreateShader: (kind) => names.h.add(gl.createShader(kind)),
@@ -166,8 +202,15 @@ export function glImports(context, module) {
         glBindBuffer: (target, number) => {
             if (target === NUMBER.PIXEL_PACK_BUFFER) packs = number !== 0;
             if (target === NUMBER.PIXEL_UNPACK_BUFFER) unpacks = number !== 0;
-            glBindBuffer(target, number);
+            if (target === NUMBER.COPY_WRITE_BUFFER) {
+                uploaded = waiting.has(number) ? number : 0;
+                if (uploaded) return;
+            }
+            bind(target, number, () => glBindBuffer(target, number));
         },
+        glBindBufferBase: (target, index, number) => bind(target, number, () => glBindBufferBase(target, index, number)),
+        glBindBufferRange: (target, index, number, ...range) =>
+            bind(target, number, () => glBindBufferRange(target, index, number, ...range)),
         glFenceSync: (condition, flags) => names.y.add(gl.fenceSync(condition, flags)),
         // WebGL tells of an end only after the script has returned: whoever waits for it waits for all work.
         glClientWaitSync: () => { gl.finish(); return NUMBER.CONDITION_SATISFIED; },
@@ -194,8 +237,10 @@ export function glImports(context, module) {
             case NUMBER.SHADER_COMPILER: return [1];
             case NUMBER.MINOR_VERSION: case NUMBER.CONTEXT_FLAGS: case NUMBER.NUM_COMPRESSED_TEXTURE_FORMATS:
             case NUMBER.NUM_PROGRAM_BINARY_FORMATS: case NUMBER.NUM_SHADER_BINARY_FORMATS: return [0];
-            default: return asNumbers(gl.getParameter(name));
         }
+        if (known.has(name)) return asNumbers(gl.getParameter(name));
+        isUnknown = true;
+        return [0];
     };
     const setNumbers = (/** @type {number[]} */ all, /** @type {number} */ at, view = "u32") => {
         memory()[view].set(all, at >> 2);
@@ -234,6 +279,11 @@ export function glImports(context, module) {
         setNumbers(asNumbers(gl.getUniform(names.p.objects[of], locationOf(location))), at, view);
 
     Object.assign(calls, /** @type {Record<string, Call>} */ ({
+        glGetError: () => {
+            const unknown = isUnknown;
+            isUnknown = false;
+            return unknown ? NUMBER.INVALID_ENUM : gl.getError();
+        },
         glGetIntegerv: (name, at) => setNumbers(parameter(name), at, "i32"),
         glGetFloatv: (name, at) => setNumbers(parameter(name), at, "f32"),
         glGetBooleanv: (name, at) => memory().u8.set(parameter(name).map((each) => each ? 1 : 0), at),
@@ -274,13 +324,13 @@ export function glImports(context, module) {
         },
         glGetUniformLocation: (of, at) => {
             const object = names.p.objects[of], name = textAt(at);
-            let known = locationsOf.get(object);
-            if (!known) locationsOf.set(object, known = new Map());
-            let number = known.get(name);
+            let all = locationsOf.get(object);
+            if (!all) locationsOf.set(object, all = new Map());
+            let number = all.get(name);
             if (number !== undefined) return number;
             const location = gl.getUniformLocation(object, name);
             number = location ? locations.push(location) - 1 : -1;
-            known.set(name, number);
+            all.set(name, number);
             return number;
         },
         glGetAttribLocation: (of, at) => gl.getAttribLocation(names.p.objects[of], textAt(at)),
@@ -333,13 +383,25 @@ export function glImports(context, module) {
         glTransformFeedbackVaryings: (of, count, textsAt, mode) => gl.transformFeedbackVaryings(
             names.p.objects[of], numbersAt(textsAt, count).map((at) => textAt(at)), mode),
         glDrawBuffers: (count, at) => gl.drawBuffers(numbersAt(at, count)),
-        glBufferData: (target, size, at, usage) =>
-            at ? gl.bufferData(target, memory().u8, usage, at, size) : gl.bufferData(target, size, usage),
+        glBufferData: (target, size, at, usage) => {
+            if (uploaded && target === NUMBER.COPY_WRITE_BUFFER)
+                waiting.set(uploaded, {content: at ? memory().u8.slice(at, at + size) : size, usage});
+            else if (at)
+                gl.bufferData(target, memory().u8, usage, at, size);
+            else
+                gl.bufferData(target, size, usage);
+        },
         glBufferSubData: (target, offset, size, at) => {
+            if (target === NUMBER.COPY_WRITE_BUFFER) settle();
             if (size > 0) gl.bufferSubData(target, offset, memory().u8, at, size);
         },
         glGetBufferSubData: (target, offset, size, at) => {
+            if (target === NUMBER.COPY_WRITE_BUFFER) settle();
             if (size > 0) gl.getBufferSubData(target, offset, memory().u8, at, size);
+        },
+        glCopyBufferSubData: (...values) => {
+            settle();
+            gl.copyBufferSubData(...values);
         },
         glTexImage2D: upload("texImage2D"),
         glTexImage3D: upload("texImage3D"),
@@ -377,7 +439,7 @@ export function glImports(context, module) {
 
     /** What is not above takes numbers alone, or WebGL lacks it. @returns {Call | undefined} */
     const find = (/** @type {string} */ name) => {
-        const own = name[2]?.toLowerCase() + name.slice(3);
+        const own = name[2]?.toLowerCase() + name.slice(3).replace(/(Depth|Range)f$/, "$1");
         if (!calls[name] && typeof gl[own] === "function") calls[name] = gl[own].bind(gl);
         return calls[name];
     };

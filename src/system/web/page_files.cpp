@@ -1,5 +1,6 @@
-// What std::filesystem says of the files of a page: libc++ declares these functions, and Debian's libc++.a for WebAssembly has
-// none of them. There are ordinary files and the folders that their names imply; the current folder is the root.
+// What std::filesystem says of the files of a page: libc++ declares these functions, and Debian's libc++.a
+// for WebAssembly has none of them. There are ordinary files and the folders that their names imply; the
+// current folder is the root.
 
 #include "system/web/page_files.h"
 
@@ -124,19 +125,21 @@ error_code directory_entry::__do_refresh() noexcept {
 }
 
 class __dir_stream {
-public:
+  public:
     vector<directory_entry> entries;
     size_t at = 0;
 };
 
-directory_iterator::directory_iterator(const path& folder, error_code* failed, directory_options /*options*/) {
+directory_iterator::directory_iterator(const path& folder, error_code* failed,
+                                       directory_options /*options*/) {
     const string name = glibra::system::nameInPage(folder);
     tell(failed, glibra::system::isFolder(name) ? errc() : errc::no_such_file_or_directory);
     const string begin = glibra::system::beginOf(name);
     auto stream = make_shared<__dir_stream>();
     const auto& files = glibra::system::pageFiles();
     string last;
-    for (auto each = files.lower_bound(begin); each != files.end() && each->first.starts_with(begin); ++each) {
+    for (auto each = files.lower_bound(begin); each != files.end() && each->first.starts_with(begin);
+         ++each) {
         string entry = each->first.substr(begin.size());
         entry.resize(min(entry.find('/'), entry.size()));
         if (entry == last) continue;

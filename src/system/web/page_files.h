@@ -1,6 +1,6 @@
 #pragma once
-// The files of a page: what stands in place of a disk. Programs see their names by std::filesystem; their contents are given
-// by a FileReader, so that nothing copies them.
+// The files of a page: what stands in place of a disk. Programs see their names by std::filesystem; their
+// contents are given by a FileReader, so that nothing copies them.
 
 #include <filesystem>
 #include <functional>

@@ -1,4 +1,5 @@
-// A page has one thread and one process, no disk, no libraries and no environment: whoever asks for one of these is told so.
+// A page has one thread and one process, no disk, no libraries and no environment: whoever asks for one of
+// these is told so.
 
 #include <cerrno>
 #include <cstddef>
@@ -85,7 +86,7 @@ void setVariable(const char* /*name*/, const std::string& /*value*/, Replace /*r
 // process.h and worker.h
 
 Process::~Process() = default;
-void onCopy(void (*/*note*/)()) {}
+void onCopy(void (* /*note*/)()) {}
 bool workersAreCopies() {
     return false;
 }

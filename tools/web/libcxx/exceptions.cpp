@@ -1,5 +1,6 @@
-// What code that throws calls (Itanium C++ ABI). WebAssembly's exceptions are not used: what throws ends the module, and the
-// page makes a new one. So nothing after __cxa_allocate_exception() is ever reached, and the linker leaves it out.
+// What code that throws calls (Itanium C++ ABI). WebAssembly's exceptions are not used: what throws ends the
+// module, and the page makes a new one. So nothing after __cxa_allocate_exception() is ever reached, and the
+// linker leaves it out.
 
 #include <cstddef>
 #include <cstdio>

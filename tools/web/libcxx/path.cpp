@@ -1,5 +1,5 @@
-// The members of std::filesystem::path that Debian's libc++.a for WebAssembly lacks, because WASI by itself has no files.
-// Paths follow the rules of POSIX: [fs.path.generic] without root names.
+// The members of std::filesystem::path that Debian's libc++.a for WebAssembly lacks, because WASI by itself
+// has no files. Paths follow the rules of POSIX: [fs.path.generic] without root names.
 
 #include <algorithm>
 #include <filesystem>
@@ -11,7 +11,8 @@ namespace {
 
 using View = std::string_view;
 
-/// The element that begins there: the slashes of the root, a name, or the slashes after the last name. Empty at the end.
+/// The element that begins there: the slashes of the root, a name, or the slashes after the last name. Empty
+/// at the end.
 View elementAt(View path, std::size_t at) {
     if (at >= path.size()) return path.substr(path.size());
     const std::size_t end = path[at] == '/' ? path.find_first_not_of('/', at) : path.find('/', at);

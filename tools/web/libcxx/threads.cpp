@@ -1,5 +1,5 @@
-// What libc++ declares for threads, and Debian's libc++.a for WebAssembly, which is built without threads, lacks. A page has one
-// thread: nothing waits for a lock.
+// What libc++ declares for threads, and Debian's libc++.a for WebAssembly, which is built without threads,
+// lacks. A page has one thread: nothing waits for a lock.
 
 #include <mutex>
 #include <thread>
