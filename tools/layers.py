@@ -113,9 +113,6 @@ ORDER = {
         "report": {"core"},
         "program": {"core", "subjects", "report"},
     },
-    "page": {
-        "runtime": set(),
-    },
     "view": {
         "style": set(),
         "scene": set(),
