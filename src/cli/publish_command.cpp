@@ -129,7 +129,8 @@ int runPublishCommand(PublishArguments& arguments) {
         if (!arguments.made.siteIsNamed) return refuse("name the folder of the site with -o");
         const bool isOneFolder = arguments.named.size() == 1;
         arguments.folder = isOneFolder ? arguments.named.front() : commonFolder(named.scenes).generic_string();
-        if (!isOneFolder) arguments.scenes = std::move(named.scenes);
+        if (!isOneFolder)
+            for (const std::string& each : named.scenes) arguments.scenes.push_back(wholePath(each).generic_string());
         arguments.isLive = true;
         return makeGallery(arguments);
     }
