@@ -107,6 +107,7 @@ struct PlannedMesh {
     /// trianglesAdjacency or linesAdjacency: the triangles of the shape get these indices
     /// (geometry::adjacencyIndices); nothing: the mesh as it is.
     std::optional<geometry::Topology> adjacency{};
+    bool isExpanded = false;  ///< each index has a vertex of its own (glsl::ExpandedGeometry)
 };
 
 // Indices into the lists of FramePlan.

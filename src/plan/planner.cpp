@@ -442,9 +442,11 @@ class FramePlanner {
                             geometry::Topology submitted) {
         const std::optional<geometry::Topology> adjacency =
             addedAdjacency(scene_.shapes[draw.shape], submitted);
-        PlannedMeshIndex& mesh =
-            adjacency ? adjacentMeshes_[{draw.shape, *adjacency}] : meshOfShape_[draw.shape];
-        if (!mesh || !options_.shareMeshes) mesh = plan_.meshes.add({draw.shape, {}, adjacency});
+        const bool isExpanded = programs_[program].interface->facts.expanded.corners > 0;
+        PlannedMeshIndex& mesh = isExpanded  ? expandedMeshes_[{draw.shape, submitted}]
+                                 : adjacency ? adjacentMeshes_[{draw.shape, *adjacency}]
+                                             : meshOfShape_[draw.shape];
+        if (!mesh || !options_.shareMeshes) mesh = plan_.meshes.add({draw.shape, {}, adjacency, isExpanded});
         if (inputs)
             for (const InputSource& each : plan_.inputs[inputs].sources)
                 if (const auto* name = std::get_if<std::string>(&each.from)) reads_[draw.shape].insert(*name);
@@ -501,7 +503,8 @@ class FramePlanner {
     PlannedPrograms programs_;
     Needs needs_;
     scene::List<PlannedMeshIndex, scene::Shape> meshOfShape_;
-    std::map<std::pair<scene::ShapeIndex, geometry::Topology>, PlannedMeshIndex> adjacentMeshes_;
+    std::map<std::pair<scene::ShapeIndex, geometry::Topology>, PlannedMeshIndex> adjacentMeshes_,
+        expandedMeshes_;
     scene::List<std::set<std::string>, scene::Shape> reads_;  ///< attributes that some program reads
     bool reportedCompute_ = false;
     DrawRemarks remarks_{scene_, programs_, plan_};

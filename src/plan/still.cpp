@@ -47,6 +47,7 @@ bool isSameDraw(const PlannedScene& before, const PlannedDraw& a, const PlannedS
     const PlannedMesh &mesh = meshOf(before, a), &other = meshOf(now, b);
     if (a.submission != b.submission || a.textures != b.textures || bool(a.inputs) != bool(b.inputs) ||
         mesh.attributes != other.attributes || mesh.adjacency != other.adjacency ||
+        mesh.isExpanded != other.isExpanded ||
         before.scene.shapes[mesh.shape] != now.scene.shapes[other.shape] ||
         !isSameProgram(before.plan.programs[a.program], now.plan.programs[b.program]))
         return false;

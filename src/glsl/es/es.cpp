@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <iterator>
 #include <map>
+#include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_line.h"
+#include "glsl/es/borders.h"
 #include "glsl/es/constants.h"
 #include "glsl/es/conversions.h"
+#include "glsl/es/geometry.h"
 #include "glsl/parse/bodies.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
@@ -118,8 +123,11 @@ std::string withoutDirectives(std::string_view source) {
 /// One stage, from the core text to that of GLSL ES.
 class EsStage {
   public:
-    EsStage(const TranslatedStage& core, Unit& unit, Report& report)
-        : core_(core), unit_(unit), report_(report) {}
+    EsStage(const TranslatedStage& core, Unit& unit, Report& report, bool hasBorders)
+        : core_(core), unit_(unit), report_(report), hasBorders_(hasBorders) {}
+
+    /// It becomes a part of the vertex stage.
+    void becomePart(GeometryInVertex& expanded) { expanded_ = &expanded; }
 
     void adapt(std::vector<InitialValue>& initialValues) {
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
@@ -131,6 +139,7 @@ class EsStage {
             if (unit_.function(name) && std::ranges::find(core, name) != core.end())
                 unit_.renames[name] = std::string(kOwnOverload) + name;
         for (const Call& each : unit_.bodies.calls) call(each);
+        if (hasBorders_) passBorders(unit_);
         writeConversions(unit_);
         begin();
     }
@@ -165,6 +174,10 @@ class EsStage {
         return stage;
     }
 
+    /// Of the stage as a whole.
+    void lacks(const char* id, const std::string& text) const {
+        report_.reportOnce(core_.path + text, id, text, {core_.path, core_.firstLine, 1});
+    }
     void lacks(const char* id, const std::string& text, std::uint32_t at) {
         report_.reportOnce(core_.path + text, id, text, userPlaceOf(at));
     }
@@ -201,12 +214,15 @@ class EsStage {
             return lacks("web-E04", "the storage block '" + name + "' is not possible in WebGL 2", each.name);
         if (each.qualifiers.storage != Storage::input && each.qualifiers.storage != Storage::output) return;
         if (name == "gl_PerVertex") return unit_.remove(each.tokens);
-        if (!each.declarators.empty() && !each.declarators.front().dimensions.empty())
+        const bool isInput = each.qualifiers.storage == Storage::input;
+        const bool isOfCorners = expanded_ != nullptr && unit_.stage == Stage::geometry && isInput;
+        if (!isOfCorners && !each.declarators.empty() && !each.declarators.front().dimensions.empty())
             return lacks(
                 "web-E04",
                 "'" + name + "' is an array of blocks between stages, which GLSL ES 3.00 (WebGL 2) has not",
                 each.name);
-        const std::string word(each.qualifiers.storage == Storage::input ? "in " : "out ");
+        const bool isPlain = isOfCorners || (expanded_ != nullptr && unit_.stage == Stage::vertex);
+        const std::string word(isPlain ? "" : isInput ? "in " : "out ");
         unit_.remove({each.tokens.first, each.body.first + 1});
         unit_.remove({each.body.end - 1, each.tokens.end});
         const std::string_view instance =
@@ -221,11 +237,18 @@ class EsStage {
             if (before == "noperspective" || before == "smooth") before.clear();
             if (!before.empty()) before += ' ';
             if (member.qualifiers.centroid || each.qualifiers.centroid) before += "centroid ";
+            if (isPlain) before.clear();
             unit_.edits.before(unit_.view[member.type.tokens.first].raw, before + word);
             for (const Declarator& one : member.declarators) {
                 const std::string own(unit_.text(one.name));
-                const std::string variable = "glibra_" + name + "_" + own;
-                unit_.edits.replace(unit_.view[one.name].raw, variable);
+                const std::string variable = (isOfCorners ? "glibra_c_"
+                                              : isPlain   ? "glibra_v_"
+                                                          : "glibra_") +
+                                             name + "_" + own;
+                unit_.edits.replace(unit_.view[one.name].raw,
+                                    variable + (isOfCorners ? expanded_->pass(name, own) : ""));
+                if (expanded_ != nullptr && unit_.stage == Stage::geometry && !isInput)
+                    expanded_->keep(std::string(member.type.name), variable);
                 if (instance.empty())
                     unit_.renames[own] = variable;
                 else
@@ -317,6 +340,7 @@ class EsStage {
             if (role == WordRole::global) member(at, text);
             return;
         }
+        if (unit_.renames.contains(text)) return;
         if (listed(kMissingNames, text) || (text.starts_with("gl_Max") && !listed(kLimits, text)) ||
             text.starts_with("atomic") || text.starts_with("imageAtomic"))
             lacks("web-E02",
@@ -359,11 +383,13 @@ class EsStage {
 
     /// instance.member of a block between stages
     void member(std::uint32_t at, std::string_view instance) {
-        if (unit_.text(at + 1) != ".") return;
-        const auto known = members_.find({std::string(instance), std::string(unit_.text(at + 2))});
+        const auto size = static_cast<std::uint32_t>(unit_.view.size());
+        const std::uint32_t dot = unit_.text(at + 1) == "[" ? closing(unit_.view, at + 1, size) + 1 : at + 1;
+        if (dot + 1 >= size || unit_.text(dot) != ".") return;
+        const auto known = members_.find({std::string(instance), std::string(unit_.text(dot + 1))});
         if (known == members_.end()) return;
         unit_.edits.replace(unit_.view[at].raw, known->second);
-        unit_.remove({at + 1, at + 3});
+        unit_.remove({dot, dot + 2});
     }
 
     /// Textures of one dimension are those of two with one row.
@@ -401,7 +427,9 @@ class EsStage {
     const TranslatedStage& core_;
     Unit& unit_;
     Report& report_;
-    std::vector<std::string> beginnings_;  ///< statements that give variables their first values
+    bool hasBorders_;
+    GeometryInVertex* expanded_ = nullptr;  ///< that the stage is a part of
+    std::vector<std::string> beginnings_;   ///< statements that give variables their first values
     /// The variables in place of the members of blocks, by instance and member.
     std::map<std::pair<std::string, std::string>, std::string> members_;
 };
@@ -433,9 +461,56 @@ void connect(Unit& vertex, Unit& fragment) {
     }
 }
 
+/// Stages as one text: what they declare alike before the user's text stands once.
+TranslatedStage joined(TranslatedStage first, const TranslatedStage& second, const std::string& ending) {
+    const auto files = static_cast<int>(first.lineMap.files.size());
+    const auto macros = static_cast<int>(first.lineMap.macros.size());
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(first.lineMap.files, second.lineMap.files);
+    append(first.lineMap.macros, second.lineMap.macros);
+    const std::string firstText = first.source;
+    std::set<std::string_view> known;
+    for (const std::string_view line : textLines(firstText)) {
+        if (isLineNumber(line)) break;
+        known.insert(line);
+    }
+    bool isPrologue = true;
+    std::size_t i = 0;
+    for (const std::string_view line : textLines(second.source)) {
+        LineOrigin origin = second.lineMap.lines[i];
+        std::vector<ColumnShift> columns = second.lineMap.columns[i++];
+        isPrologue = isPrologue && !isLineNumber(line);
+        if (isPrologue && known.contains(line)) continue;
+        const std::size_t number = line.rfind(' ');
+        if (isLineNumber(line) && files > 0 && number != std::string_view::npos)
+            first.source += std::string(line.substr(0, number + 1)) +
+                            std::to_string(std::atoi(std::string(line.substr(number)).c_str()) + files);
+        else
+            first.source += line;
+        first.source += '\n';
+        if (origin.file >= 0) origin.file += files;
+        for (ColumnShift& each : columns) {
+            if (each.line.file >= 0) each.line.file += files;
+            if (each.macro >= 0) each.macro += macros;
+        }
+        first.lineMap.lines.push_back(origin);
+        first.lineMap.columns.push_back(std::move(columns));
+    }
+    first.source += ending;
+    const auto count = static_cast<std::size_t>(std::ranges::count(first.source, '\n'));
+    first.lineMap.lines.resize(count);
+    first.lineMap.columns.resize(count);
+    return first;
+}
+
+Unit* stageIn(std::vector<Unit>& units, Stage stage) {
+    const auto found = std::ranges::find(units, stage, &Unit::stage);
+    return found == units.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
-EsProgram toEs(const TranslatedProgram& program) {
+EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
     EsProgram result;
     Report report, ignored;  // the core text has been reported already
     ProgramRequest core, es;
@@ -445,8 +520,10 @@ EsProgram toEs(const TranslatedProgram& program) {
     std::vector<Unit> units;
     units.reserve(program.stages.size() + 1);
     std::vector<EsStage> stages;
+    const bool isTessellated = !program.tessellationOutput.empty();
     for (const TranslatedStage& each : program.stages) {
-        if (const std::string_view name = stageName(each.stage); !name.empty()) {
+        const std::string_view name = stageName(each.stage);
+        if (!name.empty() && (each.stage != Stage::geometry || isTessellated)) {
             report.reportOnce(std::string(name), "web-E01", "WebGL 2 has no " + std::string(name) + " stage",
                               {each.path, each.firstLine, 1});
             continue;
@@ -463,18 +540,37 @@ EsProgram toEs(const TranslatedProgram& program) {
         unit.declare("precision highp int;");
         unit.declare("precision highp sampler2D;");
         unit.declare("precision highp samplerCube;");
-        stages.emplace_back(each, unit, report);
+        stages.emplace_back(each, unit, report, hasBorders);
     }
-    if (units.size() == 2) connect(units.front(), units.back());
+    Unit *const vertex = stageIn(units, Stage::vertex), *const geometry = stageIn(units, Stage::geometry),
+                *const fragment = stageIn(units, Stage::fragment);
+    if (Unit* const last = geometry ? geometry : vertex; last && fragment) connect(*last, *fragment);
+    std::optional<GeometryInVertex> expanded;
+    if (vertex && geometry) {
+        const std::string problem = expanded.emplace(*vertex, *geometry, fragment, program).prepare();
+        EsStage& stage = stages[static_cast<std::size_t>(geometry - units.data())];
+        stage.becomePart(*expanded);
+        stages[static_cast<std::size_t>(vertex - units.data())].becomePart(*expanded);
+        if (!problem.empty())
+            stage.lacks("web-E01", "WebGL 2 has no geometry stage, and cannot do without: " + problem);
+        result.expanded = expanded->expansion();
+    }
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());
+    if (expanded) {
+        const auto at = [&](Stage stage) {
+            return std::ranges::find(result.stages, stage, &TranslatedStage::stage);
+        };
+        *at(Stage::vertex) = joined(*at(Stage::vertex), *at(Stage::geometry), expanded->ending());
+        result.stages.erase(at(Stage::geometry));
+    }
     // Only the core profile links a vertex stage alone.
     if (!result.stages.empty() && result.stages.back().stage == Stage::vertex) {
-        TranslatedStage& fragment = result.stages.emplace_back();
-        fragment.stage = Stage::fragment;
-        fragment.source = "#version 300 es\nvoid main() {}\n";
-        fragment.lineMap.lines.resize(2);
-        fragment.lineMap.columns.resize(2);
+        TranslatedStage& empty = result.stages.emplace_back();
+        empty.stage = Stage::fragment;
+        empty.source = "#version 300 es\nvoid main() {}\n";
+        empty.lineMap.lines.resize(2);
+        empty.lineMap.columns.resize(2);
     }
     result.diagnostics = report.take();
     return result;

@@ -15,11 +15,13 @@ struct EsProgram {
     /// Their line maps lead to the lines of the user, as those of the core text do.
     std::vector<TranslatedStage> stages;
     std::vector<InitialValue> initialValues;
+    ExpandedGeometry expanded{};
     /// What GLSL ES 3.00 lacks: web-E01 to web-E05, at the user's places. `stages` may then not compile.
     Diagnostics diagnostics;
 };
 
-/// `program` must have been translated without errors.
-EsProgram toEs(const TranslatedProgram& program);
+/// `program` must have been translated without errors. `hasBorders`: textures that it reads may have a
+/// border, which whoever draws says by the uniforms of borders.h.
+EsProgram toEs(const TranslatedProgram& program, bool hasBorders = false);
 
 }  // namespace glibra::glsl

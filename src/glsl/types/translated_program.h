@@ -135,6 +135,15 @@ enum class Placement {
     point    ///< gl_Position is that matrix times vec4(vertex.xyz, 1)
 };
 
+/// Of GLSL ES: the vertex stage does the work of the geometry stage (glsl/es/geometry.h).
+struct ExpandedGeometry {
+    /// Inputs of the vertex stage for each attribute, at consecutive locations: the corners of a primitive of
+    /// the mesh, which is an instance. 0: there is no geometry stage.
+    int corners = 0;
+    int vertices = 0;     ///< of an instance
+    int ofPrimitive = 0;  ///< 1, 2 or 3 of them are a point, a line or a triangle
+};
+
 struct TranslatedProgram {
     std::vector<TranslatedStage> stages;  ///< empty if `diagnostics` has an error
     Diagnostics diagnostics;
@@ -186,6 +195,7 @@ struct TranslatedProgram {
     Placement placement = Placement::unknown;
     /// Of GLSL ES: the values of initialisers of uniforms, which it does not have.
     std::vector<InitialValue> initialValues{};
+    ExpandedGeometry expanded{};
     bool isOpaque = false;  ///< the text proves that the only colour written always has alpha 1
 
     std::string name;  ///< the Program's name, for the notes after compile errors

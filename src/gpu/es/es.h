@@ -35,8 +35,8 @@ struct TexelLayout {
 std::vector<std::byte> converted(std::span<const std::byte> texels, TexelLayout from, TexelLayout to,
                                  bool isNormalized);
 
-/// GL's number of a format where ES has another one, or GL_NONE: without EXT_texture_norm16, normalized formats of 16
-/// bits are 32-bit floats.
+/// GL's number of a format where ES has another one, or GL_NONE: without EXT_texture_norm16, normalized
+/// formats of 16 bits are 32-bit floats.
 GLenum esInternalFormat(TexelFormat format);
 /// The layout in which ES takes texels of that format, if it is another one than OpenGL's; else GL_NONE.
 Transfer esTransfer(TexelFormat format);

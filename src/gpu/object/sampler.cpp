@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/number.h"
+#include "gpu/es/es.h"
 #include "gpu/format/raster_names.h"
 
 namespace glibra::gpu {
@@ -25,17 +26,21 @@ GLint glFilter(base::Filter filter) {
     return kFilters.at(static_cast<std::size_t>(filter));
 }
 
+}  // namespace
+
 bool isNearest(base::Filter filter) {
     return filter == base::Filter::nearest || filter == base::Filter::nearestMipmapNearest ||
            filter == base::Filter::nearestMipmapLinear;
 }
 
-}  // namespace
-
 Sampler::Sampler(const SamplerState& state, std::optional<base::Comparison> compare) {
     const GLuint name = id();
     constexpr std::array<GLenum, 3> kAxes{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
-    for (std::size_t i = 0; i < kAxes.size(); ++i) glSamplerParameteri(name, kAxes[i], glWrap(state.wrap[i]));
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        // ES has no borders; shaders read them (glsl/es/borders.h).
+        const bool isEdge = isEs() && state.wrap[i] == Wrap::clampToBorder;
+        glSamplerParameteri(name, kAxes[i], isEdge ? GL_CLAMP_TO_EDGE : glWrap(state.wrap[i]));
+    }
     glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, glFilter(state.filter));
     glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, isNearest(state.filter) ? GL_NEAREST : GL_LINEAR);
     if (state.anisotropy > 1)

@@ -13,6 +13,9 @@ namespace glibra::gpu {
 using base::SamplerState;
 using base::Wrap;
 
+/// True for filters that read one texel of a level.
+bool isNearest(base::Filter filter);
+
 class Sampler {
   public:
     /// `compare`: for sampler2DShadow and its like, which read 1 where (reference compared with texel) holds,

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "gpu/context/context.h"
+#include "gpu/es/edges.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/state/binding_tracker.h"
 #include "gpu/state/raster_tracker.h"
@@ -205,6 +206,10 @@ class FrameDrawer {
     /// The same without the counts that buffers hold. The mesh of the draw must be on the device.
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.
+    /// Of a program that does the work of its geometry stage in the vertex stage (glsl::ExpandedGeometry).
+    void submitExpanded(const BuiltProgram& built, const Elements& elements, bool asEdges) const;
+    /// The driver fills triangles only, and the draw shows their edges.
+    [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The program that records the loops of the frame in place of, or beside, the given one; null: none.
     [[nodiscard]] const BuiltProgram* loopCounterOf(plan::PlannedProgramIndex program,
@@ -283,6 +288,7 @@ class FrameDrawer {
     std::optional<int> patchVertices_;            ///< as set; nothing: not known
     std::array<float, 6> levels_ = kOneLevel;     ///< of tessellation; GL's own while nothing is drawn
     mutable std::optional<gpu::Buffer> command_;  ///< the arguments of an indirect draw
+    mutable gpu::EdgeBuffers edges_;
     bool lineWidthReported_ = false;
 };
 

@@ -239,6 +239,8 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
     }
     Elements part = elements;
     part.count -= elements.points;
+    if (const BuiltProgram& built = *programOf(planned); built.interface.facts.expanded.corners > 0)
+        return submitExpanded(built, part, drawsEdges(planned));
     if (part.count > 0 || elements.points == 0) submitPart(planned, part, mode);
     // A geometry stage takes lines or points, not both.
     const std::string& geometryInput = programOf(planned)->interface.facts.geometryInput;
@@ -248,6 +250,28 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
         submitPart(planned, part, GL_POINTS);
     }
     if (restarts) glDisable(GL_PRIMITIVE_RESTART);
+}
+
+bool FrameDrawer::drawsEdges(const plan::PlannedDraw& planned) const {
+    return context_.capabilities().isEs &&
+           (wireframe_ || plan_.drawOf(planned).raster->polygon == base::PolygonMode::line);
+}
+
+void FrameDrawer::submitExpanded(const BuiltProgram& built, const Elements& elements, bool asEdges) const {
+    const auto& [corners, vertices, ofPrimitive] = built.interface.facts.expanded;
+    constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
+    const auto instance =
+        std::ranges::find(built.interface.uniforms, "glibra_Instance", &base::ActiveUniform::emittedName);
+    for (int i = 0; i < elements.instances; ++i) {
+        const std::array<double, 1> number{static_cast<double>(i)};
+        if (instance != built.interface.uniforms.end()) gpu::setUniform(*built.program, *instance, number);
+        if (asEdges && ofPrimitive == 3) {
+            edges_.draw(nullptr, 0, vertices, GL_TRIANGLES, elements.count / corners);
+            continue;
+        }
+        glDrawArraysInstanced(kModes.at(static_cast<std::size_t>(ofPrimitive) - 1), 0, vertices,
+                              elements.count / corners);
+    }
 }
 
 void FrameDrawer::submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const {
@@ -261,6 +285,14 @@ void FrameDrawer::submitPart(const plan::PlannedDraw& planned, const Elements& e
 void FrameDrawer::submitDirect(const plan::PlannedDraw& planned, const Elements& elements,
                                GLenum mode) const {
     const int instances = plan_.drawOf(planned).instances;
+    if (drawsEdges(planned) &&
+        (mode == GL_TRIANGLES || mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN)) {
+        const auto own = device_.indicesOf(plan_.drawOf(planned));
+        const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
+        const gpu::Buffer* indices = own ? own->buffer : mesh.indices ? &*mesh.indices : nullptr;
+        return edges_.draw(elements.areIndexed ? indices : nullptr, elements.offset, elements.count, mode,
+                           instances);
+    }
     const auto drawPart = [&](int first, int count) {
         // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
         const auto* at =

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "glsl/es/borders.h"
+#include "gpu/object/sampler.h"
 #include "gpu/object/uniform.h"
 #include "plan/uniform_names.h"
 #include "render/draw/frame.h"
@@ -113,8 +115,28 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
         } else {
             continue;
         }
-        gpu::setConstantAttribute(static_cast<GLuint>(input.location), input.type, value);
+        for (int corner = 0; corner < std::max(1, built.interface.facts.expanded.corners); ++corner)
+            gpu::setConstantAttribute(static_cast<GLuint>(input.location + corner), input.type, value);
     }
+}
+
+/// The uniform of glsl/es/borders.h, if the program has it.
+static void setBorder(const plan::TextureUse& use, const BuiltProgram& built) {
+    const std::string name = glsl::kBorderOf + at(built.interface.uniforms, use.uniform).emittedName;
+    const auto border = std::ranges::find(built.interface.uniforms, name, &base::ActiveUniform::emittedName);
+    if (border == built.interface.uniforms.end()) return;
+    const auto is = [](bool what) { return what ? 1.0 : 0.0; };
+    const auto& [filter, wrap, anisotropy, color, compare] = use.sampler;
+    const bool isLess = base::farthestDepth(compare) == 1;
+    const std::array<double, 8> values{is(wrap[0] == base::Wrap::clampToBorder),
+                                       is(wrap[1] == base::Wrap::clampToBorder),
+                                       is(isLess),
+                                       is(!gpu::isNearest(filter)),
+                                       color[0],
+                                       color[1],
+                                       color[2],
+                                       color[3]};
+    gpu::setUniform(*built.program, *border, values);
 }
 
 void FrameDrawer::bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built) {
@@ -124,6 +146,7 @@ void FrameDrawer::bindTextures(const std::vector<plan::TextureUse>& textures, co
         device_.bind(use, bindings_);
         const std::array<double, 1> unit{static_cast<double>(use.driverUnit)};
         gpu::setUniform(*built.program, at(built.interface.uniforms, use.uniform), unit, use.element);
+        if (context_.capabilities().isEs) setBorder(use, built);
     }
 }
 

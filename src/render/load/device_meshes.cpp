@@ -91,6 +91,22 @@ Result<DeviceMesh> copyToDevice(const geometry::Mesh& source, const std::vector<
     return {std::move(copy), std::move(diagnostics)};
 }
 
+/// A mesh with a vertex for each index.
+geometry::Mesh expanded(const geometry::Mesh& mesh, const std::vector<std::uint32_t>& indices) {
+    geometry::Mesh result;
+    result.pointCount = mesh.pointCount;
+    for (const geometry::Attribute& each : mesh.attributes) {
+        geometry::Attribute& made = result.attributes.emplace_back(each.name, each.components);
+        const auto size = static_cast<std::size_t>(each.components);
+        made.values.reserve(indices.size() * size);
+        for (const std::uint32_t index : indices) {
+            const auto first = each.values.begin() + static_cast<std::ptrdiff_t>(index * size);
+            made.values.insert(made.values.end(), first, first + static_cast<std::ptrdiff_t>(size));
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 void DeviceMeshes::forgetShapes() {
@@ -221,6 +237,7 @@ Diagnostics DeviceMeshes::upload(const plan::FramePlan& plan, plan::PlannedMeshI
     std::string key = reuseKey(scene_, scene_.shapes[wanted.shape]);
     if (!key.empty())
         for (const std::string& each : wanted.attributes) key += (isInteger(each) ? " i" : " ") + each;
+    if (!key.empty() && wanted.isExpanded) key += " expanded";
     if (!key.empty() && wanted.adjacency) key.append(" ").append(plan::wordOf(*wanted.adjacency));
     to = {earlierDeviceMesh(key, plan, planned), key};
     if (to.mesh) return {};
@@ -243,8 +260,10 @@ Diagnostics DeviceMeshes::upload(const plan::FramePlan& plan, plan::PlannedMeshI
         }
     }
     const StageTimer timer(stats_, "upload");
+    const std::vector<std::uint32_t>& indices = wanted.adjacency ? adjacency : source->indices;
     Result<DeviceMesh> made =
-        copyToDevice(*source, wanted.adjacency ? adjacency : source->indices, wanted.attributes, isInteger);
+        wanted.isExpanded ? copyToDevice(expanded(*source, indices), indices, wanted.attributes, isInteger)
+                          : copyToDevice(*source, indices, wanted.attributes, isInteger);
     append(diagnostics, std::move(made.diagnostics));
     if (!made) return diagnostics;
     const auto uploaded = std::make_shared<const DeviceMesh>(std::move(*made));

@@ -99,6 +99,23 @@ void DeviceScene::bind(const plan::TextureUse& use, gpu::BindingTracker& binding
     textures_.bind(use, bindings);
 }
 
+/// The last source as one for each corner of a primitive, which is an instance.
+static void spreadCorners(int corners, std::vector<gpu::AttributeSource>& sources) {
+    if (corners == 0 || sources.empty()) return;
+    gpu::AttributeSource source = sources.back();
+    if (source.divisor != 0) return;
+    sources.pop_back();
+    const std::size_t size =
+        source.stride != 0 ? source.stride : static_cast<std::size_t>(source.components) * sizeof(float);
+    source.stride = size * static_cast<std::size_t>(corners);
+    source.divisor = 1;
+    for (int corner = 0; corner < corners; ++corner) {
+        sources.push_back(source);
+        ++source.location;
+        source.offset += size;
+    }
+}
+
 const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
                                                  const plan::PlannedDraw& planned,
                                                  const BuiltProgram& built) {
@@ -121,12 +138,17 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
     for (std::size_t i = 0; i < feeds.size(); ++i) {
         const base::ActiveInput& input = built.interface.inputs[i];
         if (input.location < 0) continue;
-        if (const auto* name = std::get_if<std::string>(&feeds[i].from))
+        if (const auto* name = std::get_if<std::string>(&feeds[i].from)) {
             addMeshSource(mesh, *name, input, sources);
-        else if (const auto elements = elementsOf(plan, feeds[i]))
+            spreadCorners(built.interface.facts.expanded.corners, sources);
+        } else if (const auto elements = elementsOf(plan, feeds[i]))
             addBufferSources(*elements, feeds[i].isPerInstance, input, sources);
     }
-    const gpu::Buffer* indices = own ? own->buffer : mesh.indices ? &*mesh.indices : nullptr;
+    const bool isExpanded = built.interface.facts.expanded.corners > 0;
+    const gpu::Buffer* indices = isExpanded     ? nullptr
+                                 : own          ? own->buffer
+                                 : mesh.indices ? &*mesh.indices
+                                                : nullptr;
     return made.try_emplace({planned.mesh, inputs, buffers}, gpu::VertexArray(sources, indices))
         .first->second;
 }

@@ -73,12 +73,22 @@ const ProgramLibrary::Translation& ProgramLibrary::translationOf(const plan::Pro
     return translation;
 }
 
+/// True if a texture or sampler of the scene has a border.
+static bool hasBorders(const scene::Scene& scene) {
+    const auto has = [](const base::SamplerState& state) {
+        return std::ranges::find(state.wrap, base::Wrap::clampToBorder) != state.wrap.end();
+    };
+    return std::ranges::any_of(scene.textures, [&](const auto& each) { return has(each.sampler); }) ||
+           std::ranges::any_of(scene.samplers, [&](const auto& each) { return has(each.state); });
+}
+
 glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramRequest& asked) const {
     glsl::TranslatedProgram program = glsl::translate(asked);
     if (!context_.capabilities().isEs || hasError(program.diagnostics)) return program;
-    glsl::EsProgram es = glsl::toEs(program);
+    glsl::EsProgram es = glsl::toEs(program, hasBorders(scene_));
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
+    program.expanded = es.expanded;
     append(program.diagnostics, std::move(es.diagnostics));
     return program;
 }

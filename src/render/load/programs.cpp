@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "glsl/emit/log.h"
+#include "glsl/es/geometry.h"
 #include "glsl/facts/stage_variables.h"
 #include "glsl/types/translated_program.h"
 #include "gpu/object/uniform.h"
@@ -218,6 +219,20 @@ std::vector<base::ActiveOutput> declaredOutputs(const glsl::TranslatedProgram& t
     return outputs;
 }
 
+/// One input for the corners of a primitive, at the location of the first (glsl::ExpandedGeometry).
+void collapseCorners(std::vector<base::ActiveInput>& inputs, int corners) {
+    std::vector<base::ActiveInput> whole;
+    for (base::ActiveInput& each : inputs) {
+        const std::size_t end = each.name.find('_', std::string_view(glsl::kCornerInput).size());
+        if (!each.name.starts_with(glsl::kCornerInput) || end == std::string::npos) continue;
+        each.name.erase(0, end + 1);
+        each.location -= each.location % corners;
+        if (std::ranges::find(whole, each.name, &base::ActiveInput::name) == whole.end())
+            whole.push_back(std::move(each));
+    }
+    inputs = std::move(whole);
+}
+
 /// Completes the interface of a program that was linked, or failed.
 void completeInterface(BuiltProgram& built, glsl::TranslatedProgram facts, bool isBuiltin) {
     for (base::ActiveUniform& each : built.interface.uniforms) each.name = userName(each.emittedName, facts);
@@ -272,6 +287,7 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     stats_.add("programs", 1);
     if (!outcome.program) return false;
     static_cast<base::ActiveResources&>(built.interface) = gpu::reflect(*outcome.program);
+    if (translated.expanded.corners > 0) collapseCorners(built.interface.inputs, translated.expanded.corners);
     if (!context_.capabilities().atLeast(4, 3))
         built.interface.outputs = declaredOutputs(translated, *outcome.program);
     built.program = std::move(outcome.program);

@@ -1,0 +1,48 @@
+#include "gpu/es/edges.h"
+
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace glibra::gpu {
+
+std::vector<std::uint32_t> edgesOf(std::span<const std::uint32_t> indices, GLenum mode) {
+    constexpr std::uint32_t kRestart = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> edges;
+    const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        edges.insert(edges.end(), {a, b, b, c, c, a});
+    };
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] == kRestart) {
+            first = i + 1;
+            continue;
+        }
+        const std::size_t place = i - first;
+        if (place < 2 || (mode == GL_TRIANGLES && place % 3 != 2)) continue;
+        triangle(mode == GL_TRIANGLE_FAN ? indices[first] : indices[i - 2], indices[i - 1], indices[i]);
+    }
+    return edges;
+}
+
+void EdgeBuffers::draw(const Buffer* indices, std::size_t offset, int count, GLenum mode, int instances) {
+    const Key key{indices != nullptr ? indices->id() : 0, offset, count, mode};
+    auto known = made_.find(key);
+    if (known == made_.end()) {
+        std::vector<std::uint32_t> read(static_cast<std::size_t>(count));
+        if (indices != nullptr)
+            indices->read(offset, std::as_writable_bytes(std::span(read)));
+        else
+            std::iota(read.begin(), read.end(), 0U);
+        const std::vector<std::uint32_t> edges = edgesOf(read, mode);
+        Result<Buffer> buffer = Buffer::create(std::as_bytes(std::span(edges)));
+        if (!buffer) return;
+        known = made_.try_emplace(key, Edges{std::move(*buffer), static_cast<int>(edges.size())}).first;
+    }
+    // The buffer of indices is a part of the vertex array.
+    known->second.buffer.bind(GL_ELEMENT_ARRAY_BUFFER);
+    glDrawElementsInstanced(GL_LINES, known->second.count, GL_UNSIGNED_INT, nullptr, instances);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices != nullptr ? indices->id() : 0);
+}
+
+}  // namespace glibra::gpu

@@ -1,0 +1,35 @@
+#pragma once
+// OpenGL ES fills triangles only. Where a scene draws their edges, these are lines of their own.
+
+#include <glad/gl.h>
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "gpu/object/buffer.h"
+
+namespace glibra::gpu {
+
+/// The edges of triangles, two indices each. `mode`: GL_TRIANGLES, GL_TRIANGLE_STRIP or GL_TRIANGLE_FAN; the
+/// largest index begins a new strip or fan. Lines get the edges that they are.
+std::vector<std::uint32_t> edgesOf(std::span<const std::uint32_t> indices, GLenum mode);
+
+class EdgeBuffers {
+  public:
+    /// Draws the edges of triangles with the vertex array that is bound. `indices`: its buffer of indices, of
+    /// which it draws `count` from the byte `offset` on; null: the first `count` vertices.
+    void draw(const Buffer* indices, std::size_t offset, int count, GLenum mode, int instances);
+
+  private:
+    struct Edges {
+        Buffer buffer;
+        int count = 0;
+    };
+    using Key = std::tuple<GLuint, std::size_t, int, GLenum>;
+    std::map<Key, Edges> made_;
+};
+
+}  // namespace glibra::gpu
