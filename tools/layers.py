@@ -103,14 +103,15 @@ ORDER = {
         "run": {"", "options", "file", "golden", "results", "report"},
         "serve": {"", "module", "options", "file", "golden", "results", "report", "run"},
     },
+    "page": {
+        "": set(),
+        "runtime": set(),  # a program of WebAssembly
+    },
     "bench": {
         "core": set(),
         "subjects": {"core"},
         "report": {"core"},
         "program": {"core", "subjects", "report"},
-    },
-    "page": {
-        "runtime": set(),
     },
     "view": {
         "style": set(),

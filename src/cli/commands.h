@@ -31,6 +31,7 @@ void addTest(CommandLine& program, int& status);
 void addReview(CommandLine& program, int& status);
 void addClass(CommandLine& program, int& status);
 void addGallery(CommandLine& program, int& status);
+void addPublish(CommandLine& program, int& status);
 void addCheck(CommandLine& program, int& status);
 void addFormat(CommandLine& program, int& status);
 void addCompare(CommandLine& program, int& status);

@@ -12,6 +12,7 @@
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/gallery_arguments.h"
 #include "cli/library_hint.h"
 #include "cli/picture_options.h"
 #include "cli/scene_arguments.h"
@@ -25,35 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct GalleryArguments {
-    std::string folder;
-    std::string title;
-    SiteOptions made{.site = "glibra-gallery"};
-};
-
-fs::path whole(const fs::path& path) {
-    std::error_code failure;
-    const fs::path found = fs::weakly_canonical(path, failure);
-    return found.has_filename() || !found.has_relative_path() ? found : found.parent_path();
-}
-
-/// The library of a folder of scenes: the nearest folder, from itself upwards, with `shaders` or `textures`,
-/// as for a scene in it. A scene of the folder may read its files although they lie outside of the folder.
-std::optional<fs::path> libraryAbove(fs::path folder) {
-    for (folder = whole(folder);; folder = folder.parent_path()) {
-        std::error_code failure;
-        if (fs::is_directory(folder / "shaders", failure) || fs::is_directory(folder / "textures", failure))
-            return folder;
-        if (!folder.has_relative_path()) return std::nullopt;
-    }
-}
-
 /// The scenes of the site itself, if it lies in the folder, do not count.
 std::vector<fs::path> scenesOf(const GalleryArguments& arguments, const std::vector<std::string>& found) {
-    const fs::path site = whole(arguments.made.site);
+    const fs::path site = wholePath(arguments.made.site);
     std::vector<fs::path> scenes;
     for (const std::string& each : found) {
-        const fs::path inside = whole(each).lexically_relative(site);
+        const fs::path inside = wholePath(each).lexically_relative(site);
         if (inside.empty() || *inside.begin() == "..") scenes.emplace_back(each);
     }
     return scenes;
@@ -66,12 +44,20 @@ int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
     if (const std::string why = gallery::whyNoSite(arguments.made.site); !why.empty())
         return refuse(fmt::format("-o {}: {}", arguments.made.site, why));
     SceneArguments named;
-    if (printErrors(resolveScenes({arguments.folder}, named))) return kSceneIsWrong;
+    if (!arguments.scenes.empty())
+        named.scenes = arguments.scenes;
+    else if (printErrors(resolveScenes({arguments.folder}, named)))
+        return kSceneIsWrong;
+    if (arguments.isLive) {
+        Result<std::string> runtime = page::packedRuntime();
+        if (printErrors(runtime.diagnostics)) return kSceneIsWrong;
+        plan.live = {arguments.page, std::move(*runtime)};
+    }
     plan.folder = arguments.folder;
     plan.site = arguments.made.site;
     plan.scenes = scenesOf(arguments, named.scenes);
     plan.title =
-        !arguments.title.empty() ? arguments.title : whole(arguments.folder).filename().generic_string();
+        !arguments.title.empty() ? arguments.title : wholePath(arguments.folder).filename().generic_string();
     constexpr int kWidth = 400, kHeight = 300;
     const RenderOptions& picture = arguments.made.picture.options;
     plan.width = picture.width > 0 ? picture.width : kWidth;
@@ -96,7 +82,9 @@ void reportScenes(const gallery::Gallery& made, const fs::path& folder) {
     printLine(gallery::summary(made));
 }
 
-int runGalleryCommand(const GalleryArguments& arguments) {
+}  // namespace
+
+int makeGallery(const GalleryArguments& arguments) {
     if (arguments.made.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!mayWriteSite(arguments.made)) return kSceneIsWrong;
     gallery::GalleryPlan plan;
@@ -140,8 +128,6 @@ int runGalleryCommand(const GalleryArguments& arguments) {
     return std::all_of(all.begin(), all.end(), gallery::isDrawn) ? kDone : kSceneIsWrong;
 }
 
-}  // namespace
-
 void addGallery(CommandLine& program, int& status) {
     auto arguments = std::make_shared<GalleryArguments>();
     CommandLine command = program.subcommand(
@@ -155,11 +141,12 @@ void addGallery(CommandLine& program, int& status) {
     command.option("--title", to.title, "title of the site; by default the folder's name");
     addSiteOptions(command, to.made, "folder for the pages, pictures and films",
                    {"size", "library", "memory"});
+    command.flag("--live", to.isLive, "the scenes run on their pages (see `glibra publish`)");
     for (const char* each : {"--library", "--memory", "--timeout", "--driver", "--untrusted"})
         command.find(each).rare();
     command.onRun([arguments, site = command.find("--output"), &status] {
         arguments->made.siteIsNamed = site.isGiven();
-        status = runGalleryCommand(*arguments);
+        status = makeGallery(*arguments);
     });
 }
 

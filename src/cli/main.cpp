@@ -59,8 +59,8 @@ int run(int argc, char** argv) {
     program.requireSubcommand();
     CommandLine line = program.line();
     int status = kDone;
-    for (auto* add : {addRender, addTest, addReview, addClass, addGallery, addView, addCheck, addFormat,
-                      addCompare, addNoise, addBench, addInfo, addLanguage, addLanguageServer})
+    for (auto* add : {addRender, addTest, addReview, addClass, addGallery, addPublish, addView, addCheck,
+                      addFormat, addCompare, addNoise, addBench, addInfo, addLanguage, addLanguageServer})
         add(line, status);
     addManual(line, program, status);
     addCompletion(line, program, status);

@@ -77,4 +77,20 @@ RenderOptions optionsFor(const std::string& scene, const std::optional<std::stri
     return own;
 }
 
+std::filesystem::path wholePath(const std::filesystem::path& path) {
+    std::error_code failure;
+    const std::filesystem::path found = std::filesystem::weakly_canonical(path, failure);
+    return found.has_filename() || !found.has_relative_path() ? found : found.parent_path();
+}
+
+std::optional<std::filesystem::path> libraryAbove(std::filesystem::path folder) {
+    for (folder = wholePath(folder);; folder = folder.parent_path()) {
+        std::error_code failure;
+        if (std::filesystem::is_directory(folder / "shaders", failure) ||
+            std::filesystem::is_directory(folder / "textures", failure))
+            return folder;
+        if (!folder.has_relative_path()) return std::nullopt;
+    }
+}
+
 }  // namespace glibra::cli

@@ -4,6 +4,7 @@
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,5 +28,12 @@ Diagnostics resolveScenes(const std::vector<std::string>& words, SceneArguments&
 /// The options for one of the scenes: with its text if it comes from standard input.
 RenderOptions optionsFor(const std::string& scene, const std::optional<std::string>& standardInput,
                          const RenderOptions& options);
+
+/// The path without links, "." and "..", and without a slash at its end.
+std::filesystem::path wholePath(const std::filesystem::path& path);
+
+/// The library of a folder of scenes: the nearest folder, from itself upwards, with `shaders` or `textures`, as for a
+/// scene in it. A scene of the folder may read its files although they lie outside of the folder.
+std::optional<std::filesystem::path> libraryAbove(std::filesystem::path folder);
 
 }  // namespace glibra::cli

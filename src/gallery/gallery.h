@@ -51,6 +51,7 @@ struct GalleryScene {
     Diagnostics diagnostics;
     std::string picture, film;            ///< files on the site; empty if there is none
     int width = 0, height = 0;            ///< of the picture
+    bool isLive = false;                  ///< it runs on its page
     std::optional<std::size_t> solution;  ///< of an exercise: the scene that solves it
     std::vector<std::size_t> tasks;       ///< the exercises that it solves
 };

@@ -16,6 +16,7 @@
 #include "embedded/report_page.h"
 #include "glib/number.h"
 #include "glib/text.h"
+#include "page/page.h"
 #include "source/code_html.h"
 #include "suite/report/html_report.h"
 #include "suite/write_below.h"
@@ -30,6 +31,7 @@ using classroom::nameHtml;
 
 constexpr std::size_t kMostMessages = 50;  // of a scene
 constexpr std::size_t kLongestSearch = 4'000;
+constexpr std::string_view kPlainPolicy = "default-src 'none'; img-src 'self' file: data:; style-src 'self' file:";
 
 std::string pageOf(const GalleryScene& scene) {
     return "scenes/" + scene.name + ".html";
@@ -150,29 +152,17 @@ std::string controlsHtml(const Description& about) {
     return html;
 }
 
-/// The comment of the scene, without its ids, a paragraph for each run of lines.
 std::string textHtml(const GalleryScene& scene) {
-    std::string html, paragraph;
-    const auto end = [&] {
-        if (!paragraph.empty()) html += "<p>" + paragraph + "</p>\n";
-        paragraph.clear();
-    };
-    for (const std::string& each : scene.description.head.text) {
-        // The items of a task have a line of their own.
-        const bool isItem = each.size() > 1 && glib::isDigit(each[0]) && each[1] == '.';
-        if (each.empty() || isItem) end();
-        if (!each.empty()) paragraph += (paragraph.empty() ? "" : " ") + escapeXml(printableText(each));
-    }
-    end();
     std::string facts;
     for (const std::string& each : scene.description.head.rows) facts += (facts.empty() ? "" : " ") + each;
     for (const std::string& each : scene.chapters) facts += (facts.empty() ? "" : "; ") + each;
-    if (!facts.empty()) html += "<p><small>" + escapeXml(printableText(facts)) + "</small></p>\n";
-    return html.empty() ? html : "<div class=\"text\">" + html + "</div>";
+    return page::textHtml(scene.description.head, facts);
 }
 
 std::string picturesHtml(const GalleryScene& scene) {
     if (scene.picture.empty()) return {};
+    if (scene.isLive)
+        return page::liveHtml("../live", scene.name + ".js", "../" + scene.picture, scene.width, scene.height);
     std::string html = fmt::format(
         "<div class=\"shown\"><figure><img src=\"../{}\" width=\"{}\" height=\"{}\" alt=\"the "
         "picture\"></figure>",
@@ -261,11 +251,13 @@ std::string scenePage(const Gallery& gallery, std::size_t index) {
         {"headline", nameHtml(path)},
         {"gallery", nameHtml(gallery.title)},
         {"links", linksHtml(gallery, index)},
+        {"policy", std::string(scene.isLive ? page::kSitePolicy : kPlainPolicy)},
         {"pictures", picturesHtml(scene)},
         {"text", textHtml(scene)},
         {"messages", messagesHtml(scene)},
-        {"controls", controlsHtml(scene.description)},
-        {"sources", sourcesHtml(scene.description)},
+        // A live scene has its own.
+        {"controls", scene.isLive ? std::string() : controlsHtml(scene.description)},
+        {"sources", scene.isLive ? std::string() : sourcesHtml(scene.description)},
     };
     return base::filled(gallery_page::scene_html(), slots);
 }

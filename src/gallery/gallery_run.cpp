@@ -16,6 +16,7 @@
 #include "gallery/gallery_page.h"
 #include "image/png/png_reader.h"
 #include "image/png/png_writer.h"
+#include "page/page_scene.h"
 #include "suite/run/run.h"
 #include "suite/write_below.h"
 
@@ -28,13 +29,15 @@ using suite::ShotReference;
 constexpr const char* kMark = ".glibra-gallery";  // a folder with this file is ours to write over
 constexpr const char* kPictures = "pictures";
 constexpr const char* kFilms = "films";
+constexpr const char* kLive = "live";
 constexpr std::uint64_t kLargestFrame = std::uint64_t{1} << 28;
 constexpr std::uint64_t kLargestTable = 1 << 24;
 
 /// Removes what an earlier gallery has written: its pages, pictures and films.
 void removeEarlier(const fs::path& site) {
     for (const char* each : {"index.html", "chapters.html"}) base::removeBeneath(site, each);
-    for (const auto& [folder, ending] : {std::pair{"scenes", ".html"}, {kPictures, ".png"}, {kFilms, ".png"}})
+    for (const auto& [folder, ending] :
+         {std::pair{"scenes", ".html"}, {"scenes", ".js"}, {kPictures, ".png"}, {kFilms, ".png"}})
         // A file that stays does no harm: the pages name only those that were drawn.
         for (const fs::directory_entry& each : base::entriesOf(site / folder))
             if (each.path().extension() == ending)
@@ -79,6 +82,7 @@ class GalleryRun {
             if (const auto found = chapters.find(each.path); found != chapters.end())
                 each.chapters = source::chaptersIn(found->second);
         drawPictures();
+        if (plan_.live && !end_.stopped && !end_.noDriver) makeLive();
         if (!end_.stopped && !end_.noDriver) drawFilms();
         for (const std::string& each : frames_)
             base::removeBeneath(plan_.site, fs::path(kPictures) / (each + ".png"));
@@ -185,12 +189,44 @@ class GalleryRun {
         });
     }
 
+    /// Writes the runtime, and for each scene that browsers can draw what it is made of.
+    void makeLive() {
+        const auto write = [&](const std::string& name, const std::string& text) {
+            Diagnostics problems = suite::writeBelow(plan_.site, name, std::as_bytes(std::span(text)));
+            const bool isWritten = problems.empty();
+            append(end_.diagnostics, std::move(problems));
+            return isWritten;
+        };
+        for (const page::SiteFile& each : page::runtimeFiles(plan_.live->runtime))
+            if (!write(fmt::format("{}/{}", kLive, each.name), each.content)) return;
+        std::vector<page::PageTask> tasks;
+        std::vector<std::size_t> scenes;  // of the tasks
+        for (std::size_t i = 0; i < plan_.scenes.size(); ++i)
+            if (isDrawn(end_.gallery.scenes[i])) {
+                tasks.push_back({plan_.scenes[i], confined(), false});
+                scenes.push_back(i);
+            }
+        page::makePages(tasks, workers_.driver,
+                        suite::checkingOptions(workers_, tasks.size(), events_.stop),
+                        [&](std::size_t task, const base::Outcome& outcome, std::optional<page::PageScene> made) {
+                            if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
+                            GalleryScene& scene = end_.gallery.scenes[scenes[task]];
+                            if (!made) return;
+                            if (made->isLive)
+                                scene.isLive = write(fmt::format("scenes/{}.js", scene.name),
+                                                     page::sceneScript(*made, plan_.live->page));
+                            else
+                                append(scene.diagnostics, std::move(made->diagnostics));
+                        });
+        end_.stopped = end_.stopped || (events_.stop && events_.stop());
+    }
+
     void drawFilms() {
         suite_.shots.clear();
         std::vector<std::size_t> scenes;  // of the shots
         for (std::size_t i = 0; i < plan_.scenes.size(); ++i) {
             const GalleryScene& scene = end_.gallery.scenes[i];
-            if (!scene.description.mayMove || !isDrawn(scene)) continue;
+            if (!scene.description.mayMove || !isDrawn(scene) || scene.isLive) continue;
             for (int frame = 0; frame < kFilmFrames; ++frame) {
                 addShot(i, frameName(scene.name, frame), plan_.width / 2, plan_.height / 2,
                         frame / kFilmRate);

@@ -7,10 +7,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gallery/gallery.h"
+#include "page/page.h"
 #include "suite/run/run_options.h"
 
 namespace glibra::gallery {
@@ -22,6 +24,11 @@ struct GalleryPlan {
     std::filesystem::path site;
     int width = 0, height = 0;  ///< pictures keep the shape of their windows and fit into this
     std::vector<std::filesystem::path> libraryRoots;
+    struct Live {
+        page::PageOptions page;
+        std::string runtime;  ///< page::packedRuntime()
+    };
+    std::optional<Live> live{};  ///< scenes that browsers can draw run on their pages, and have no films
 };
 
 struct GalleryEvents {

@@ -29,23 +29,6 @@ Diagnostics writePng(const Image& image, const fs::path& path, const PngOptions&
     return writeFileAtomically(path, png, named);
 }
 
-/// A PFM file: colours without alpha as little-endian floats, from the bottom row to the top one (P. Debevec,
-/// "PFM Portable FloatMap Image Format"). OpenImageIO reads it, but writes it from version 2.5 on only.
-Diagnostics writePfm(const Image& image, const fs::path& path, NamedBy named) {
-    static_assert(std::endian::native == std::endian::little);
-    const Image colors = withComponents(withType(image, Component::f32), 3);
-    const std::string header = fmt::format("PF\n{} {}\n-1.0\n", colors.width, colors.height);
-    const auto head = std::as_bytes(std::span(header));
-    std::vector<std::byte> file(head.begin(), head.end());
-    file.reserve(head.size() + colors.data.size());
-    const std::size_t row = 3 * sizeof(float) * static_cast<std::size_t>(colors.width);
-    for (std::size_t y = static_cast<std::size_t>(colors.height); y-- > 0;) {
-        const auto first = colors.data.begin() + static_cast<std::ptrdiff_t>(y * row);
-        file.insert(file.end(), first, first + static_cast<std::ptrdiff_t>(row));
-    }
-    return writeFileAtomically(path, file, named);
-}
-
 /// file-E10 if a side of the picture is longer than the format permits.
 Diagnostics tooLongFor(std::string_view format, int largestSide, const Image& image, const fs::path& path) {
     if (std::max(image.width, image.height) <= largestSide) return {};
@@ -81,7 +64,8 @@ Diagnostics remarksOn(const Image& image, Format format, const fs::path& path) {
 
 Diagnostics writeAs(const Image& image, Format format, const fs::path& path, const WriteOptions& options) {
     if (format == Format::png) return writePng(image, path, options.png, options.named);
-    if (format == Format::pfm) return writePfm(image, path, options.named);
+    // OpenImageIO reads PFM, but writes it from version 2.5 on only.
+    if (format == Format::pfm) return writeFileAtomically(path, encodePfm(image), options.named);
     if (format == Format::gif) return writeGif(image, path, options.named);
     if (format == Format::sgi) {
         constexpr int kLargestSgiSide = 65'535;
@@ -93,6 +77,21 @@ Diagnostics writeAs(const Image& image, Format format, const fs::path& path, con
 }
 
 }  // namespace
+
+std::vector<std::byte> encodePfm(const Image& image) {
+    static_assert(std::endian::native == std::endian::little);
+    const Image colors = withComponents(withType(image, Component::f32), 3);
+    const std::string header = fmt::format("PF\n{} {}\n-1.0\n", colors.width, colors.height);
+    const auto head = std::as_bytes(std::span(header));
+    std::vector<std::byte> file(head.begin(), head.end());
+    file.reserve(head.size() + colors.data.size());
+    const std::size_t row = 3 * sizeof(float) * static_cast<std::size_t>(colors.width);
+    for (std::size_t y = static_cast<std::size_t>(colors.height); y-- > 0;) {
+        const auto first = colors.data.begin() + static_cast<std::ptrdiff_t>(y * row);
+        file.insert(file.end(), first, first + static_cast<std::ptrdiff_t>(row));
+    }
+    return file;
+}
 
 Diagnostics writeImage(const Image& image, const fs::path& path, const WriteOptions& options) {
     if (!isConsistent(image)) return {cannotWrite(path, "the picture has no pixels")};

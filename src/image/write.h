@@ -3,6 +3,7 @@
 
 #include <glibra/result.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ inline WriteOptions writtenAs(NamedBy named) {
     options.named = named;
     return options;
 }
+
+/// A PFM file: colours without alpha as little-endian floats, from the bottom row to the top one (P. Debevec,
+/// "PFM Portable FloatMap Image Format").
+std::vector<std::byte> encodePfm(const Image& image);
 
 /// Writes .png with png_writer (float pictures as 16 bits, limited to 0..1), .pfm as floats without alpha,
 /// .gif with its writer, and every other suffix with the image module: .jpg, .bmp, .tif, .exr, .hdr, .tga,

@@ -9,7 +9,7 @@ glibra_quick_to_compile(glibra_cli -Og)
 # Programs that glibra starts, glibra-view and glibra-bench, are installed in GLIBRA_PROGRAMS_DIR.
 target_compile_definitions(glibra_cli PUBLIC GLIBRA_VERSION="${PROJECT_VERSION}"
                                       PRIVATE GLIBRA_PROGRAMS_DIR="${CMAKE_INSTALL_LIBDIR}/glibra")
-target_link_libraries(glibra_cli PUBLIC glibra_editor glibra_gallery glibra_classroom glibra_suite glibra_render PRIVATE glibra_expression CLI11::CLI11)
+target_link_libraries(glibra_cli PUBLIC glibra_editor glibra_gallery glibra_page glibra_classroom glibra_suite glibra_render PRIVATE glibra_expression CLI11::CLI11)
 glibra_precompile(glibra_cli ${GLIBRA_QUICK_OWNER})
 
 add_executable(glibra_program ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)

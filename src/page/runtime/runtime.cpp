@@ -13,11 +13,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/text.h"
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
+#include "render/draw/view_matrices.h"
 #include "render/live/live_scene.h"
 #include "render/load/device_textures.h"
 #include "source/code_html.h"
@@ -43,6 +45,7 @@ struct Shown {
     double mouseX = 0, mouseY = 0;
     bool isMouseDown = false, isWireframe = false;
     std::string answer;
+    Json around;  ///< surroundings() of the last frame
 };
 
 Shown& shown() {
@@ -186,6 +189,9 @@ void describe(Json& json) {
     json["animated"] = page.live->isAnimated();
     json["readsMouse"] = page.live->readsMouse();
     json["hasSteps"] = !scene.steps.empty();
+    double rate = 0;
+    for (const auto& each : scene.steps) rate = std::max(rate, each.rate);
+    json["stepRate"] = rate;
     json["files"] = filesOf(*page.live);
     json["missing"] = namesOf(page.live->missingFiles(), [](const fs::path& each) { return nameOf(each); });
     json["camera"] = page.camera;
@@ -354,7 +360,27 @@ void showTarget() {
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-bool draw(const Json& frame) {
+/// What a drag of the mouse is computed with: the view of the camera without the transforms of the page, and its
+/// projection. Null if the page's view moves nothing.
+Json surroundings(const ViewState& view, double aspect) {
+    const render::LiveScene& live = *shown().live;
+    const scene::NodeList& frame = live.scene().frame;
+    const scene::Draw* last = nullptr;
+    for (const scene::Pass& pass : frame.passes) {
+        if (!render::isMoved(frame, pass)) continue;
+        for (const auto& step : pass.steps)
+            if (const auto* each = std::get_if<scene::Draw>(&step))
+                if (!std::holds_alternative<scene::ClipSpace>(*each->projection)) last = each;
+    }
+    if (last == nullptr) return nullptr;
+    ViewState without;
+    without.projection = view.projection;
+    const render::ViewMatrices matrices(without, live.scene().view, live.eyeDistance());
+    return {{"before", render::asNumbers(matrices.worldView())},
+            {"projection", render::asNumbers(matrices.projection(*last->projection, aspect))}};
+}
+
+bool draw(const Json& frame, Json& answer) {
     Shown& page = shown();
     if (!makeTarget(frame.value("width", page.live->scene().width),
                     frame.value("height", page.live->scene().height), frame.value("samples", 1)))
@@ -368,9 +394,11 @@ bool draw(const Json& frame) {
     if (const bool wanted = frame.value("wireframe", false);
         std::exchange(page.isWireframe, wanted) != wanted)
         page.live->drawer().setWireframe(wanted);
-    note(page.live->draw(*page.target, viewOf(frame.value("view", Json::object())), frame.value("time", 0.0),
-                         frame.value("axes", false)));
+    const ViewState view = viewOf(frame.value("view", Json::object()));
+    note(page.live->draw(*page.target, view, frame.value("time", 0.0), frame.value("axes", false)));
     showTarget();
+    Json around = surroundings(view, static_cast<double>(page.target->width()) / page.target->height());
+    if (around != page.around) answer["around"] = page.around = std::move(around);
     return true;
 }
 
@@ -425,7 +453,8 @@ const char* glibra_set(char* change, std::size_t bytes) {
 
 const char* glibra_draw(char* frame, std::size_t bytes) {
     const Json asked = Json::parse(take(frame, bytes), nullptr, false);
-    Json json{{"drawn", shown().live && asked.is_object() && draw(asked)}};
+    Json json{{"drawn", false}};
+    json["drawn"] = shown().live && asked.is_object() && draw(asked, json);
     addMessages(json);
     json["animated"] = shown().live && shown().live->isAnimated();
     return answer(json);

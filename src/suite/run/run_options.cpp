@@ -103,4 +103,15 @@ base::WorkerOptions readingOptions(const SiteWorkers& workers, std::size_t piece
             .sandbox = workers.reading};
 }
 
+base::WorkerOptions checkingOptions(const SiteWorkers& workers, std::size_t pieces,
+                                    const std::function<bool()>& stop) {
+    const int jobs = drawingJobs(workers.jobs, workers.driver, pieces);
+    return {.workers = jobs,
+            .timeout = workers.timeout,
+            .memory = workers.memory.value_or(base::memoryShare(jobs, pieces)),
+            .stop = stop,
+            .sharesDevice = gpu::mayUseHardware(workers.driver),
+            .sandbox = workers.drawing};
+}
+
 }  // namespace glibra::suite

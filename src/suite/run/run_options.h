@@ -110,6 +110,9 @@ struct SiteWorkers {
 
 /// For runShots(): the pictures are drawn into that folder, and not compared.
 RunOptions drawingOptions(const SiteWorkers& workers, const std::filesystem::path& folder);
+/// For base::runInWorkers(): so many pieces of work that compile shaders or draw.
+base::WorkerOptions checkingOptions(const SiteWorkers& workers, std::size_t pieces,
+                                    const std::function<bool()>& stop);
 /// For base::runInWorkers(): so many pieces of work without a context.
 base::WorkerOptions readingOptions(const SiteWorkers& workers, std::size_t pieces,
                                    const std::function<bool()>& stop);

@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/memory_limit.h"
+#include "base/text.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/gallery_arguments.h"
+#include "cli/render_answer.h"
+#include "cli/scene_arguments.h"
+#include "cli/untrusted.h"
+#include "cli/written_files.h"
+#include "gpu/context/hardware.h"
+#include "image/file.h"
+#include "page/page.h"
+#include "suite/run/run_options.h"
+#include "system/interruption.h"
+
+namespace glibra::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PublishArguments : GalleryArguments {
+    std::vector<std::string> named;
+};
+
+fs::path sceneFolder(const fs::path& scene) {
+    return scene.has_parent_path() ? scene.parent_path() : fs::path(".");
+}
+
+/// The folder that all of the scenes are in.
+fs::path commonFolder(const std::vector<std::string>& scenes) {
+    fs::path common = wholePath(sceneFolder(scenes.front()));
+    for (const std::string& each : scenes) {
+        const fs::path place = wholePath(each);
+        while (std::ranges::mismatch(common, place).in1 != common.end()) common = common.parent_path();
+    }
+    return common;
+}
+
+page::PageTask taskOf(const std::string& scene, const RenderOptions& picture) {
+    page::PageTask task{scene, picture};
+    task.options.within = sceneFolder(scene);
+    for (fs::path& each : libraryRoots()) task.options.libraryRoots.push_back(std::move(each));
+    if (std::optional<fs::path> library = libraryAbove(task.options.within))
+        task.options.libraryRoots.push_back(std::move(*library));
+    return task;
+}
+
+/// The answer of the worker, or what stands for one.
+page::PageScene pageFrom(const std::string& scene, const SiteOptions& options, const base::Outcome& outcome,
+                     std::optional<page::PageScene> answer) {
+    if (answer) return std::move(*answer);
+    suite::Shot shot = options.picture;
+    shot.timeout = options.timeout;
+    page::PageScene none;
+    none.diagnostics = answerOf(outcome, scene, shot, {"drew", "drawn"}).remarks.general;
+    return none;
+}
+
+Diagnostics writePage(const page::PageScene& scene, const PublishArguments& arguments, const fs::path& file,
+                      image::NamedBy named, const std::string& runtime) {
+    ReadFiles read;
+    for (const fs::path& each : scene.read) read.add(each, "the scene reads it");
+    if (Diagnostics refused = read.overwrittenBy(file, "-o"); !refused.empty()) return refused;
+    const fs::path stem = fs::path(arguments.named.front()).stem();
+    const std::string page = page::wholePage(
+        scene, arguments.page, arguments.title.empty() ? stem.generic_string() : arguments.title, runtime);
+    return image::writeFileAtomically(file, std::as_bytes(std::span(page)), named);
+}
+
+/// One scene, one page. Returns the exit status.
+int publishScene(const PublishArguments& arguments, const fs::path& file, image::NamedBy named) {
+    const std::string& scene = arguments.named.front();
+    const Result<std::string> runtime = page::packedRuntime();
+    if (printErrors(runtime.diagnostics)) return kSceneIsWrong;
+    const page::PageTask task = taskOf(scene, arguments.made.picture.options);
+    std::optional<system::Sandbox> sandbox;
+    if (arguments.made.untrusted) {
+        if (!prepareUntrusted()) return kNoDriver;
+        sandbox = sandboxOf({scene}, task.options, arguments.made.driver);
+        sandbox->readable.emplace_back(task.options.within);
+    }
+    const system::Interruption interruption;
+    page::PageScene page;
+    page::makePages({&task, 1}, arguments.made.driver,
+                    {.timeout = arguments.made.timeout,
+                     .memory = arguments.made.picture.memory.value_or(base::memoryShare(1, 1)),
+                     .stop = [&] { return interruption.signal() != 0; },
+                     .sharesDevice = gpu::mayUseHardware(arguments.made.driver),
+                     .sandbox = sandbox ? &*sandbox : nullptr},
+                    [&](std::size_t, const base::Outcome& outcome, std::optional<page::PageScene> answer) {
+                        page = pageFrom(scene, arguments.made, outcome, std::move(answer));
+                    });
+    interruption.obey();
+    print(page.diagnostics);
+    if (page.noDriver) return kNoDriver;
+    const bool isWrong = hasError(page.diagnostics);
+    if (page.picture.empty()) return kSceneIsWrong;
+    if (printErrors(writePage(page, arguments, file, named, *runtime))) return kSceneIsWrong;
+    printLine(fmt::format("page: {}{}", file.generic_string(),
+                          page.isLive ? "" : " (a picture, because browsers cannot draw the scene)"));
+    return isWrong ? kSceneIsWrong : kDone;
+}
+
+int runPublishCommand(PublishArguments& arguments) {
+    SceneArguments named;
+    if (std::ranges::find(arguments.named, "-") != arguments.named.end())
+        return refuse("a page is made of a scene with its files; name a scene (.glib), not standard input");
+    if (printErrors(resolveScenes(arguments.named, named))) return kSceneIsWrong;
+    RenderOptions& picture = arguments.made.picture.options;
+    if (!acceptsSet(picture.set)) return kWrongUsage;
+    const std::string& output = arguments.made.site;
+    arguments.page.width = picture.width;
+    arguments.page.height = picture.height;
+    if (named.hasFolder || named.scenes.size() > 1) {
+        if (!picture.set.empty() || picture.time != 0)
+            return refuse("--set and --time are for the page of one scene");
+        if (!arguments.made.siteIsNamed) return refuse("name the folder of the site with -o");
+        const bool isOneFolder = arguments.named.size() == 1;
+        arguments.folder = isOneFolder ? arguments.named.front() : commonFolder(named.scenes).generic_string();
+        if (!isOneFolder)
+            for (const std::string& each : named.scenes) arguments.scenes.push_back(wholePath(each).generic_string());
+        arguments.isLive = true;
+        return makeGallery(arguments);
+    }
+    arguments.page.set = picture.set;
+    arguments.page.time = picture.time;
+    std::error_code failure;
+    const fs::path name = fs::path(arguments.named.front()).filename().replace_extension(".html");
+    const bool intoFolder = output.empty() || output.back() == '/' || fs::is_directory(output, failure);
+    return publishScene(arguments, intoFolder ? output / name : fs::path(output),
+                        intoFolder ? image::NamedBy::program : image::NamedBy::user);
+}
+
+}  // namespace
+
+void addPublish(CommandLine& program, int& status) {
+    auto arguments = std::make_shared<PublishArguments>();
+    CommandLine command = program.subcommand(
+        "publish", "makes a page in which a scene runs live in a browser, or a site of such pages",
+        "glibra publish teapot.glib                        # teapot.html: one file, for any browser\n"
+        "glibra publish teapot.glib -o site/teapot.html --poster --set uKd=.8\n"
+        "glibra publish scenes/ -o site/                   # site/index.html; the pages share one runtime");
+    PublishArguments& to = *arguments;
+    to.made.site.clear();
+    command.list("SCENE", to.named, "scene files (.glib) or folders of them").required();
+    addSiteOptions(command, to.made, "file of the page, or folder of the site for several scenes",
+                   {"size", "time", "set", "library", "memory"});
+    command.option("--title", to.title, "heading of the page or site; by default its name");
+    command.flag("--embed", to.page.isEmbedded, "nothing but the scene and its controls, for a frame of another page");
+    command.flag("--poster", to.page.hasPoster, "the picture stands there until it is clicked");
+    for (const char* each : {"--library", "--memory", "--timeout", "--driver", "--jobs", "--untrusted"})
+        command.find(each).rare();
+    command.onRun([arguments, site = command.find("--output"), &status] {
+        arguments->made.siteIsNamed = site.isGiven();
+        status = runPublishCommand(*arguments);
+    });
+}
+
+}  // namespace glibra::cli

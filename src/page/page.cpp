@@ -1,0 +1,192 @@
+#include "page/page.h"
+
+#include <fmt/format.h>
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "base/page_template.h"
+#include "base/text.h"
+#include "base/utf8.h"
+#include "embedded/live_page.h"
+#include "glib/text.h"
+#include "image/file.h"
+#include "page/sha256.h"
+#include "plan/overrides.h"
+#include "suite/report/packed_pixels.h"
+#include "system/places.h"
+
+namespace glibra::page {
+namespace {
+
+namespace fs = std::filesystem;
+using base::escapeXml;
+using base::printableText;
+using Json = nlohmann::json;
+
+struct FreeCompressor {
+    void operator()(libdeflate_compressor* each) const { libdeflate_free_compressor(each); }
+};
+
+std::span<const std::byte> bytesOf(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+/// 'sha256-...', as a Content-Security-Policy names a text of the page.
+std::string hashOf(std::string_view text) {
+    return fmt::format("'sha256-{}'", suite::base64(sha256(bytesOf(text))));
+}
+
+/// JSON in ASCII without what ends or begins an element of HTML.
+std::string scriptText(const Json& json) {
+    std::string text;
+    for (const char each : json.dump(-1, ' ', true, Json::error_handler_t::replace))
+        if (each == '<' || each == '>' || each == '&')
+            text += fmt::format("\\u{:04x}", static_cast<unsigned>(each));
+        else
+            text += each;
+    return text;
+}
+
+std::string dataOf(const PageScene& scene, const PageOptions& options) {
+    Json files = Json::array(), set = Json::array();
+    std::string content;
+    for (const PageFile& each : scene.files) {
+        files.push_back({{"name", each.name}, {"bytes", each.content.size()}, {"converted", each.isConverted}});
+        content += each.content;
+    }
+    for (const std::string& each : options.set)
+        if (const Result<plan::Override> value = plan::parseOverride(each))
+            set.push_back({{"program", value->program},
+                           {"name", value->name},
+                           {"values", value->values},
+                           {"word", value->word}});
+    return scriptText({{"scene", scene.name},
+                       {"files", std::move(files)},
+                       {"content", packed(bytesOf(content))},
+                       {"set", std::move(set)},
+                       {"time", options.time},
+                       {"width", options.width},
+                       {"height", options.height},
+                       {"embed", options.isEmbedded},
+                       {"poster", options.hasPoster}});
+}
+
+std::string posterHtml(std::string_view source, int width, int height) {
+    return fmt::format("<img class=\"poster\" src=\"{}\" width=\"{}\" height=\"{}\" alt=\"the picture\">",
+                       escapeXml(source), width, height);
+}
+
+constexpr const char* kPlainPolicy = "default-src 'none'; img-src data:; style-src {}; base-uri 'none'; form-action 'none'";
+constexpr const char* kLivePolicy =
+    "default-src 'none'; img-src data: blob:; style-src {}; script-src {} 'wasm-unsafe-eval'; base-uri 'none'; "
+    "form-action 'none'";
+
+/// Why a scene is a picture.
+std::string whyNotLive(const PageScene& scene) {
+    for (const Diagnostic& each : scene.diagnostics)
+        if (each.severity == Severity::error) return toString(each);
+    return "it cannot be drawn";
+}
+
+}  // namespace
+
+std::string packed(std::span<const std::byte> bytes) {
+    constexpr int kSmallest = 12;
+    const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(kSmallest));
+    std::vector<std::byte> file(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()));
+    file.resize(libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(), file.data(), file.size()));
+    return suite::base64(file);
+}
+
+Result<std::string> packedRuntime(const std::vector<fs::path>& folders) {
+    std::vector<fs::path> places = folders;
+    const fs::path program = system::programFile().parent_path();
+    std::error_code failure;
+    if (fs::exists(program / "CMakeCache.txt", failure)) places.push_back(program.parent_path() / "web");
+    for (const fs::path& each : places) {
+        const fs::path file = each / "glibra.wasm";
+        if (!fs::is_regular_file(file, failure)) continue;
+        Result<std::vector<std::byte>> bytes = image::readFile(file, {file.generic_string(), {}});
+        if (!bytes) return std::move(bytes.diagnostics);
+        return packed(*bytes);
+    }
+    return diagnose("page-E01",
+                    "the runtime of live pages, glibra.wasm, is not installed; install the package glibra-web, or "
+                    "build it: tools/web/setup.sh");
+}
+
+std::string wholePage(const PageScene& scene, const PageOptions& options, const std::string& title,
+                      std::string_view runtime) {
+    const std::string_view style = live_page::live_css(), script = live_page::live_js();
+    const std::string picture =
+        scene.picture.empty()
+            ? std::string()
+            : posterHtml("data:image/png;base64," + suite::base64(bytesOf(scene.picture)), scene.width, scene.height);
+    std::string content = fmt::format("<div class=\"live\">{}</div>", picture), scripts;
+    if (scene.isLive) {
+        content += "<noscript><p class=\"remark\">With JavaScript the scene moves.</p></noscript>";
+        scripts = fmt::format(
+            "<script type=\"application/json\" id=\"glibra-scene\">{}</script>\n"
+            "<script type=\"text/plain\" id=\"glibra-runtime\">{}</script>\n<script>{}</script>",
+            dataOf(scene, options), runtime, script);
+    } else {
+        content += "<p class=\"remark\">This is a picture, because browsers cannot draw the scene: " +
+                   escapeXml(printableText(whyNotLive(scene))) + "</p>";
+    }
+    std::string facts;
+    for (const std::string& each : scene.head.rows) facts += (facts.empty() ? "" : " ") + each;
+    const base::Slot slots[] = {
+        {"policy", scene.isLive ? fmt::format(kLivePolicy, hashOf(style), hashOf(script))
+                                : fmt::format(kPlainPolicy, hashOf(style))},
+        {"title", escapeXml(printableText(title))},
+        {"style", std::string(style)},
+        {"kind", options.isEmbedded ? "page embedded" : "page"},
+        {"content", std::move(content)},
+        {"text", options.isEmbedded ? std::string() : textHtml(scene.head, facts)},
+        {"scripts", std::move(scripts)},
+    };
+    return base::filled(live_page::page_html(), slots);
+}
+
+std::vector<SiteFile> runtimeFiles(std::string_view runtime) {
+    return {{"live.css", std::string(live_page::live_css())},
+            {"live.js", std::string(live_page::live_js())},
+            {"runtime.js", fmt::format("globalThis.glibraRuntime = \"{}\";\n", runtime)}};
+}
+
+std::string sceneScript(const PageScene& scene, const PageOptions& options) {
+    return fmt::format("globalThis.glibraScene = {};\n", dataOf(scene, options));
+}
+
+std::string liveHtml(std::string_view folder, std::string_view script, std::string_view picture, int width,
+                     int height) {
+    std::string html = fmt::format("<link rel=\"stylesheet\" href=\"{0}/live.css\"><div class=\"live\">{1}</div>\n", folder,
+                                   posterHtml(picture, width, height));
+    for (const std::string& each : {std::string(script), fmt::format("{}/runtime.js", folder), fmt::format("{}/live.js", folder)})
+        html += fmt::format("<script src=\"{}\" defer></script>\n", escapeXml(each));
+    return html;
+}
+
+std::string textHtml(const source::SceneHead& head, std::string_view facts) {
+    std::string html, paragraph;
+    const auto end = [&] {
+        if (!paragraph.empty()) html += "<p>" + paragraph + "</p>\n";
+        paragraph.clear();
+    };
+    for (const std::string& each : head.text) {
+        // The items of a task have a line of their own.
+        const bool isItem = each.size() > 1 && glib::isDigit(each[0]) && each[1] == '.';
+        if (each.empty() || isItem) end();
+        if (!each.empty()) paragraph += (paragraph.empty() ? "" : " ") + escapeXml(printableText(each));
+    }
+    end();
+    if (!facts.empty()) html += "<p><small>" + escapeXml(printableText(facts)) + "</small></p>\n";
+    return html.empty() ? html : "<div class=\"text\">" + html + "</div>";
+}
+
+}  // namespace glibra::page

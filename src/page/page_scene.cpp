@@ -1,0 +1,278 @@
+#include "page/page_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "base/device_lost.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "image/convert.h"
+#include "image/png/png_writer.h"
+#include "image/read.h"
+#include "image/write.h"
+#include "render/check/scene_check.h"
+#include "render/file/scene_inputs.h"
+#include "render/scene_renderer.h"
+#include "scene/file_lookup.h"
+#include "suite/run/run_options.h"
+
+namespace glibra::page {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr int kSmallest = 9;  // the level of PngOptions for what is written once and loaded often
+
+fs::path whole(const fs::path& path) {
+    std::error_code failure;
+    return fs::absolute(path, failure).lexically_normal();
+}
+
+/// The path from the folder; nothing if it leads outside.
+std::optional<fs::path> below(const fs::path& folder, const fs::path& file) {
+    const fs::path inside = file.lexically_relative(folder);
+    if (inside.empty() || *inside.begin() == "..") return std::nullopt;
+    return inside;
+}
+
+/// Gives files their names on the page.
+class Names {
+  public:
+    explicit Names(const PageTask& task) : roots_(task.options.libraryRoots) {
+        const fs::path folder = whole(task.scene).parent_path();
+        top_ = folder.has_filename() ? folder.parent_path() : folder;
+        for (fs::path each = folder; each.has_relative_path(); each = each.parent_path()) {
+            std::error_code failure;
+            if (!fs::is_directory(each / "shaders", failure) && !fs::is_directory(each / "textures", failure)) continue;
+            top_ = each;
+            break;
+        }
+        for (fs::path& each : roots_) each = whole(each);
+    }
+
+    [[nodiscard]] std::string of(const fs::path& path) const {
+        const fs::path file = whole(path);
+        if (const auto inside = below(top_, file)) return inside->generic_string();
+        for (const fs::path& root : roots_)
+            if (const auto inside = below(root, file)) return inside->generic_string();
+        return file.filename().generic_string();
+    }
+
+  private:
+    std::vector<fs::path> roots_;
+    fs::path top_;  ///< that names are relative to
+};
+
+bool needsModule(image::Format format) {
+    using image::Format;
+    constexpr std::array kForeign{Format::jpeg, Format::tiff,      Format::openExr, Format::gif, Format::webp,
+                                  Format::photoshop, Format::sgi, Format::icon,    Format::heif};
+    return std::ranges::find(kForeign, format) != kForeign.end();
+}
+
+/// A picture as PNG, or as PFM if it has floats.
+std::string converted(image::Image picture) {
+    if (picture.components == 4 && !image::isTransparent(picture)) picture = image::withComponents(picture, 3);
+    image::PngOptions smallest;
+    smallest.level = kSmallest;
+    const std::vector<std::byte> file = picture.type == image::Component::f32
+                                            ? image::encodePfm(picture)
+                                            : image::encodePng(picture, smallest);
+    return std::string(base::asText(file));
+}
+
+void addUnknown(Diagnostics& all, Diagnostics more) {
+    for (Diagnostic& each : more)
+        if (std::ranges::none_of(all, [&](const Diagnostic& known) {
+                return known.place == each.place && known.text == each.text;
+            }))
+            all.push_back(std::move(each));
+}
+
+/// The picture as a PNG file, or an empty text.
+std::string drawn(gpu::Context& context, const PageTask& task, render::SharedParts* shared, PageScene& page) {
+    render::Stats stats;
+    Result<render::SceneRenderer> renderer =
+        render::SceneRenderer::load(context, task.scene, task.options, stats, shared);
+    addUnknown(page.diagnostics, std::move(renderer.diagnostics));
+    if (!renderer) return {};
+    Result<image::Image> picture = renderer->draw(task.options.time, stats);
+    addUnknown(page.diagnostics, std::move(picture.diagnostics));
+    if (!picture) return {};
+    page.width = picture->width;
+    page.height = picture->height;
+    return converted(std::move(*picture));
+}
+
+Json binary(std::string_view text) {
+    return Json::binary({text.begin(), text.end()});
+}
+std::string textOf(const Json& json) {
+    const auto& bytes = json.get_binary();
+    return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+std::vector<PageFile> filesOf(const PageTask& task, std::vector<fs::path>& read, Diagnostics& problems) {
+    const Place place{task.scene.generic_string(), 1, 1};
+    const scene::InterpretOptions options{task.options.libraryRoots, task.options.within};
+    base::Roots readable = scene::shownRoots(scene::searchFolders(task.scene, options));
+    readable.add(task.options.within);
+    const Names names(task);
+    std::map<std::string, PageFile> files;
+    std::size_t size = 0;
+    for (const fs::path& each : render::filesReadBy(task.scene, task.options).files) {
+        const auto bytes = base::bytesIn(readable.open(each), kLargestScene - size);
+        if (!bytes) {
+            std::error_code failure;
+            const auto length = fs::file_size(each, failure);
+            if (failure) continue;  // the scene reports what is missing
+            if (length > kLargestScene - size) {
+                problems.push_back(diagnose("page-E02",
+                                            fmt::format("the files of the scene have more than {} together",
+                                                        base::readableBytes(kLargestScene)),
+                                            place));
+                return {};
+            }
+            problems.push_back(diagnose(
+                "page-W01", fmt::format("'{}' is not on the page: it is a link, or lies outside", each.generic_string()),
+                place));
+            continue;
+        }
+        PageFile file{names.of(each), std::string(base::asText(*bytes))};
+        if (needsModule(image::formatOf(*bytes))) {
+            Result<image::Image> picture = image::decodeImage(*bytes, each, place);
+            append(problems, std::move(picture.diagnostics));
+            if (picture) file = {file.name, converted(std::move(*picture)), true};
+        }
+        size += bytes->size();
+        read.push_back(each);
+        std::string name = file.name;
+        files.emplace(std::move(name), std::move(file));
+    }
+    std::vector<PageFile> sorted;
+    for (auto& [name, file] : files) sorted.push_back(std::move(file));
+    return sorted;
+}
+
+PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedParts* shared) {
+    PageScene page;
+    page.name = Names(task).of(task.scene);
+    page.files = filesOf(task, page.read, page.diagnostics);
+    const auto text = std::ranges::find(page.files, page.name, &PageFile::name);
+    if (text != page.files.end()) page.head = source::headOf(text->content);
+    RenderOptions checked = task.options;
+    checked.set.clear();  // reported by the picture
+    addUnknown(page.diagnostics, render::checkScene(context, task.scene, checked, shared, true).diagnostics);
+    const bool isWhole = !hasError(page.diagnostics);
+    const auto isOfWeb = [](const Diagnostic& each) {
+        return each.severity != Severity::error || each.id.starts_with("web-");
+    };
+    if (task.draws && std::ranges::all_of(page.diagnostics, isOfWeb))
+        page.picture = drawn(context, task, shared, page);
+    page.isLive = isWhole && (!task.draws || !page.picture.empty());
+    return page;
+}
+
+void makePages(std::span<const PageTask> tasks, Driver driver, const base::WorkerOptions& workers,
+               const std::function<void(std::size_t, const base::Outcome&, std::optional<PageScene>)>& done) {
+    struct Worker {
+        std::optional<gpu::Context> context;  // opened with the first scene
+        render::SharedParts shared;           // after the context, because it must be destroyed first
+    };
+    const auto worker = std::make_shared<Worker>();
+    base::runInWorkers(
+        tasks.size(), workers,
+        [&, worker](std::size_t index, const base::Step&) -> std::string {
+            if (!worker->context) {
+                suite::shareProcessors(workers.workers, tasks.size());
+                Result<gpu::Context> opened = gpu::openContext({.driver = driver});
+                if (!opened) {
+                    PageScene none;
+                    none.diagnostics = std::move(opened.diagnostics);
+                    none.noDriver = true;
+                    return toText(none);
+                }
+                worker->context.emplace(std::move(*opened));
+            }
+            try {
+                return toText(pageScene(*worker->context, tasks[index], &worker->shared));
+            } catch (const base::DeviceLost&) {
+                throw;  // the worker must not be used any more
+            } catch (const std::exception& failure) {
+                PageScene none;
+                none.diagnostics.push_back(
+                    diagnose("draw-E06", failure.what(), {tasks[index].scene.generic_string(), 1, 1}));
+                return toText(none);
+            }
+        },
+        [&](std::size_t index, const base::Outcome& outcome) {
+            const bool isWhole = outcome.end == base::Outcome::End::finished;
+            done(index, outcome, isWhole ? parsePageScene(outcome.answer) : std::nullopt);
+        },
+        [](std::size_t, const std::string&) {});
+}
+
+std::string toText(const PageScene& scene) {
+    Json json = {{"name", binary(scene.name)},
+                 {"rows", scene.head.rows},
+                 {"summary", scene.head.summary},
+                 {"text", scene.head.text},
+                 {"width", scene.width},
+                 {"height", scene.height},
+                 {"picture", binary(scene.picture)},
+                 {"isLive", scene.isLive},
+                 {"noDriver", scene.noDriver},
+                 {"files", Json::array()},
+                 {"read", Json::array()},
+                 {"messages", Json::array()}};
+    for (const PageFile& each : scene.files)
+        json["files"].push_back({binary(each.name), binary(each.content), each.isConverted});
+    for (const fs::path& each : scene.read) json["read"].push_back(binary(each.generic_string()));
+    for (const Diagnostic& each : scene.diagnostics)
+        json["messages"].push_back({static_cast<int>(each.severity), binary(each.id), binary(each.text),
+                                    binary(each.place.file), each.place.line, each.place.column});
+    const std::vector<std::uint8_t> packed = Json::to_cbor(json);
+    return {packed.begin(), packed.end()};
+}
+
+std::optional<PageScene> parsePageScene(std::string_view text) try {
+    const Json json = Json::from_cbor(text.begin(), text.end());
+    PageScene scene;
+    scene.name = textOf(json.at("name"));
+    scene.head.rows = json.at("rows").get<std::vector<std::string>>();
+    scene.head.summary = json.at("summary").get<std::string>();
+    scene.head.text = json.at("text").get<std::vector<std::string>>();
+    scene.width = std::clamp(json.at("width").get<int>(), 0, kLargestPictureSide);
+    scene.height = std::clamp(json.at("height").get<int>(), 0, kLargestPictureSide);
+    scene.picture = textOf(json.at("picture"));
+    scene.isLive = json.at("isLive").get<bool>();
+    scene.noDriver = json.at("noDriver").get<bool>();
+    for (const Json& each : json.at("files"))
+        scene.files.push_back({textOf(each.at(0)), textOf(each.at(1)), each.at(2).get<bool>()});
+    for (const Json& each : json.at("read")) scene.read.emplace_back(textOf(each));
+    for (const Json& each : json.at("messages")) {
+        const int severity = std::clamp(each.at(0).get<int>(), 0, static_cast<int>(Severity::error));
+        scene.diagnostics.push_back({static_cast<Severity>(severity),
+                                     textOf(each.at(1)),
+                                     textOf(each.at(2)),
+                                     {textOf(each.at(3)), each.at(4).get<int>(), each.at(5).get<int>()}});
+    }
+    return scene;
+} catch (const Json::exception&) {
+    return std::nullopt;
+}
+
+}  // namespace glibra::page

@@ -1,0 +1,364 @@
+// A scene on a page: it draws only while something moves, and only while it can be seen.
+
+/** @typedef {import("./types.js").Scene} Scene */
+/** @typedef {import("./types.js").Opened} Opened */
+/** @typedef {import("./types.js").Answer} Answer */
+/** @typedef {import("./runtime.js").Runtime} Runtime */
+/** @typedef {import("./types.js").Message} Message */
+import { Controls } from "./controls.js";
+import { iconButton, make, unpacked } from "./dom.js";
+import { Editor } from "./editor.js";
+import { Keys } from "./keys.js";
+import { hashOf, restore } from "./link.js";
+import { showMessages, sorted } from "./messages.js";
+import { Clock } from "./time.js";
+import { ViewControl } from "./view.js";
+
+const kGap = 16;  // CSS pixels between the picture and the values
+const kWide = 22 * 16 + 30 * 16;  // CSS pixels that values and sources take beside the picture
+
+/** @typedef {(canvas: HTMLCanvasElement) => Promise<Runtime>} Start */
+
+export class App {
+    /**
+     * @param {HTMLElement} element which holds the picture that stands there first
+     * @param {Scene} data
+     * @param {Start} start
+     */
+    constructor(element, data, start) {
+        this.element = element;
+        this.data = data;
+        this.start = start;
+        this.title = document.title;
+        this.poster = element.querySelector("img");
+        this.canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
+        this.note = make("div", { class: "note", role: "status", hidden: true });
+        /** @type {Runtime | undefined} */
+        this.runtime = undefined;
+        /** @type {Opened | undefined} */
+        this.opened = undefined;
+        /** @type {Map<string, Uint8Array>} */
+        this.files = new Map();
+        this.isStale = true;
+        this.isSeen = true;
+        this.frame = 0;  // that is asked for
+        this.size = { width: 0, height: 0 };  // of the canvas in pixels
+        this.linkTimer = 0;
+        /** @type {Message[]} of the last reading, and of frames since then */
+        this.messages = [];
+        this.clock = new Clock(() => this.change(), () => this.tell({ restart: true }));
+        this.view = new ViewControl(() => this.change(), (change) => this.tell(change));
+        this.panel = make("aside", { class: "panel", "aria-label": "Values", hidden: true });
+        this.controls = new Controls(this.panel, (change) => this.tell(change));
+        this.keys = new Keys(this);
+        this.list = make("ul", { class: "messages", "aria-label": "Messages", "aria-live": "polite", hidden: true });
+        this.editor = new Editor((name, text) => this.edit(name, text), (name, text) => this.runtime?.colour(this.languageOf(name), text) ?? "");
+        this.sourceButton = iconButton("code", "Sources (E)", () => this.showSources(this.editor.element.hidden));
+        this.bar = make("div", { class: "bar", role: "toolbar", "aria-label": "Scene" }, this.clock.element, this.view.element,
+            make("span", { class: "tools" }, iconButton("save", "Save the picture", () => this.hardcopy()),
+                iconButton("link", "Copy a link to what is shown", () => this.copyLink()), this.sourceButton,
+                ...(document.fullscreenEnabled ? [iconButton("screen", "Full screen", () => this.fullScreen())] : [])));
+        this.bar.hidden = true;  // until there is a scene
+        this.stage = make("div", { class: "stage" }, ...(this.poster ? [this.poster] : []), this.note, this.bar, this.keys.element);
+        element.prepend(this.stage);
+        if (data.poster) this.showNote("Start the scene", () => this.run());
+        else this.run();
+    }
+
+    /** Begins, once more after the runtime has ended. */
+    async run() {
+        this.hideNote();
+        try {
+            if (this.files.size === 0) await this.unpack();
+            if (!this.runtime) {
+                this.runtime = await this.start(this.canvas);
+                this.runtime.onrestored = () => this.run();
+                for (const [name, content] of this.files) this.runtime.file(name, content);
+            }
+            const isFirst = this.opened === undefined;
+            if (!(await this.read()) || !this.opened) return;
+            if (isFirst) this.build();
+        } catch (failure) {
+            return this.stop(failure instanceof Error ? failure.message : String(failure));
+        }
+        this.poster?.remove();
+        this.stage.prepend(this.canvas);
+        this.resize();
+        this.change();
+    }
+
+    async unpack() {
+        const bytes = await unpacked(this.data.content);
+        let at = 0;
+        for (const each of this.data.files) {
+            this.files.set(each.name, bytes.slice(at, at + each.bytes));
+            at += each.bytes;
+        }
+    }
+
+    /** What the page has only once: listeners, and what stands beside the picture. */
+    build() {
+        this.bar.hidden = false;
+        this.element.append(this.panel, this.list, this.editor.element);
+        this.showSources(!this.data.embed && this.element.clientWidth > 700);
+        this.listen(this.canvas);
+        this.keys.listen();
+        new IntersectionObserver(([entry]) => this.see(entry.isIntersecting)).observe(this.stage);
+        new ResizeObserver(() => this.resize()).observe(this.element);
+        document.addEventListener("visibilitychange", () => this.change());
+        document.addEventListener("fullscreenchange", () => this.resize());
+        window.addEventListener("hashchange", () => this.restoreLink());
+        this.clock.seconds = this.data.time;
+        for (const each of this.data.set) this.preset(each);
+        this.restoreLink();
+    }
+
+    /** @param {HTMLCanvasElement} canvas */
+    listen(canvas) {
+        this.view.listen(canvas);
+        canvas.addEventListener("webglcontextlost", () => this.showNote("The browser took the graphics away. Continue", () => this.begin()));
+    }
+
+    /** Begins with a new canvas, where the browser does not give the old one its context back. */
+    async begin() {
+        const { hash } = this, canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
+        this.canvas.replaceWith(canvas);
+        this.canvas = canvas;
+        this.listen(canvas);
+        this.runtime = undefined;
+        await this.run();
+        if (this.opened) restore(hash, this.opened.knobs, this.clock, this.view, (change) => this.tell(change));
+    }
+
+    /** @param {string} why nothing more can be drawn */
+    stop(why) {
+        if (this.opened) this.showNote("The scene has stopped. Start it again", () => this.run());
+        else this.showNote(`This is a picture: ${why}`);
+        this.note.title = why;
+    }
+
+    /**
+     * Reads the scene with what the files have now. False if there is nothing to draw.
+     */
+    async read() {
+        /** @type {any} */
+        const answer = await this.runtime?.open(this.data.scene);
+        if (!answer) return false;
+        this.messages = answer.messages ?? [];
+        if (answer.ended || (!answer.drawn && !this.opened)) this.stop(this.messages[0]?.text ?? "");
+        if (answer.drawn) {
+            this.opened = /** @type {Opened} */ (answer);
+            this.clock.last = undefined;
+            this.fill(this.opened);
+        }
+        this.showMessages();
+        return answer.drawn;
+    }
+
+    /** @param {string} name */
+    languageOf(name) {
+        return this.opened?.files.find((each) => each.name === name)?.language === "glib" ? "glib" : "glsl";
+    }
+
+    /** @param {Opened} opened */
+    fill(opened) {
+        this.clock.fill(opened);
+        this.view.fill(opened.cameras, opened.camera);
+        this.controls.fill(opened.knobs, opened.shared ?? []);
+        this.keys.fill(opened.keys);
+        const text = new TextDecoder();
+        this.editor.fill(opened.files.filter((each) => each.language && this.files.has(each.name))
+            .map((each) => ({ name: each.name, text: text.decode(this.files.get(each.name)) })));
+        this.resize();
+    }
+
+    showMessages() {
+        const converted = this.data.files.filter((each) => each.converted).map((each) => each.name.slice(each.name.lastIndexOf("/") + 1));
+        // A picture that the page has in another format than its name says is none of the reader's business.
+        const isOfPage = (/** @type {Message} */ each) => each.id === "file-W03" && converted.some((name) => each.text.includes(name));
+        const messages = sorted(this.messages.filter((each) => !isOfPage(each)));
+        showMessages(this.list, messages, (each) => {
+            this.showSources(true);
+            this.editor.goTo(each);
+        });
+        this.editor.mark(messages);
+    }
+
+    /** @param {Answer | undefined} answer of the runtime */
+    take(answer) {
+        if (!answer || !this.opened) return;
+        if (answer.messages) {
+            this.messages = answer.messages;
+            this.showMessages();
+        }
+        if (answer.ended) return this.stop(this.messages[0]?.text ?? "");
+        for (const { knob, current } of answer.knobs ?? []) this.opened.knobs[knob].current = current;
+        if (answer.knobs) this.controls.refresh();
+        if (answer.around) Object.assign(this.view.around, answer.around);
+        if (answer.camera !== undefined) this.view.camera = answer.camera;
+        if (answer.animated !== undefined && answer.animated !== this.opened.animated) {
+            this.opened.animated = answer.animated;
+            this.clock.fill(this.opened);
+        }
+        if (answer.restart) this.clock.restart();
+    }
+
+    /** @param {object} change as glibra_set() takes it */
+    tell(change) {
+        this.take(this.runtime?.set(change));
+        this.controls.refresh();
+        this.change();
+    }
+
+    /** @param {import("./types.js").Setting} setting of the command that made the page */
+    preset(setting) {
+        this.opened?.knobs.forEach((knob, index) => {
+            if (knob.name !== setting.name || (setting.program && setting.program !== knob.owner)) return;
+            const values = setting.word ? [knob.words?.indexOf(setting.word) ?? -1] : setting.values;
+            if (values.length === knob.current.length && !(setting.word && values[0] < 0)) this.tell({ knob: index, values });
+        });
+    }
+
+    /**
+     * @param {string} name
+     * @param {string} text
+     */
+    async edit(name, text) {
+        const content = new TextEncoder().encode(text);
+        this.files.set(name, content);
+        this.runtime?.file(name, content);
+        if (await this.read()) this.change();
+    }
+
+    /** Something has changed, or begins to move: a frame is drawn. */
+    change() {
+        this.isStale = true;
+        this.clock.show();
+        this.view.show();
+        this.ask();
+        clearTimeout(this.linkTimer);
+        this.linkTimer = setTimeout(() => this.writeLink(), 300);
+    }
+
+    get isMoving() {
+        return this.keys.isHeld || (this.clock.isPlaying && !this.clock.element.hidden);
+    }
+
+    /** Asks the browser for a frame if there is something to draw. */
+    ask() {
+        if (this.frame || !this.runtime?.calls || !this.isSeen || document.hidden || (!this.isStale && !this.isMoving)) return;
+        this.frame = requestAnimationFrame((time) => this.draw(time));
+    }
+
+    /** @param {boolean} isSeen */
+    see(isSeen) {
+        this.isSeen = isSeen;
+        this.clock.last = undefined;
+        this.ask();
+    }
+
+    /** @param {number} milliseconds */
+    draw(milliseconds) {
+        this.frame = 0;
+        this.keys.hold(this.clock.secondsSince(milliseconds));
+        this.clock.advance(milliseconds);
+        this.isStale = false;
+        this.take(this.runtime?.draw({ ...this.size, time: this.clock.seconds, samples: 1, view: this.view.view, mouse: this.view.mouse }));
+        this.clock.show();
+        if (!this.isMoving) this.clock.last = undefined;
+        this.ask();
+    }
+
+    /** The canvas keeps the shape of the scene's window, and is no larger; a full screen it fills. */
+    resize() {
+        if (!this.opened) return;
+        const isFull = document.fullscreenElement === this.stage;
+        let width = this.data.width || this.opened.width || 512, height = this.data.height || this.opened.height || 512;
+        // The sources stand beside picture and values if there is room.
+        this.element.classList.toggle("wide", this.element.clientWidth - width > kWide);
+        const hasPanel = !this.panel.hidden && getComputedStyle(this.element).gridTemplateColumns.includes(" ");
+        const room = isFull ? window.innerWidth : this.element.clientWidth - (hasPanel ? this.panel.offsetWidth + kGap : 0);
+        const most = isFull ? window.innerHeight - this.bar.offsetHeight : this.data.embed ? window.innerHeight - this.bar.offsetHeight - 8 : Infinity;
+        const shrink = Math.min(1, room / width, most / height);
+        [width, height] = isFull ? [room, most] : [width * shrink, height * shrink];
+        this.canvas.style.width = `${width}px`;
+        this.canvas.style.height = `${height}px`;
+        const sharp = (/** @type {number} */ side) => Math.max(1, Math.round(side * Math.min(devicePixelRatio, 2)));
+        if (this.size.width === sharp(width) && this.size.height === sharp(height)) return;
+        this.size = { width: sharp(width), height: sharp(height) };
+        this.change();
+    }
+
+    get hash() {
+        return this.opened ? hashOf(this.opened.knobs, this.clock, this.view, !this.clock.element.hidden) : "";
+    }
+
+    writeLink() {
+        const hash = this.hash;
+        if (hash === location.hash.slice(1)) return;
+        try {
+            history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
+        } catch {
+            // A frame that has no address of its own.
+        }
+    }
+
+    restoreLink() {
+        const { opened } = this;
+        if (!opened || location.hash.length < 2 || location.hash.slice(1) === this.hash) return;
+        restore(location.hash, opened.knobs, this.clock, this.view, (change) => this.tell(change));
+        this.change();
+    }
+
+    async copyLink() {
+        this.writeLink();
+        const link = `${location.href.split("#")[0]}${this.hash ? `#${this.hash}` : ""}`;
+        try {
+            await navigator.clipboard.writeText(link);
+            this.flash("The link is copied");
+        } catch {
+            this.flash(link);
+        }
+    }
+
+    hardcopy() {
+        this.draw(performance.now());  // what is drawn can be read until the browser shows it
+        this.canvas.toBlob((blob) => {
+            if (!blob) return;
+            const link = make("a", { href: URL.createObjectURL(blob), download: `${this.title}.png` });
+            link.click();
+            setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+        });
+    }
+
+    fullScreen() {
+        if (document.fullscreenElement) document.exitFullscreen();
+        else this.stage.requestFullscreen().catch(() => this.flash("The browser forbids it here"));
+    }
+
+    /** @param {boolean} on */
+    showSources(on) {
+        this.editor.element.hidden = !on || this.editor.sources.size === 0;
+        this.sourceButton.setAttribute("aria-pressed", String(on));
+        if (on) this.editor.paint();
+    }
+
+    /**
+     * @param {string} text
+     * @param {() => void} [act] for a button
+     */
+    showNote(text, act) {
+        this.note.replaceChildren(act ? make("button", { type: "button", text, click: act }) : text);
+        this.note.hidden = false;
+    }
+
+    hideNote() {
+        this.note.hidden = true;
+    }
+
+    /** @param {string} text that goes away by itself */
+    flash(text) {
+        this.showNote(text);
+        setTimeout(() => this.hideNote(), 2500);
+    }
+}

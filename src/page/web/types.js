@@ -1,0 +1,20 @@
+// The types of what the page and its runtime tell each other (src/page/runtime/runtime.h), and of the data of a page.
+
+/**
+ * @typedef {{ severity: string, id: string, text: string, suggestion?: string, file?: string, line?: number,
+ *             column?: number }} Message
+ * @typedef {{ owner: string, name: string, widget: string, declaration: string, isInteger: boolean, minimum: number,
+ *             maximum: number, initial: number[], current: number[], words?: string[] }} Knob
+ * @typedef {{ key: string, what: string, isHeld: boolean }} Key
+ * @typedef {{ drawn: boolean, ended?: boolean, messages?: Message[], width: number, height: number, animated: boolean,
+ *             hasSteps: boolean, stepRate?: number, files: { name: string, language: string }[], camera: string,
+ *             cameras: string[], keys: Key[], knobs: Knob[], shared: number[][] }} Opened
+ * @typedef {{ ended?: boolean, messages?: Message[], knobs?: { knob: number, current: number[] }[], animated?: boolean,
+ *             camera?: string, restart?: boolean, around?: { before: number[], projection: number[] } }} Answer
+ * @typedef {{ scene: number[], eye: number[], texture: number[],
+ *             projection: "scene" | "perspective" | "orthographic" }} View
+ * @typedef {{ program: string, name: string, values: number[], word: string }} Setting
+ * @typedef {{ scene: string, files: { name: string, bytes: number, converted: boolean }[], content: string,
+ *             set: Setting[], time: number, width: number, height: number, embed: boolean, poster: boolean }} Scene
+ */
+export {};
