@@ -1,4 +1,4 @@
-# Sourced by tools/glibra and tools/test-web: installs clang's WebAssembly parts, and builds the libraries of the runtime of live
+# Sourced by tools/glibra and tools/test-web, after tools/setup.sh and tools/sources.sh: installs clang's WebAssembly parts, and builds the libraries of the runtime of live
 # pages from the sources of their Debian packages, into build/web-libraries.
 # shellcheck shell=sh disable=SC2034,SC2154
 
@@ -32,4 +32,11 @@ web_libraries() (
         exit 4
     fi
     printf '%s\n' "$stamp" >"$folder/stamp"
+)
+
+# web_runtime: builds build/web/glibra.wasm.
+web_runtime() (
+    web_libraries
+    configure web
+    build web glibra_page_runtime
 )
