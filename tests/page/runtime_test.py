@@ -53,7 +53,7 @@ const done = arguments[arguments.length - 1], [scene, files] = arguments;
 """
 BEHAVIOUR = """
 const done = arguments[arguments.length - 1], results = {};
-const text = (rest) => "##OpenGL GLIB\\nLet size = <0 .5 1>\\nKey k size 1\\nVertex inline\\nvoid main() { gl_Position = " +
+const text = (rest) => "##OpenGL GLIB\\nLet size <0 .5 1>\\nKey k size 1\\nVertex inline\\nvoid main() { gl_Position = " +
     "gl_Vertex; }\\nEndVertex\\nFragment inline\\nuniform vec4 uColor;\\nvoid main() { gl_FragColor = uColor; }\\nEndFragment\\n" +
     "Program Plain uColor {1 0 0 1}\\nQuadXY .9\\n" + rest;
 (async () => {
