@@ -192,7 +192,7 @@ export function glImports(context, module) {
         uploaded = 0;
         if (number) bind(NUMBER.COPY_WRITE_BUFFER, number, () => glBindBuffer(NUMBER.COPY_WRITE_BUFFER, number));
     };
-    const {glBindBuffer, glBindBufferBase, glBindBufferRange, glDeleteProgram, glDeleteShader, glDeleteSync} = calls;
+    const {glBindBuffer, glBindBufferBase, glBindBufferRange, glDeleteProgram, glDeleteShader, glDeleteSync, glLinkProgram} = calls;
     Object.assign(calls, /** @type {Record<string, Call>} */ ({
         glCreateProgram: () => names.p.add(gl.createProgram()),
         glCreateShader: (kind) => names.h.add(gl.createShader(kind)),
@@ -211,6 +211,10 @@ export function glImports(context, module) {
         glBindBufferBase: (target, index, number) => bind(target, number, () => glBindBufferBase(target, index, number)),
         glBindBufferRange: (target, index, number, ...range) =>
             bind(target, number, () => glBindBufferRange(target, index, number, ...range)),
+        glLinkProgram: (number) => {
+            locationsOf.delete(names.p.objects[number]);
+            glLinkProgram(number);
+        },
         glFenceSync: (condition, flags) => names.y.add(gl.fenceSync(condition, flags)),
         // WebGL tells of an end only after the script has returned: whoever waits for it waits for all work.
         glClientWaitSync: () => { gl.finish(); return NUMBER.CONDITION_SATISFIED; },

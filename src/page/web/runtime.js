@@ -50,6 +50,7 @@ export class Runtime {
         this.onrestored = () => {};
         canvas.addEventListener("webglcontextlost", (event) => {
             event.preventDefault();
+            this.why = [{severity: "error", id: "", text: "the browser has lost the graphics card; it tries to get it back"}];
             this.end();
         });
         canvas.addEventListener("webglcontextrestored", () => this.onrestored());
