@@ -8,7 +8,7 @@
 
 #include "gpu/context/errors.h"
 #include "gpu/context/family.h"
-#include "gpu/es/es.h"
+#include "gpu/es/is_es.h"
 
 namespace glibra::gpu {
 namespace {

@@ -15,7 +15,7 @@
 #include "gpu/context/call_counter.h"
 #include "gpu/context/fork.h"
 #include "gpu/context/reset.h"
-#include "gpu/es/es.h"
+#include "gpu/es/functions.h"
 #include "system/places.h"
 
 namespace glibra::gpu {

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "gpu/es/es.h"
+#include "gpu/es/is_es.h"
 
 namespace glibra::gpu {
 namespace {
@@ -66,17 +66,25 @@ FormatUse guaranteedUse(const Capabilities& capabilities, TexelFormat format) {
     return use;
 }
 
+/// In OpenGL ES, which may have no normalized texels of 16 bits.
+bool isStoredAsFloats(TexelFormat format) {
+    const base::TexelFormatRow& row = rowOf(format);
+    return isEs() && !hasWideTexels() && row.bits == 16 &&
+           (row.kind == base::TexelClass::normalized || row.kind == base::TexelClass::signedNormalized);
+}
+constexpr std::array<GLenum, 5> kFloats{GL_NONE, GL_R32F, GL_RG32F, GL_NONE, GL_RGBA32F};
+
 }  // namespace
 
 GLenum internalFormat(TexelFormat format) {
-    if (isEs())
-        if (const GLenum es = esInternalFormat(format); es != GL_NONE) return es;
+    if (isStoredAsFloats(format)) return kFloats.at(rowOf(format).components);
     return glRowOf(format).internal;
 }
 
 Transfer nativeTransfer(TexelFormat format) {
-    if (isEs())
-        if (const Transfer es = esTransfer(format); es.format != GL_NONE) return es;
+    // OpenGL ES takes floats of all sizes with 32 bits.
+    if (isStoredAsFloats(format) || (isEs() && isFloat(format)))
+        return {glFormat(rowOf(format).components), GL_FLOAT};
     return {glRowOf(format).transferFormat, glRowOf(format).transferType};
 }
 

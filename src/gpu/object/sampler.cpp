@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/number.h"
-#include "gpu/es/es.h"
+#include "gpu/es/is_es.h"
 #include "gpu/format/raster_names.h"
 
 namespace glibra::gpu {

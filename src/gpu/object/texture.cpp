@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gpu/context/errors.h"
-#include "gpu/es/es.h"
-#include "gpu/object/texture_copy.h"
+#include "gpu/es/is_es.h"
+#include "gpu/es/texels.h"
 
 namespace glibra::gpu {
 

@@ -160,6 +160,9 @@ class Texture {
     int levels_ = 1, samples_ = 1;
 };
 
+/// Reads a level layer by layer, through a framebuffer. Only for formats that can be drawn into.
+void readLayers(const Texture& texture, int level, GLenum format, GLenum type, std::span<std::byte> texels);
+
 /// Averages the samples of a multisampled texture into a 2D texture or array of the same format and size. Not
 /// for integers and depth. The scissor test must be off.
 void resolveSamples(const Texture& from, const Texture& to);

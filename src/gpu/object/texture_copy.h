@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 
 #include "gpu/context/capabilities.h"
 #include "gpu/object/program.h"
@@ -21,9 +20,6 @@ std::uint64_t bytesOf(const Texture& texture);
 
 /// Copies all texels between textures with equal layouts. Reports gpu-E03 for unequal ones.
 Diagnostics copyTexture(const Capabilities& capabilities, const Texture& from, Texture& to);
-
-/// Reads a level layer by layer, through a framebuffer. Only for formats that can be drawn into.
-void readLayers(const Texture& texture, int level, GLenum format, GLenum type, std::span<std::byte> texels);
 
 /// Copies again and again. On a GPU it measures once for each format which way is fastest; glCopyImageSubData
 /// is slow for some formats on some drivers. All ways copy every bit.

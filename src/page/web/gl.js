@@ -334,6 +334,9 @@ export function glImports(context, module) {
             if (number !== undefined) return number;
             const location = gl.getUniformLocation(object, name);
             number = location ? locations.push(location) - 1 : -1;
+            // The elements of an array follow one another.
+            const array = name.replace(/\[0\]$/, "");
+            for (let i = 1, next; location && (next = gl.getUniformLocation(object, `${array}[${i}]`)); ++i) locations.push(next);
             all.set(name, number);
             return number;
         },

@@ -1,14 +1,18 @@
-#include "gpu/es/es.h"
+#include "gpu/es/functions.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
+#include <vector>
+
+#include "gpu/es/is_es.h"
+#include "gpu/es/texels.h"
 
 namespace glibra::gpu {
 namespace {
-
-bool isLoaded = false;
 
 // What the driver's own functions are, where the table has others.
 struct Own {
@@ -23,7 +27,6 @@ Own own;
 GLuint program = 0;            ///< in use
 GLenum pending = GL_NO_ERROR;  ///< of a function that ES does not have
 bool clampsDepth = false;      ///< EXT_depth_clamp
-bool hasWideTexels = false;    ///< EXT_texture_norm16
 
 // ---- States
 
@@ -118,13 +121,6 @@ int componentsIn(GLenum format) {
         default:
             return 4;
     }
-}
-
-TexelType typeOf(GLenum type) {
-    for (const TexelType each :
-         {TexelType::u8, TexelType::u16, TexelType::u32, TexelType::i8, TexelType::i16, TexelType::i32})
-        if (glType(each) == type) return each;
-    return TexelType::f32;
 }
 
 void readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
@@ -255,98 +251,10 @@ bool hasExtension(std::string_view name) {
     return false;
 }
 
-// ---- Texels
-
-/// 1 of a whole number that stands for a fraction.
-double unitOf(TexelType type) {
-    switch (type) {
-        case TexelType::u8:
-            return 255;
-        case TexelType::i8:
-            return 127;
-        case TexelType::u16:
-            return 65535;
-        case TexelType::i16:
-            return 32767;
-        case TexelType::u32:
-            return 4294967295.0;
-        case TexelType::i32:
-            return 2147483647;
-        default:
-            return 1;
-    }
-}
-
-template <class T>
-double loaded(const std::byte* at) {
-    T value;
-    std::copy_n(at, sizeof value, reinterpret_cast<std::byte*>(&value));
-    return static_cast<double>(value);
-}
-
-double load(const std::byte* at, TexelType type) {
-    switch (type) {
-        case TexelType::u8:
-            return loaded<std::uint8_t>(at);
-        case TexelType::i8:
-            return loaded<std::int8_t>(at);
-        case TexelType::u16:
-            return loaded<std::uint16_t>(at);
-        case TexelType::i16:
-            return loaded<std::int16_t>(at);
-        case TexelType::u32:
-            return loaded<std::uint32_t>(at);
-        case TexelType::i32:
-            return loaded<std::int32_t>(at);
-        default:
-            return static_cast<double>(loaded<float>(at));
-    }
-}
-
-template <class T>
-void stored(double value, std::byte* at) {
-    if constexpr (std::is_integral_v<T>)
-        value = std::clamp(std::nearbyint(value), static_cast<double>(std::numeric_limits<T>::min()),
-                           static_cast<double>(std::numeric_limits<T>::max()));
-    const auto as = static_cast<T>(value);
-    std::copy_n(reinterpret_cast<const std::byte*>(&as), sizeof as, at);
-}
-
-void store(double value, TexelType type, std::byte* at) {
-    switch (type) {
-        case TexelType::u8:
-            return stored<std::uint8_t>(value, at);
-        case TexelType::i8:
-            return stored<std::int8_t>(value, at);
-        case TexelType::u16:
-            return stored<std::uint16_t>(value, at);
-        case TexelType::i16:
-            return stored<std::int16_t>(value, at);
-        case TexelType::u32:
-            return stored<std::uint32_t>(value, at);
-        case TexelType::i32:
-            return stored<std::int32_t>(value, at);
-        default:
-            return stored<float>(value, at);
-    }
-}
-
-/// True for formats of which only EXT_texture_norm16 knows.
-bool isWide(TexelFormat format) {
-    if (hasWideTexels) return false;
-    const base::TexelFormatRow& row = base::rowOf(format);
-    return row.bits == 16 &&
-           (row.kind == base::TexelClass::normalized || row.kind == base::TexelClass::signedNormalized);
-}
-
 }  // namespace
 
-bool isEs() {
-    return isLoaded;
-}
-
 void leaveEs() {
-    isLoaded = false;
+    setEs(false, false);
 }
 
 bool loadEsFunctions(const std::function<void*(const char*)>& address) {
@@ -393,69 +301,8 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     program = 0;
     pending = GL_NO_ERROR;
     clampsDepth = hasExtension("GL_EXT_depth_clamp");
-    hasWideTexels = hasExtension("GL_EXT_texture_norm16");
-    isLoaded = true;
+    setEs(true, hasExtension("GL_EXT_texture_norm16"));
     return true;
-}
-
-std::vector<std::byte> converted(std::span<const std::byte> texels, TexelLayout from, TexelLayout to,
-                                 bool isNormalized) {
-    const std::size_t in = bytesOf(from.type), out = bytesOf(to.type);
-    const auto have = static_cast<std::size_t>(from.components),
-               want = static_cast<std::size_t>(to.components);
-    const std::size_t count = texels.size() / (in * have);
-    std::vector<std::byte> result(count * out * want);
-    const double scale = isNormalized ? unitOf(to.type) / unitOf(from.type) : 1;
-    const double one = isNormalized ? unitOf(to.type) : 1;
-    const bool isSame = from.type == to.type;
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t c = 0; c < want; ++c) {
-            std::byte* const at = result.data() + (i * want + c) * out;
-            const std::byte* const source = texels.data() + (i * have + c) * in;
-            if (c >= have)
-                store(c == 3 ? one : 0, to.type, at);
-            else if (isSame)
-                std::copy_n(source, in, at);
-            else
-                store(load(source, from.type) * scale, to.type, at);
-        }
-    return result;
-}
-
-GLenum esInternalFormat(TexelFormat format) {
-    constexpr std::array<GLenum, 5> kFloats{0, GL_R32F, GL_RG32F, 0, GL_RGBA32F};
-    return isWide(format) ? kFloats.at(base::rowOf(format).components) : GL_NONE;
-}
-
-Transfer esTransfer(TexelFormat format) {
-    const base::TexelFormatRow& row = base::rowOf(format);
-    if (isWide(format)) return {glFormat(row.components), GL_FLOAT};
-    // Floats of all sizes are taken as 32 bits.
-    if (row.kind == base::TexelClass::floating) return {glFormat(row.components), GL_FLOAT};
-    return {GL_NONE, GL_NONE};
-}
-
-std::vector<std::byte> forEs(std::span<const std::byte> texels, TexelLayout layout, TexelFormat format) {
-    const base::TexelFormatRow& row = base::rowOf(format);
-    const Transfer transfer = nativeTransfer(format);
-    const bool isFraction = !isInteger(format);
-    if (format == TexelFormat::rgb10_a2) {
-        const std::vector<std::byte> floats = converted(texels, layout, {4, TexelType::f32}, true);
-        std::vector<std::byte> result(floats.size() / 4);
-        for (std::size_t i = 0; i < result.size() / 4; ++i) {
-            const auto bits = [&](std::size_t c, double most) {
-                const double value =
-                    std::clamp(load(floats.data() + (i * 4 + c) * 4, TexelType::f32), 0.0, 1.0);
-                return static_cast<std::uint32_t>(std::nearbyint(value * most));
-            };
-            const std::uint32_t packed =
-                bits(0, 1023) | bits(1, 1023) << 10U | bits(2, 1023) << 20U | bits(3, 3) << 30U;
-            std::copy_n(reinterpret_cast<const std::byte*>(&packed), 4, result.data() + i * 4);
-        }
-        return result;
-    }
-    return converted(texels, layout, {hasDepth(format) ? 1 : row.components, typeOf(transfer.type)},
-                     isFraction);
 }
 
 }  // namespace glibra::gpu
