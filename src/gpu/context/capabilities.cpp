@@ -7,8 +7,8 @@
 #include <charconv>
 
 #include "gpu/context/errors.h"
+#include "gpu/context/es_functions.h"
 #include "gpu/context/family.h"
-#include "gpu/es/is_es.h"
 
 namespace glibra::gpu {
 namespace {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "gpu/context/call_counter.h"
+#include "gpu/context/es_functions.h"
 #include "gpu/context/fork.h"
 #include "gpu/context/reset.h"
-#include "gpu/es/functions.h"
 #include "system/places.h"
 
 namespace glibra::gpu {

@@ -20,7 +20,7 @@ extern "C" {
     [[clang::import_module("gl"), \
       clang::import_name(         \
           "gl" #name)]] extern std::remove_pointer_t<decltype(glad_gl##name)> glibra_gl##name;
-#include "gpu/es/functions.def"
+#include "gpu/context/es_functions.def"
 #define GLIBRA_ES_FUNCTION(name)  \
     [[clang::import_module("gl"), \
       clang::import_name(         \
@@ -39,7 +39,7 @@ struct Function {
 
 #define GLIBRA_ES_FUNCTION(name) {"gl" #name, reinterpret_cast<void*>(&glibra_gl##name)},
 const Function kFunctions[] = {
-#include "gpu/es/functions.def"
+#include "gpu/context/es_functions.def"
     {"glGetBufferSubData", reinterpret_cast<void*>(&glibra_glGetBufferSubData)}};
 
 class CanvasBackend final : public Backend {

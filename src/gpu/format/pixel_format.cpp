@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "gpu/es/is_es.h"
+#include "gpu/context/es_functions.h"
 
 namespace glibra::gpu {
 namespace {

@@ -6,9 +6,12 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/context/errors.h"
+#include "gpu/context/es_functions.h"
+#include "gpu/format/texels.h"
 #include "gpu/object/deferred_clears.h"
 
 namespace glibra::gpu {
@@ -27,14 +30,58 @@ void readRgb(const PixelRectangle& rectangle, bool topFirst, std::span<std::byte
     for (int done = 0; done < rectangle.height; done += rowsAtOnce) {
         const int rows = std::min(rowsAtOnce, rectangle.height - done);
         const int y = rectangle.y + (topFirst ? rectangle.height - done - rows : done);
-        glReadPixels(rectangle.x, y, rectangle.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, part.get());
+        readBound({rectangle.x, y, rectangle.width, rows}, GL_RGBA, GL_UNSIGNED_BYTE, part.get());
         const std::size_t count = width * static_cast<std::size_t>(rows);
         dropFourth({part.get(), 4 * count}, to);
         to += 3 * count;
     }
 }
 
+/// The layout in which OpenGL ES gives pixels of the framebuffer that is read, and whether they are
+/// normalized.
+std::pair<Transfer, bool> readable() {
+    GLint buffer = GL_COLOR_ATTACHMENT0, kind = GL_NONE;
+    glGetIntegerv(GL_READ_BUFFER, &buffer);
+    const GLenum point = buffer == GL_BACK ? GL_BACK : static_cast<GLenum>(buffer);
+    glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, point,
+                                          GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &kind);
+    if (kind == GL_FLOAT) return {{GL_RGBA, GL_FLOAT}, false};
+    if (kind == GL_INT) return {{GL_RGBA_INTEGER, GL_INT}, false};
+    if (kind == GL_UNSIGNED_INT) return {{GL_RGBA_INTEGER, GL_UNSIGNED_INT}, false};
+    return {{GL_RGBA, GL_UNSIGNED_BYTE}, true};
+}
+
+int componentsIn(GLenum format) {
+    switch (format) {
+        case GL_RED:
+        case GL_RED_INTEGER:
+        case GL_DEPTH_COMPONENT:
+            return 1;
+        case GL_RG:
+        case GL_RG_INTEGER:
+            return 2;
+        case GL_RGB:
+        case GL_RGB_INTEGER:
+            return 3;
+        default:
+            return 4;
+    }
+}
+
 }  // namespace
+
+void readBound(const PixelRectangle& rectangle, GLenum format, GLenum type, std::byte* pixels) {
+    const auto& [x, y, width, height] = rectangle;
+    const auto [transfer, isNormalized] =
+        isEs() ? readable() : std::pair<Transfer, bool>{{format, type}, false};
+    const bool isDepth = format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL;
+    if (isDepth || (transfer.format == format && transfer.type == type))
+        return glReadPixels(x, y, width, height, format, type, pixels);
+    const TexelLayout from{4, typeOf(transfer.type)}, to{componentsIn(format), typeOf(type)};
+    std::vector<std::byte> read(byteCount(rectangle, {4, from.type}));
+    glReadPixels(x, y, width, height, transfer.format, transfer.type, read.data());
+    std::ranges::copy(converted(read, from, to, isNormalized || to.type == TexelType::u8), pixels);
+}
 
 void dropFourth(std::span<const std::byte> rgba, std::byte* to) {
     const std::byte* from = rgba.data();
@@ -96,8 +143,7 @@ Diagnostics readPixels(const Capabilities& capabilities, const Framebuffer& fram
     if (layout.components == 3 && layout.type == TexelType::u8)
         readRgb(rectangle, capabilities.packInvert, pixels);
     else
-        glReadPixels(rectangle.x, rectangle.y, rectangle.width, rectangle.height, glFormat(layout.components),
-                     glType(layout.type), pixels.data());
+        readBound(rectangle, glFormat(layout.components), glType(layout.type), pixels.data());
     if (capabilities.packInvert) glPixelStorei(GL_PACK_INVERT_MESA, GL_FALSE);
     if (const GLenum code = takeError(); code != GL_NO_ERROR)
         return {allocationError(code, "reading the picture back")};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/context/capabilities.h"
+#include "gpu/format/texels.h"
 #include "gpu/object/framebuffer.h"
 
 namespace glibra::gpu {
@@ -17,12 +18,7 @@ struct PixelRectangle {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// The layout of a pixel in memory: 1 to 4 components in the order red, green, blue, alpha.
-struct PixelLayout {
-    int components = 4;
-    TexelType type = TexelType::u8;
-    [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(components) * bytesOf(type); }
-};
+using PixelLayout = TexelLayout;
 
 /// Copies the first three of the four bytes of every pixel.
 void dropFourth(std::span<const std::byte> rgba, std::byte* to);
@@ -32,6 +28,10 @@ void flipRows(std::span<std::byte> pixels, std::size_t rowBytes);
 
 /// The bytes of such a rectangle with tightly packed rows.
 std::size_t byteCount(const PixelRectangle& rectangle, const PixelLayout& layout);
+
+/// glReadPixels from the framebuffer that is bound for reading. OpenGL ES gives few layouts, from which the
+/// pixels are converted.
+void readBound(const PixelRectangle& rectangle, GLenum format, GLenum type, std::byte* pixels);
 
 /// Reads colour `index` of the framebuffer into `pixels`, which must have byteCount bytes. Rows are tightly
 /// packed, from top to bottom; parts outside the framebuffer are undefined. Waits for pending draws. GL

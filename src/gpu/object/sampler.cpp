@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/number.h"
-#include "gpu/es/is_es.h"
+#include "gpu/context/es_functions.h"
 #include "gpu/format/raster_names.h"
 
 namespace glibra::gpu {

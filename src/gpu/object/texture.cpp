@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gpu/context/errors.h"
-#include "gpu/es/is_es.h"
-#include "gpu/es/texels.h"
+#include "gpu/context/es_functions.h"
+#include "gpu/format/texels.h"
 
 namespace glibra::gpu {
 

@@ -11,6 +11,7 @@
 #include "gpu/object/compute.h"
 #include "gpu/object/deferred_clears.h"
 #include "gpu/object/framebuffer.h"
+#include "gpu/object/readback.h"
 #include "gpu/object/texture.h"
 
 namespace glibra::gpu {
@@ -265,8 +266,8 @@ void readLayers(const Texture& texture, int level, GLenum format, GLenum type, s
     const std::size_t bytes = texels.size() / static_cast<std::size_t>(layers);
     for (int layer = 0; layer < layers; ++layer)
         withAttached(GL_READ_FRAMEBUFFER, texture, level, layer, [&] {
-            glReadPixels(0, 0, size.width, size.height, format, type,
-                         texels.data() + static_cast<std::size_t>(layer) * bytes);
+            readBound({0, 0, size.width, size.height}, format, type,
+                      texels.data() + static_cast<std::size_t>(layer) * bytes);
         });
 }
 

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "gpu/context/context.h"
-#include "gpu/es/edges.h"
+#include "gpu/object/edges.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/state/binding_tracker.h"
 #include "gpu/state/raster_tracker.h"

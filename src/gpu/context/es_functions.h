@@ -7,6 +7,11 @@
 
 namespace glibra::gpu {
 
+/// True if the process's table of GL functions is that of OpenGL ES.
+bool isEs();
+/// True if OpenGL ES has normalized texels of 16 bits (EXT_texture_norm16).
+bool hasWideTexels();
+
 /// Fills the table from a context of OpenGL ES that is current; `address` returns a function of GL or null.
 /// False if functions of ES 3.0 are missing.
 bool loadEsFunctions(const std::function<void*(const char*)>& address);

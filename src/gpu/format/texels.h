@@ -11,10 +11,11 @@
 
 namespace glibra::gpu {
 
-/// How texels lie in memory.
+/// The layout of a texel or pixel in memory: 1 to 4 components in the order red, green, blue, alpha.
 struct TexelLayout {
     int components = 4;
     TexelType type = TexelType::u8;
+    [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(components) * bytesOf(type); }
     friend bool operator==(const TexelLayout&, const TexelLayout&) = default;
 };
 

@@ -1,4 +1,4 @@
-#include "gpu/es/edges.h"
+#include "gpu/object/edges.h"
 
 #include <limits>
 #include <numeric>

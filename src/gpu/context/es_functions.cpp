@@ -1,4 +1,6 @@
-#include "gpu/es/functions.h"
+#include "gpu/context/es_functions.h"
+
+#include <glad/gl.h>
 
 #include <algorithm>
 #include <array>
@@ -8,9 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/es/is_es.h"
-#include "gpu/es/texels.h"
-
 namespace glibra::gpu {
 namespace {
 
@@ -19,14 +18,15 @@ struct Own {
     PFNGLENABLEPROC enable = nullptr;
     PFNGLDISABLEPROC disable = nullptr;
     PFNGLISENABLEDPROC isEnabled = nullptr;
-    PFNGLREADPIXELSPROC readPixels = nullptr;
     PFNGLUSEPROGRAMPROC useProgram = nullptr;
     PFNGLGETERRORPROC getError = nullptr;
 };
 Own own;
 GLuint program = 0;            ///< in use
 GLenum pending = GL_NO_ERROR;  ///< of a function that ES does not have
-bool clampsDepth = false;      ///< EXT_depth_clamp
+bool isLoaded = false;
+bool hasWide = false;      ///< EXT_texture_norm16
+bool clampsDepth = false;  ///< EXT_depth_clamp
 
 // ---- States
 
@@ -91,49 +91,6 @@ void texStorage1D(GLenum target, GLsizei levels, GLenum format, GLsizei width) {
 void texSubImage1D(GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
                    const void* texels) {
     glad_glTexSubImage2D(target, level, x, 0, width, 1, format, type, texels);
-}
-
-/// The layout in which ES gives pixels of the framebuffer that is read, and whether they are normalized.
-std::pair<Transfer, bool> readable() {
-    GLint buffer = GL_COLOR_ATTACHMENT0, kind = GL_NONE;
-    glad_glGetIntegerv(GL_READ_BUFFER, &buffer);
-    const GLenum point = buffer == GL_BACK ? GL_BACK : static_cast<GLenum>(buffer);
-    glad_glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, point,
-                                               GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &kind);
-    if (kind == GL_FLOAT) return {{GL_RGBA, GL_FLOAT}, false};
-    if (kind == GL_INT) return {{GL_RGBA_INTEGER, GL_INT}, false};
-    if (kind == GL_UNSIGNED_INT) return {{GL_RGBA_INTEGER, GL_UNSIGNED_INT}, false};
-    return {{GL_RGBA, GL_UNSIGNED_BYTE}, true};
-}
-
-int componentsIn(GLenum format) {
-    switch (format) {
-        case GL_RED:
-        case GL_RED_INTEGER:
-        case GL_DEPTH_COMPONENT:
-            return 1;
-        case GL_RG:
-        case GL_RG_INTEGER:
-            return 2;
-        case GL_RGB:
-        case GL_RGB_INTEGER:
-            return 3;
-        default:
-            return 4;
-    }
-}
-
-void readPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* pixels) {
-    const auto [transfer, isNormalized] = readable();
-    const bool isDepth = format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL;
-    if (pixels == nullptr || isDepth || (transfer.format == format && transfer.type == type))
-        return own.readPixels(x, y, width, height, format, type, pixels);
-    const TexelLayout from{4, typeOf(transfer.type)}, to{componentsIn(format), typeOf(type)};
-    std::vector<std::byte> read(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4 *
-                                bytesOf(from.type));
-    own.readPixels(x, y, width, height, transfer.format, transfer.type, read.data());
-    std::ranges::copy(converted(read, from, to, isNormalized || to.type == TexelType::u8),
-                      static_cast<std::byte*>(pixels));
 }
 
 void getBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* data) {
@@ -253,8 +210,16 @@ bool hasExtension(std::string_view name) {
 
 }  // namespace
 
+bool isEs() {
+    return isLoaded;
+}
+
+bool hasWideTexels() {
+    return hasWide;
+}
+
 void leaveEs() {
-    setEs(false, false);
+    isLoaded = false;
 }
 
 bool loadEsFunctions(const std::function<void*(const char*)>& address) {
@@ -274,18 +239,16 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
                                                             "glGetInternalformativ"};
         return std::ranges::find(kOptional, name) != kOptional.end();
     };
-#include "gpu/es/functions.def"
+#include "gpu/context/es_functions.def"
     if (!isWhole) return false;
     // Nothing of later versions is there, whatever the loader finds.
     GLAD_GL_VERSION_4_1 = 1;
     GLAD_GL_VERSION_4_2 = GLAD_GL_VERSION_4_3 = GLAD_GL_VERSION_4_4 = GLAD_GL_VERSION_4_5 =
         GLAD_GL_VERSION_4_6 = 0;
-    own = {glad_glEnable,     glad_glDisable,    glad_glIsEnabled,
-           glad_glReadPixels, glad_glUseProgram, glad_glGetError};
+    own = {glad_glEnable, glad_glDisable, glad_glIsEnabled, glad_glUseProgram, glad_glGetError};
     glad_glEnable = enable;
     glad_glDisable = disable;
     glad_glIsEnabled = isEnabled;
-    glad_glReadPixels = readPixels;
     glad_glUseProgram = useProgram;
     glad_glGetError = getError;
     glad_glDepthRange = depthRange;
@@ -301,7 +264,8 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     program = 0;
     pending = GL_NO_ERROR;
     clampsDepth = hasExtension("GL_EXT_depth_clamp");
-    setEs(true, hasExtension("GL_EXT_texture_norm16"));
+    hasWide = hasExtension("GL_EXT_texture_norm16");
+    isLoaded = true;
     return true;
 }
 

@@ -1,4 +1,4 @@
-#include "gpu/es/texels.h"
+#include "gpu/format/texels.h"
 
 #include <algorithm>
 #include <cmath>
