@@ -59,7 +59,7 @@ page::PageTask taskOf(const std::string& scene, const RenderOptions& picture) {
 
 /// The answer of the worker, or what stands for one.
 page::PageScene pageFrom(const std::string& scene, const SiteOptions& options, const base::Outcome& outcome,
-                     std::optional<page::PageScene> answer) {
+                         std::optional<page::PageScene> answer) {
     if (answer) return std::move(*answer);
     suite::Shot shot = options.picture;
     shot.timeout = options.timeout;
@@ -128,9 +128,11 @@ int runPublishCommand(PublishArguments& arguments) {
             return refuse("--set and --time are for the page of one scene");
         if (!arguments.made.siteIsNamed) return refuse("name the folder of the site with -o");
         const bool isOneFolder = arguments.named.size() == 1;
-        arguments.folder = isOneFolder ? arguments.named.front() : commonFolder(named.scenes).generic_string();
+        arguments.folder =
+            isOneFolder ? arguments.named.front() : commonFolder(named.scenes).generic_string();
         if (!isOneFolder)
-            for (const std::string& each : named.scenes) arguments.scenes.push_back(wholePath(each).generic_string());
+            for (const std::string& each : named.scenes)
+                arguments.scenes.push_back(wholePath(each).generic_string());
         arguments.isLive = true;
         return makeGallery(arguments);
     }
@@ -158,7 +160,8 @@ void addPublish(CommandLine& program, int& status) {
     addSiteOptions(command, to.made, "file of the page, or folder of the site for several scenes",
                    {"size", "time", "set", "library", "memory"});
     command.option("--title", to.title, "heading of the page or site; by default its name");
-    command.flag("--embed", to.page.isEmbedded, "nothing but the scene and its controls, for a frame of another page");
+    command.flag("--embed", to.page.isEmbedded,
+                 "nothing but the scene and its controls, for a frame of another page");
     command.flag("--poster", to.page.hasPoster, "the picture stands there until it is clicked");
     for (const char* each : {"--library", "--memory", "--timeout", "--driver", "--jobs", "--untrusted"})
         command.find(each).rare();

@@ -31,7 +31,8 @@ using classroom::nameHtml;
 
 constexpr std::size_t kMostMessages = 50;  // of a scene
 constexpr std::size_t kLongestSearch = 4'000;
-constexpr std::string_view kPlainPolicy = "default-src 'none'; img-src 'self' file: data:; style-src 'self' file:";
+constexpr std::string_view kPlainPolicy =
+    "default-src 'none'; img-src 'self' file: data:; style-src 'self' file:";
 
 std::string pageOf(const GalleryScene& scene) {
     return "scenes/" + scene.name + ".html";
@@ -162,7 +163,8 @@ std::string textHtml(const GalleryScene& scene) {
 std::string picturesHtml(const GalleryScene& scene) {
     if (scene.picture.empty()) return {};
     if (scene.isLive)
-        return page::liveHtml("../live", scene.name + ".js", "../" + scene.picture, scene.width, scene.height);
+        return page::liveHtml("../live", scene.name + ".js", "../" + scene.picture, scene.width,
+                              scene.height);
     std::string html = fmt::format(
         "<div class=\"shown\"><figure><img src=\"../{}\" width=\"{}\" height=\"{}\" alt=\"the "
         "picture\"></figure>",

@@ -206,18 +206,18 @@ class GalleryRun {
                 tasks.push_back({plan_.scenes[i], confined(), false});
                 scenes.push_back(i);
             }
-        page::makePages(tasks, workers_.driver,
-                        suite::checkingOptions(workers_, tasks.size(), events_.stop),
-                        [&](std::size_t task, const base::Outcome& outcome, std::optional<page::PageScene> made) {
-                            if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
-                            GalleryScene& scene = end_.gallery.scenes[scenes[task]];
-                            if (!made) return;
-                            if (made->isLive)
-                                scene.isLive = write(fmt::format("scenes/{}.js", scene.name),
-                                                     page::sceneScript(*made, plan_.live->page));
-                            else
-                                append(scene.diagnostics, std::move(made->diagnostics));
-                        });
+        page::makePages(
+            tasks, workers_.driver, suite::checkingOptions(workers_, tasks.size(), events_.stop),
+            [&](std::size_t task, const base::Outcome& outcome, std::optional<page::PageScene> made) {
+                if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
+                GalleryScene& scene = end_.gallery.scenes[scenes[task]];
+                if (!made) return;
+                if (made->isLive)
+                    scene.isLive = write(fmt::format("scenes/{}.js", scene.name),
+                                         page::sceneScript(*made, plan_.live->page));
+                else
+                    append(scene.diagnostics, std::move(made->diagnostics));
+            });
         end_.stopped = end_.stopped || (events_.stop && events_.stop());
     }
 

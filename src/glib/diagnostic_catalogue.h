@@ -2,8 +2,9 @@
 // All messages of glibra, one row per id (language, 10). The families are: glib scene text and statements,
 // expr expressions, draw drawing, memory buffers with what writes them, glsl shaders, file assets, gpu the
 // graphics driver, library the C++ library, check the Expect statements of a scene, suite suites of shots,
-// result their results, bench run time against error, page live pages, view the window. The letter is the severity:
-// E error, W warning, N note. An id has one meaning, which never changes. The rows stand in messages.txt.
+// result their results, bench run time against error, page live pages, view the window. The letter is the
+// severity: E error, W warning, N note. An id has one meaning, which never changes. The rows stand in
+// messages.txt.
 
 #include <glibra/diagnostic.h>
 

@@ -56,7 +56,8 @@ std::string dataOf(const PageScene& scene, const PageOptions& options) {
     Json files = Json::array(), set = Json::array();
     std::string content;
     for (const PageFile& each : scene.files) {
-        files.push_back({{"name", each.name}, {"bytes", each.content.size()}, {"converted", each.isConverted}});
+        files.push_back(
+            {{"name", each.name}, {"bytes", each.content.size()}, {"converted", each.isConverted}});
         content += each.content;
     }
     for (const std::string& each : options.set)
@@ -81,9 +82,11 @@ std::string posterHtml(std::string_view source, int width, int height) {
                        escapeXml(source), width, height);
 }
 
-constexpr const char* kPlainPolicy = "default-src 'none'; img-src data:; style-src {}; base-uri 'none'; form-action 'none'";
+constexpr const char* kPlainPolicy =
+    "default-src 'none'; img-src data:; style-src {}; base-uri 'none'; form-action 'none'";
 constexpr const char* kLivePolicy =
-    "default-src 'none'; img-src data: blob:; style-src {}; script-src {} 'wasm-unsafe-eval'; base-uri 'none'; "
+    "default-src 'none'; img-src data: blob:; style-src {}; script-src {} 'wasm-unsafe-eval'; base-uri "
+    "'none'; "
     "form-action 'none'";
 
 /// Why a scene is a picture.
@@ -97,9 +100,11 @@ std::string whyNotLive(const PageScene& scene) {
 
 std::string packed(std::span<const std::byte> bytes) {
     constexpr int kSmallest = 12;
-    const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(kSmallest));
+    const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
+        libdeflate_alloc_compressor(kSmallest));
     std::vector<std::byte> file(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()));
-    file.resize(libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(), file.data(), file.size()));
+    file.resize(
+        libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(), file.data(), file.size()));
     return suite::base64(file);
 }
 
@@ -115,18 +120,19 @@ Result<std::string> packedRuntime(const std::vector<fs::path>& folders) {
         if (!bytes) return std::move(bytes.diagnostics);
         return packed(*bytes);
     }
-    return diagnose("page-E01",
-                    "the runtime of live pages, glibra.wasm, is not installed; install the package glibra-web, or "
-                    "build it: tools/web/setup.sh");
+    return diagnose(
+        "page-E01",
+        "the runtime of live pages, glibra.wasm, is not installed; install the package glibra-web, or "
+        "build it: tools/web/setup.sh");
 }
 
 std::string wholePage(const PageScene& scene, const PageOptions& options, const std::string& title,
                       std::string_view runtime) {
     const std::string_view style = live_page::live_css(), script = live_page::live_js();
     const std::string picture =
-        scene.picture.empty()
-            ? std::string()
-            : posterHtml("data:image/png;base64," + suite::base64(bytesOf(scene.picture)), scene.width, scene.height);
+        scene.picture.empty() ? std::string()
+                              : posterHtml("data:image/png;base64," + suite::base64(bytesOf(scene.picture)),
+                                           scene.width, scene.height);
     std::string content = fmt::format("<div class=\"live\">{}</div>", picture), scripts;
     if (scene.isLive) {
         content += "<noscript><p class=\"remark\">With JavaScript the scene moves.</p></noscript>";
@@ -165,9 +171,11 @@ std::string sceneScript(const PageScene& scene, const PageOptions& options) {
 
 std::string liveHtml(std::string_view folder, std::string_view script, std::string_view picture, int width,
                      int height) {
-    std::string html = fmt::format("<link rel=\"stylesheet\" href=\"{0}/live.css\"><div class=\"live\">{1}</div>\n", folder,
-                                   posterHtml(picture, width, height));
-    for (const std::string& each : {std::string(script), fmt::format("{}/runtime.js", folder), fmt::format("{}/live.js", folder)})
+    std::string html =
+        fmt::format("<link rel=\"stylesheet\" href=\"{0}/live.css\"><div class=\"live\">{1}</div>\n", folder,
+                    posterHtml(picture, width, height));
+    for (const std::string& each :
+         {std::string(script), fmt::format("{}/runtime.js", folder), fmt::format("{}/live.js", folder)})
         html += fmt::format("<script src=\"{}\" defer></script>\n", escapeXml(each));
     return html;
 }

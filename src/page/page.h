@@ -1,6 +1,6 @@
 #pragma once
-// Live pages as texts. Whatever a scene contains is data on them: no text of a scene becomes HTML or script, and the
-// Content-Security-Policy lets only glibra's own script run. Equal scenes give equal bytes.
+// Live pages as texts. Whatever a scene contains is data on them: no text of a scene becomes HTML or script,
+// and the Content-Security-Policy lets only glibra's own script run. Equal scenes give equal bytes.
 
 #include <glibra/diagnostic.h>
 #include <glibra/result.h>
@@ -26,16 +26,16 @@ struct PageOptions {
     int width = 0, height = 0;       ///< of the canvas; 0: the scene's window
 };
 
-/// The runtime of live pages, glibra.wasm, packed for them. It is looked for where the modules are, and in a build
-/// tree in `web` beside the program's folder. page-E01: it is not installed.
+/// The runtime of live pages, glibra.wasm, packed for them. It is looked for where the modules are, and in a
+/// build tree in `web` beside the program's folder. page-E01: it is not installed.
 Result<std::string> packedRuntime(
     const std::vector<std::filesystem::path>& folders = image::defaultModuleFolders());
 
 /// The bytes packed by gzip, in base64.
 std::string packed(std::span<const std::byte> bytes);
 
-/// A page that needs no other file. `title` is the text of its heading. Of a scene that is not live it has the picture
-/// and the first message that says why.
+/// A page that needs no other file. `title` is the text of its heading. Of a scene that is not live it has
+/// the picture and the first message that says why.
 std::string wholePage(const PageScene& scene, const PageOptions& options, const std::string& title,
                       std::string_view runtime);
 
@@ -49,8 +49,8 @@ struct SiteFile {
 std::vector<SiteFile> runtimeFiles(std::string_view runtime);
 /// What a scene is made of, as a script that its page loads.
 std::string sceneScript(const PageScene& scene, const PageOptions& options);
-/// The HTML of a scene on its page: the picture, in whose place the scripts put the scene. `folder` is that of the
-/// runtime, `script` the file of sceneScript(), `picture` that of the picture.
+/// The HTML of a scene on its page: the picture, in whose place the scripts put the scene. `folder` is that
+/// of the runtime, `script` the file of sceneScript(), `picture` that of the picture.
 std::string liveHtml(std::string_view folder, std::string_view script, std::string_view picture, int width,
                      int height);
 /// What the pages of a site state as their Content-Security-Policy, as the content of an attribute.

@@ -54,7 +54,8 @@ class Names {
         top_ = folder.has_filename() ? folder.parent_path() : folder;
         for (fs::path each = folder; each.has_relative_path(); each = each.parent_path()) {
             std::error_code failure;
-            if (!fs::is_directory(each / "shaders", failure) && !fs::is_directory(each / "textures", failure)) continue;
+            if (!fs::is_directory(each / "shaders", failure) && !fs::is_directory(each / "textures", failure))
+                continue;
             top_ = each;
             break;
         }
@@ -76,14 +77,15 @@ class Names {
 
 bool needsModule(image::Format format) {
     using image::Format;
-    constexpr std::array kForeign{Format::jpeg, Format::tiff,      Format::openExr, Format::gif, Format::webp,
-                                  Format::photoshop, Format::sgi, Format::icon,    Format::heif};
+    constexpr std::array kForeign{Format::jpeg,      Format::tiff, Format::openExr, Format::gif, Format::webp,
+                                  Format::photoshop, Format::sgi,  Format::icon,    Format::heif};
     return std::ranges::find(kForeign, format) != kForeign.end();
 }
 
 /// A picture as PNG, or as PFM if it has floats.
 std::string converted(image::Image picture) {
-    if (picture.components == 4 && !image::isTransparent(picture)) picture = image::withComponents(picture, 3);
+    if (picture.components == 4 && !image::isTransparent(picture))
+        picture = image::withComponents(picture, 3);
     image::PngOptions smallest;
     smallest.level = kSmallest;
     const std::vector<std::byte> file = picture.type == image::Component::f32
@@ -147,7 +149,8 @@ std::vector<PageFile> filesOf(const PageTask& task, std::vector<fs::path>& read,
                 return {};
             }
             problems.push_back(diagnose(
-                "page-W01", fmt::format("'{}' is not on the page: it is a link, or lies outside", each.generic_string()),
+                "page-W01",
+                fmt::format("'{}' is not on the page: it is a link, or lies outside", each.generic_string()),
                 place));
             continue;
         }
@@ -226,18 +229,11 @@ void makePages(std::span<const PageTask> tasks, Driver driver, const base::Worke
 }
 
 std::string toText(const PageScene& scene) {
-    Json json = {{"name", binary(scene.name)},
-                 {"rows", scene.head.rows},
-                 {"summary", scene.head.summary},
-                 {"text", scene.head.text},
-                 {"width", scene.width},
-                 {"height", scene.height},
-                 {"picture", binary(scene.picture)},
-                 {"isLive", scene.isLive},
-                 {"noDriver", scene.noDriver},
-                 {"files", Json::array()},
-                 {"read", Json::array()},
-                 {"messages", Json::array()}};
+    Json json = {
+        {"name", binary(scene.name)},       {"rows", scene.head.rows}, {"summary", scene.head.summary},
+        {"text", scene.head.text},          {"width", scene.width},    {"height", scene.height},
+        {"picture", binary(scene.picture)}, {"isLive", scene.isLive},  {"noDriver", scene.noDriver},
+        {"files", Json::array()},           {"read", Json::array()},   {"messages", Json::array()}};
     for (const PageFile& each : scene.files)
         json["files"].push_back({binary(each.name), binary(each.content), each.isConverted});
     for (const fs::path& each : scene.read) json["read"].push_back(binary(each.generic_string()));

@@ -1,5 +1,6 @@
 #pragma once
-// What a live page of a scene is made of: every file that the scene reads, its picture, and whether browsers can draw it.
+// What a live page of a scene is made of: every file that the scene reads, its picture, and whether browsers
+// can draw it.
 
 #include <glibra/diagnostic.h>
 #include <glibra/driver.h>
@@ -28,8 +29,8 @@ struct PageFile {
 };
 
 struct PageScene {
-    std::string name;             ///< of the scene, among its files
-    std::vector<PageFile> files;  ///< sorted by their names
+    std::string name;                         ///< of the scene, among its files
+    std::vector<PageFile> files;              ///< sorted by their names
     std::vector<std::filesystem::path> read;  ///< the files of the disk that they come from
     source::SceneHead head;
     int width = 0, height = 0;  ///< of the picture
@@ -50,21 +51,24 @@ struct PageTask {
 /// The most bytes that the files of a scene may have together.
 inline constexpr std::size_t kLargestScene = std::size_t{256} << 20U;
 
-/// The files of a scene as its page has them. They keep their places to each other, so that the runtime, which takes the
-/// page for a library, finds them as on the disk: names are relative to the nearest folder with `shaders` or `textures`,
-/// from the scene's own upwards, or else to the folder around the scene's; or to another library folder. Pictures in
-/// formats that only the image module reads become PNG or PFM. Reads nothing outside of `within` and the library, follows
-/// no link there, and opens nothing that is hidden. Reports page-W01 for each file that is left out, page-E02 if all
-/// together are too large, and what readImage() does for pictures.
-std::vector<PageFile> filesOf(const PageTask& task, std::vector<std::filesystem::path>& read, Diagnostics& problems);
+/// The files of a scene as its page has them. They keep their places to each other, so that the runtime,
+/// which takes the page for a library, finds them as on the disk: names are relative to the nearest folder
+/// with `shaders` or `textures`, from the scene's own upwards, or else to the folder around the scene's; or
+/// to another library folder. Pictures in formats that only the image module reads become PNG or PFM. Reads
+/// nothing outside of `within` and the library, follows no link there, and opens nothing that is hidden.
+/// Reports page-W01 for each file that is left out, page-E02 if all together are too large, and what
+/// readImage() does for pictures.
+std::vector<PageFile> filesOf(const PageTask& task, std::vector<std::filesystem::path>& read,
+                              Diagnostics& problems);
 
 /// All of it. A scene with errors has what could be made of it.
 PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedParts* shared);
 
-/// Does pageScene() for each task in worker processes. `done` gets nothing for a worker that ended or was late: the
-/// outcome says how. Call it before any thread or GL context exists.
-void makePages(std::span<const PageTask> tasks, Driver driver, const base::WorkerOptions& workers,
-               const std::function<void(std::size_t task, const base::Outcome&, std::optional<PageScene>)>& done);
+/// Does pageScene() for each task in worker processes. `done` gets nothing for a worker that ended or was
+/// late: the outcome says how. Call it before any thread or GL context exists.
+void makePages(
+    std::span<const PageTask> tasks, Driver driver, const base::WorkerOptions& workers,
+    const std::function<void(std::size_t task, const base::Outcome&, std::optional<PageScene>)>& done);
 
 /// As text for the pipe of a worker. parsePageScene returns nothing for text that is none.
 std::string toText(const PageScene& scene);

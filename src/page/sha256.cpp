@@ -24,7 +24,8 @@ constexpr Words kConstants{
 void addBlock(State& state, std::span<const std::byte> block) {
     Words w{};
     for (std::size_t i = 0; i < 16; ++i)
-        for (std::size_t k = 0; k < 4; ++k) w[i] = w[i] << 8U | std::to_integer<std::uint32_t>(block[4 * i + k]);
+        for (std::size_t k = 0; k < 4; ++k)
+            w[i] = w[i] << 8U | std::to_integer<std::uint32_t>(block[4 * i + k]);
     for (std::size_t i = 16; i < w.size(); ++i) {
         const std::uint32_t a = w[i - 15], b = w[i - 2];
         w[i] = w[i - 16] + w[i - 7] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ a >> 3U) +
@@ -53,7 +54,8 @@ void addBlock(State& state, std::span<const std::byte> block) {
 
 std::array<std::byte, 32> sha256(std::span<const std::byte> bytes) {
     constexpr std::size_t kBlock = 64;
-    State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+    State state{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     const std::size_t whole = bytes.size() / kBlock * kBlock;
     for (std::size_t at = 0; at < whole; at += kBlock) addBlock(state, bytes.subspan(at, kBlock));
     // A one, zeros, and the length in bits.
@@ -62,7 +64,8 @@ std::array<std::byte, 32> sha256(std::span<const std::byte> bytes) {
     while (rest.size() % kBlock != kBlock - 8) rest.emplace_back();
     const std::uint64_t bits = std::uint64_t{bytes.size()} * 8;
     for (unsigned shift = 64; shift > 0;) rest.push_back(static_cast<std::byte>(bits >> (shift -= 8)));
-    for (std::size_t at = 0; at < rest.size(); at += kBlock) addBlock(state, std::span(rest).subspan(at, kBlock));
+    for (std::size_t at = 0; at < rest.size(); at += kBlock)
+        addBlock(state, std::span(rest).subspan(at, kBlock));
     std::array<std::byte, 32> digest{};
     for (std::size_t i = 0; i < digest.size(); ++i)
         digest[i] = static_cast<std::byte>(state[i / 4] >> (24 - 8 * (i % 4)));

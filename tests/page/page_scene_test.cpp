@@ -49,7 +49,8 @@ class PageFiles : public testing::Test {
   protected:
     PageFiles() {
         write("course/shaders/q.vert", "#version 330\nvoid main() { gl_Position = vec4(0.); }\n");
-        write("course/week/a.frag", "#version 330\n#include \"tint.glsl\"\nout vec4 c;\nvoid main() { c = tint(); }\n");
+        write("course/week/a.frag",
+              "#version 330\n#include \"tint.glsl\"\nout vec4 c;\nvoid main() { c = tint(); }\n");
         write("course/week/tint.glsl", "vec4 tint() { return vec4(1.); }\n");
         scene("Vertex q.vert\nFragment a.frag\nProgram P\nSphere 1\n");
     }
@@ -92,7 +93,8 @@ TEST_F(PageFiles, OfAnotherLibraryStandWhereThePageLooksForThem) {
     scene("Vertex r.vert\nFragment a.frag\nProgram P\nSphere 1\n");
     PageTask other = task();
     other.options.libraryRoots = {folder_ / "library"};
-    EXPECT_EQ(names(filesOf(other, read, problems)), "shaders/r.vert week/a.frag week/a.glib week/tint.glsl ");
+    EXPECT_EQ(names(filesOf(other, read, problems)),
+              "shaders/r.vert week/a.frag week/a.glib week/tint.glsl ");
 }
 
 TEST_F(PageFiles, AreNoneFromOutside) {
@@ -115,11 +117,14 @@ TEST_F(PageFiles, AreBytesAsTheyAreButForPicturesThatOnlyTheImageModuleReads) {
         const Diagnostics problem = image::writeImage(small, week / each);
         if (hasError(problem)) GTEST_SKIP() << toString(problem.front());
     }
-    scene("Texture2D 5 a.png\nTexture2D 6 a.jpg\nTexture2D 7 a.exr\nVertex q.vert\nFragment a.frag\nProgram P\nSphere 1\n");
+    scene(
+        "Texture2D 5 a.png\nTexture2D 6 a.jpg\nTexture2D 7 a.exr\nVertex q.vert\nFragment a.frag\nProgram "
+        "P\nSphere 1\n");
     for (const PageFile& each : files()) {
         const fs::path file = folder_ / "course" / each.name;
         std::vector<std::byte> bytes(fs::file_size(file));
-        std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        std::ifstream(file, std::ios::binary)
+            .read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         const bool isForeign = file.extension() == ".jpg" || file.extension() == ".exr";
         EXPECT_EQ(each.isConverted, isForeign) << each.name;
         if (!isForeign) {
@@ -185,8 +190,9 @@ TEST(Page, NamesTheHashesOfItsOwnScriptAndStyleAndAllowsNothingElse) {
         return "'sha256-" + suite::base64(sha256(std::as_bytes(std::span(text)))) + "'";
     };
     EXPECT_EQ(between(page, "Content-Security-Policy\" content=\"", "\""),
-              "default-src 'none'; img-src data: blob:; style-src " + hash(between(page, "<style>", "</style>")) +
-                  "; script-src " + hash(between(page, "<script>", "</script>")) +
+              "default-src 'none'; img-src data: blob:; style-src " +
+                  hash(between(page, "<style>", "</style>")) + "; script-src " +
+                  hash(between(page, "<script>", "</script>")) +
                   " 'wasm-unsafe-eval'; base-uri 'none'; form-action 'none'");
 }
 
@@ -198,7 +204,8 @@ TEST(Page, OfEqualScenesIsEqual) {
 TEST(Page, OfASceneThatIsNotLiveIsAPictureAndSaysWhy) {
     PageScene scene = hostile();
     scene.isLive = false;
-    scene.diagnostics.push_back(diagnose("web-E01", std::string("no geometry ") + kHostile, {"a.glib", 3, 1}));
+    scene.diagnostics.push_back(
+        diagnose("web-E01", std::string("no geometry ") + kHostile, {"a.glib", 3, 1}));
     const std::string page = wholePage(scene, {}, "a", "x");
     EXPECT_EQ(countOf(page, "<script"), 0U);
     EXPECT_EQ(countOf(page, "script-src"), 0U);

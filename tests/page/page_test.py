@@ -293,4 +293,4 @@ if __name__ == "__main__":
         sys.exit(pictures(sys.argv[2]))
     if not shutil.which("chromium") or not shutil.which("chromedriver"):
         sys.exit(77)
-    unittest.main(verbosity=2)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

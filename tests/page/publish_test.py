@@ -15,7 +15,7 @@ PROGRAM = None
 VERTEX = "#version 330 core\nvoid main() { gl_Position = uModelViewProjectionMatrix * aVertex; }\n"
 FRAGMENT = "#version 330 core\nuniform float uG; out vec4 c;\nvoid main() { c = vec4(uG, .5, 0., 1.); }\n"
 SCENE = "# A quad.\nWindowSize 40 30\nOrtho -1 1 -1 1\nVertex q.vert\nFragment q.frag\nProgram P uG <0. .5 1.>\nQuadXY 0 1\n"
-GEOMETRY = "#version 330 core\nlayout(points) in; layout(points, max_vertices = 1) out;\nvoid main() { gl_Position = gl_in[0].gl_Position; EmitVertex(); }\n"
+LACKING = FRAGMENT.replace("out vec4 c", "noperspective in vec3 v; out vec4 c").replace("uG, .5", "uG, v.x")
 
 
 class Publish(unittest.TestCase):
@@ -83,16 +83,16 @@ class Publish(unittest.TestCase):
             shutil.rmtree(os.path.join(self.folder, "site"))
 
     def test_what_browsers_lack_is_reported_and_the_page_is_a_picture(self):
-        self.write("in/q.geom", GEOMETRY)
-        self.write("in/a.glib", SCENE.replace("Fragment", "Geometry q.geom\nFragment").replace("QuadXY 0 1", "PointCloud 2 2 2"))
+        self.write("in/q.vert", VERTEX.replace("void main() {", "noperspective out vec3 v;\nvoid main() { v = vec3(.5);"))
+        self.write("in/q.frag", LACKING)
         message = self.glibra("publish", "in/a.glib", status=3)
-        self.assertRegex(message, r"in/(a\.glib|q\.geom):\d+:\d+: error: .*\[web-E01\]")
+        self.assertRegex(message, r"in/q\.(vert|frag):\d+:\d+: error: .*\[web-E04\]")
         page = self.read("a.html")
         self.assertNotIn("<script", page)
-        self.assertIn("[web-E01]", page)
+        self.assertIn("[web-E04]", page)
         self.assertIn("data:image/png", page)
         self.glibra("publish", "in", "-o", "site")
-        self.assertIn("[web-E01]", self.read("site/scenes/a.html"))
+        self.assertIn("[web-E04]", self.read("site/scenes/a.html"))
         self.assertNotIn("<script", self.read("site/scenes/a.html"))
 
     def test_a_faulty_scene_leaves_no_page(self):

@@ -360,8 +360,8 @@ void showTarget() {
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-/// What a drag of the mouse is computed with: the view of the camera without the transforms of the page, and its
-/// projection. Null if the page's view moves nothing.
+/// What a drag of the mouse is computed with: the view of the camera without the transforms of the page, and
+/// its projection. Null if the page's view moves nothing.
 Json surroundings(const ViewState& view, double aspect) {
     const render::LiveScene& live = *shown().live;
     const scene::NodeList& frame = live.scene().frame;

@@ -26,8 +26,9 @@ void glibra_file(char* name, std::size_t nameBytes, char* content, std::size_t b
 ///   "messages": [{ "severity": "error", "warning" or "note", "id", "text", "suggestion", "file", "line",
 ///                  "column" }],
 ///   "summary": the first sentence of the first comment, "width", "height": of the scene's window in pixels,
-///   "boxes": [texts of MessageBox], "animated", "readsMouse", "hasSteps", "stepRate": steps per second of the fastest Step block, or 0,
-///   "files": [{ "name", "language": "glib", "glsl", or "" for pictures, models and other data,
+///   "boxes": [texts of MessageBox], "animated", "readsMouse", "hasSteps", "stepRate": steps per second of
+///   the fastest Step block, or 0, "files": [{ "name", "language": "glib", "glsl", or "" for pictures, models
+///   and other data,
 ///               "role": "scene", "fragment shader of Wood", "included" or "" }],
 ///   "missing": [names at which files would be found], "camera": that is looked through, "cameras": [names],
 ///   "keys": [{ "key": as "k" or "space", "what": it does, "isHeld": it acts while it is down }],
@@ -56,7 +57,8 @@ GLIBRA_CALLED_BY_PAGE("glibra_set") const char* glibra_set(char* change, std::si
 ///   "mouse": [x, y from 0 to 1 from the lower left corner, 1 while the button is down] }
 /// What is left out is as at the beginning; the mouse stays as it was. Answers
 /// { "drawn", "messages": all so far, if there are others than before, "animated",
-///   "around": { "before": the camera's view without "view", "projection": [16 numbers] }, with which the page computes
+///   "around": { "before": the camera's view without "view", "projection": [16 numbers] }, with which the
+///   page computes
 ///             a drag of the mouse, or null, if it has changed }
 GLIBRA_CALLED_BY_PAGE("glibra_draw") const char* glibra_draw(char* frame, std::size_t bytes);
 

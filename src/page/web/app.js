@@ -144,7 +144,8 @@ export class App {
         /** @type {any} */
         const answer = await this.runtime?.open(this.data.scene);
         if (!answer) return false;
-        this.messages = answer.messages ?? [];
+        const boxes = (answer.boxes ?? []).map((/** @type {string} */ text) => ({ severity: "note", id: "", text }));
+        this.messages = [...boxes, ...(answer.messages ?? [])];
         if (answer.ended || (!answer.drawn && !this.opened)) this.stop(this.messages[0]?.text ?? "");
         if (answer.drawn) {
             this.opened = /** @type {Opened} */ (answer);
@@ -277,7 +278,7 @@ export class App {
         // The sources stand beside picture and values if there is room.
         this.element.classList.toggle("wide", this.element.clientWidth - width > kWide);
         const hasPanel = !this.panel.hidden && getComputedStyle(this.element).gridTemplateColumns.includes(" ");
-        const room = isFull ? window.innerWidth : this.element.clientWidth - (hasPanel ? this.panel.offsetWidth + kGap : 0);
+        const room = isFull ? window.innerWidth : this.element.clientWidth - (hasPanel ? this.panel.offsetWidth + 2 * kGap : 0);
         const most = isFull ? window.innerHeight - this.bar.offsetHeight : this.data.embed ? window.innerHeight - this.bar.offsetHeight - 8 : Infinity;
         const shrink = Math.min(1, room / width, most / height);
         [width, height] = isFull ? [room, most] : [width * shrink, height * shrink];
