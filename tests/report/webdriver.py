@@ -13,11 +13,16 @@ KEYS = {"Escape": "\ue00c", "Enter": "\ue007"}
 
 
 class Browser:
-    """One window. Leaves nothing behind when its `with` ends. `gl`: pages get WebGL 2, by Chromium's own rasteriser."""
+    """One window. Leaves nothing behind when its `with` ends. `gl`: pages get WebGL 2, by Chromium's own rasteriser, or, if it
+    is "mesa", by that of this machine, with the settings that glibra draws with."""
 
     def __init__(self, width=1400, height=900, gl=False):
         self.size = (width, height)
         self.gl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if gl else ["--disable-gpu"]
+        self.environment = None
+        if gl == "mesa":
+            self.gl = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
+            self.environment = {**os.environ, "GALLIVM_PERF": "no_aos_sampling"}
 
     def __enter__(self):
         try:
@@ -31,7 +36,7 @@ class Browser:
         self.profile = tempfile.mkdtemp(prefix="glibra-browser-")
         # Port 0 lets the system choose; chromedriver prints which it is.
         self.driver = subprocess.Popen(["chromedriver", "--port=0", "--allowed-ips=127.0.0.1"], stdout=subprocess.PIPE,
-                                       stderr=subprocess.STDOUT, text=True)
+                                       stderr=subprocess.STDOUT, text=True, env=self.environment)
         self.port = None
         for line in self.driver.stdout:
             if "started successfully on port" in line:
