@@ -4,28 +4,28 @@
 # fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes: of each the newest version
 # whose files are all there. A mirror may list an update whose files it has not yet, or no longer.
 fetch_sources() (
-    folder=$1
+    fetched=$1
     shift
-    mkdir -p "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial"
+    mkdir -p "$fetched/apt/lists/partial" "$fetched/apt/cache/archives/partial"
     for each in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
         [ ! -f "$each" ] || sed -n 's/^deb /deb-src /p' "$each"
-    done >"$folder/apt/one.list"
+    done >"$fetched/apt/one.list"
     for each in /etc/apt/sources.list.d/*.sources; do
         [ ! -f "$each" ] || { sed 's/^Types:.*/Types: deb-src/' "$each"; echo; }
-    done >"$folder/apt/two.sources"
-    mkdir -p "$folder/apt/parts"
-    cp "$folder/apt/one.list" "$folder/apt/two.sources" "$folder/apt/parts"
-    export APT_CONFIG="$folder/apt/apt.conf"
+    done >"$fetched/apt/two.sources"
+    mkdir -p "$fetched/apt/parts"
+    cp "$fetched/apt/one.list" "$fetched/apt/two.sources" "$fetched/apt/parts"
+    export APT_CONFIG="$fetched/apt/apt.conf"
     cat >"$APT_CONFIG" <<END
 Dir::Etc::SourceList "/dev/null";
-Dir::Etc::SourceParts "$folder/apt/parts";
-Dir::State::Lists "$folder/apt/lists";
-Dir::Cache "$folder/apt/cache";
+Dir::Etc::SourceParts "$fetched/apt/parts";
+Dir::State::Lists "$fetched/apt/lists";
+Dir::Cache "$fetched/apt/cache";
 APT::Sandbox::User "";
 Acquire::Retries "2";
 END
-    log=$folder/apt/log
-    cd "$folder" || exit
+    log=$fetched/apt/log
+    cd "$fetched" || exit
     apt-get update >"$log" 2>&1 || true  # without a source of somebody else, too
     for package in "$@"; do
         found=false

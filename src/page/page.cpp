@@ -120,10 +120,9 @@ Result<std::string> packedRuntime(const std::vector<fs::path>& folders) {
         if (!bytes) return std::move(bytes.diagnostics);
         return packed(*bytes);
     }
-    return diagnose(
-        "page-E01",
-        "the runtime of live pages, glibra.wasm, is not installed; install the package glibra-web, or "
-        "build it: tools/web/setup.sh");
+    return diagnose("page-E01",
+                    "the runtime of live pages, glibra.wasm, is not there; in a checkout of glibra, "
+                    "tools/glibra publish builds it");
 }
 
 std::string wholePage(const PageScene& scene, const PageOptions& options, const std::string& title,

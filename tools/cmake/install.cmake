@@ -74,6 +74,9 @@ endif()
 if(TARGET glibra_server)
     install(TARGETS glibra_server LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime)
 endif()
+# The runtime of live pages, which another compiler makes (tools/web), if there is one.
+set(GLIBRA_PAGE_RUNTIME ${PROJECT_SOURCE_DIR}/build/web/glibra.wasm CACHE FILEPATH "The runtime of live pages, which is installed if it exists")
+install(FILES ${GLIBRA_PAGE_RUNTIME} DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibra COMPONENT runtime OPTIONAL)
 # The example scenes with all they read, as a library root; the shaders that glibra itself draws with, for reading; and the
 # samples of README.md and of the pages.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/glib ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/textures

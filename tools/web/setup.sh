@@ -8,30 +8,30 @@ web_sources="fmtlib libspng libdeflate xxhash zlib"
 
 # web_libraries: builds what build/web-libraries lacks; made again when one of its own files changes.
 web_libraries() (
-    folder=$root/build/web-libraries
+    web_folder=$root/build/web-libraries
     stamp=$(cat "$root/tools/web/setup.sh" "$root/tools/sources.sh" "$root/tools/web/libraries/CMakeLists.txt" \
                 "$root/tools/cmake/libraries.cmake" "$root/tools/cmake/web.cmake" | sha256sum)
-    [ "$(cat "$folder/stamp" 2>/dev/null)" != "$stamp" ] || return 0
-    rm -rf "$folder" "$root/build/web"
-    mkdir -p "$folder/sources"
+    [ "$(cat "$web_folder/stamp" 2>/dev/null)" != "$stamp" ] || return 0
+    rm -rf "$web_folder" "$root/build/web"
+    mkdir -p "$web_folder/sources"
     say "fetching the sources of the libraries of live pages"
     # shellcheck disable=SC2086
-    fetch_sources "$folder/sources" $web_sources
+    fetch_sources "$web_folder/sources" $web_sources
     # Headers that are the same on all systems, without those of this one beside them.
-    mkdir -p "$folder/include" "$folder/share/cmake"
-    for each in glm nlohmann fast_float; do ln -s "/usr/include/$each" "$folder/include/$each"; done
-    for each in glm nlohmann_json; do cp -r "/usr/share/cmake/$each" "$folder/share/cmake"; done
+    mkdir -p "$web_folder/include" "$web_folder/share/cmake"
+    for each in glm nlohmann fast_float; do ln -s "/usr/include/$each" "$web_folder/include/$each"; done
+    for each in glm nlohmann_json; do cp -r "/usr/share/cmake/$each" "$web_folder/share/cmake"; done
     say "building the libraries of live pages"
-    log=$folder/log
-    if ! { cmake -S tools/web/libraries -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=MinSizeRel \
-               -DCMAKE_TOOLCHAIN_FILE="$root/tools/cmake/web.cmake" -DCMAKE_INSTALL_PREFIX="$folder" \
-               -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DSOURCES="$folder/sources" &&
-           ninja -C "$folder/build" install; } >"$log" 2>&1; then
+    log=$web_folder/log
+    if ! { cmake -S tools/web/libraries -B "$web_folder/build" -G Ninja -DCMAKE_BUILD_TYPE=MinSizeRel \
+               -DCMAKE_TOOLCHAIN_FILE="$root/tools/cmake/web.cmake" -DCMAKE_INSTALL_PREFIX="$web_folder" \
+               -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF -DSOURCES="$web_folder/sources" &&
+           ninja -C "$web_folder/build" install; } >"$log" 2>&1; then
         tail -n 40 "$log" >&2
         say "cannot build the libraries of live pages"
         exit 4
     fi
-    printf '%s\n' "$stamp" >"$folder/stamp"
+    printf '%s\n' "$stamp" >"$web_folder/stamp"
 )
 
 # web_runtime: builds build/web/glibra.wasm.
