@@ -129,7 +129,7 @@ class Evaluation {
             for (std::size_t i = 0; i < std::min(type.columns, type.rows); ++i)
                 all[i * type.rows + i] = diagonal;
         } else if (all.size() == 1) {
-            all.assign(count, all.front());
+            all = std::vector<double>(count, all.front());
         }
         if (all.size() < count) return std::nullopt;
         all.resize(count);

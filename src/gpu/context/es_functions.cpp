@@ -19,6 +19,7 @@ struct Own {
     PFNGLDISABLEPROC disable = nullptr;
     PFNGLISENABLEDPROC isEnabled = nullptr;
     PFNGLUSEPROGRAMPROC useProgram = nullptr;
+    PFNGLDELETEPROGRAMPROC deleteProgram = nullptr;
     PFNGLGETERRORPROC getError = nullptr;
 };
 Own own;
@@ -105,6 +106,12 @@ void getBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* dat
 void useProgram(GLuint used) {
     program = used;
     own.useProgram(used);
+}
+
+/// Its number may be that of another program from now on.
+void deleteProgram(GLuint deleted) {
+    if (deleted == program) useProgram(0);
+    own.deleteProgram(deleted);
 }
 
 /// Sets a uniform of a program that need not be in use.
@@ -245,11 +252,13 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     GLAD_GL_VERSION_4_1 = 1;
     GLAD_GL_VERSION_4_2 = GLAD_GL_VERSION_4_3 = GLAD_GL_VERSION_4_4 = GLAD_GL_VERSION_4_5 =
         GLAD_GL_VERSION_4_6 = 0;
-    own = {glad_glEnable, glad_glDisable, glad_glIsEnabled, glad_glUseProgram, glad_glGetError};
+    own = {glad_glEnable,     glad_glDisable,       glad_glIsEnabled,
+           glad_glUseProgram, glad_glDeleteProgram, glad_glGetError};
     glad_glEnable = enable;
     glad_glDisable = disable;
     glad_glIsEnabled = isEnabled;
     glad_glUseProgram = useProgram;
+    glad_glDeleteProgram = deleteProgram;
     glad_glGetError = getError;
     glad_glDepthRange = depthRange;
     glad_glDrawBuffer = drawBuffer;

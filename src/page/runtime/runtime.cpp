@@ -42,7 +42,7 @@ struct Shown {
     Diagnostics diagnostics;
     bool hasNews = false;  ///< diagnostics that no answer has had
     std::string scene, camera;
-    double mouseX = 0, mouseY = 0;
+    double mouseX = .5, mouseY = .5;
     bool isMouseDown = false, isWireframe = false;
     std::string answer;
     Json around;  ///< surroundings() of the last frame

@@ -12,7 +12,7 @@ const NUMBER = {
     SHADER_COMPILER: 0x8DFA, INFO_LOG_LENGTH: 0x8B84, SHADER_SOURCE_LENGTH: 0x8B88, ACTIVE_UNIFORM_MAX_LENGTH: 0x8B87,
     ACTIVE_ATTRIBUTE_MAX_LENGTH: 0x8B8A, ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH: 0x8A35, UNIFORM_BLOCK_NAME_LENGTH: 0x8A41,
     TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH: 0x8C76, UNIFORM_NAME_LENGTH: 0x8A39, NUM_SAMPLE_COUNTS: 0x9380,
-    PIXEL_PACK_BUFFER: 0x88EB, PIXEL_UNPACK_BUFFER: 0x88EC, COPY_WRITE_BUFFER: 0x8F37, INVALID_ENUM: 0x0500,
+    PIXEL_PACK_BUFFER: 0x88EB, PIXEL_UNPACK_BUFFER: 0x88EC, COPY_WRITE_BUFFER: 0x8F37, COPY_READ_BUFFER: 0x8F36, PRIMITIVE_RESTART_FIXED_INDEX: 0x8D69, INVALID_ENUM: 0x0500,
 };
 
 // WebGL's extensions that are enabled where they are there, and other names that OpenGL ES has for them.
@@ -145,8 +145,15 @@ export function glImports(context, module) {
     // its content waits here.
     /** @type {Map<number, {content: number | Uint8Array, usage: number} | null>} */
     const waiting = new Map();
-    /** The one that is bound for uploads and waits. */
-    let uploaded = 0;
+    /** The one that is bound for uploads, and the one that is bound for reading, if they wait. */
+    let uploaded = 0, read = 0;
+    /** The content that has waited, or nothing. */
+    const waitingContent = (/** @type {number} */ target) => {
+        const number = target === NUMBER.COPY_WRITE_BUFFER ? uploaded : target === NUMBER.COPY_READ_BUFFER ? read : 0;
+        const of = number ? waiting.get(number) : null;
+        if (of && typeof of.content === "number") of.content = new Uint8Array(of.content);
+        return of ? /** @type {Uint8Array} */ (of.content) : null;
+    };
 
     /** @type {Record<string, Call>} */
     const calls = {};
@@ -163,7 +170,10 @@ export function glImports(context, module) {
         calls[`glDelete${plural}`] = (count, at) => {
             for (const each of numbersAt(at, count)) {
                 gl[`delete${kind}`](names[letter].remove(each));
-                if (letter === "b") waiting.delete(each);
+                if (letter !== "b") continue;
+                waiting.delete(each);
+                if (uploaded === each) uploaded = 0;
+                if (read === each) read = 0;
             }
         };
     }
@@ -184,13 +194,14 @@ export function glImports(context, module) {
         waiting.delete(number);
         call();
         if (content) gl.bufferData(target, content.content, content.usage);
-        if (uploaded === number && number) settle();
+        if (number && (uploaded === number || read === number)) settle();
     };
     /** What is bound for uploads is so in WebGL, too. */
     const settle = () => {
-        const number = uploaded;
-        uploaded = 0;
-        if (number) bind(NUMBER.COPY_WRITE_BUFFER, number, () => glBindBuffer(NUMBER.COPY_WRITE_BUFFER, number));
+        for (const [target, number] of [[NUMBER.COPY_WRITE_BUFFER, uploaded], [NUMBER.COPY_READ_BUFFER, read]]) {
+            if (target === NUMBER.COPY_WRITE_BUFFER) uploaded = 0; else read = 0;
+            if (number) bind(target, number, () => glBindBuffer(target, number));
+        }
     };
     const {glBindBuffer, glBindBufferBase, glBindBufferRange, glDeleteProgram, glDeleteShader, glDeleteSync, glLinkProgram} = calls;
     Object.assign(calls, /** @type {Record<string, Call>} */ ({
@@ -205,6 +216,10 @@ export function glImports(context, module) {
             if (target === NUMBER.COPY_WRITE_BUFFER) {
                 uploaded = waiting.has(number) ? number : 0;
                 if (uploaded) return;
+            }
+            if (target === NUMBER.COPY_READ_BUFFER) {
+                read = waiting.get(number) ? number : 0;
+                if (read) return;
             }
             bind(target, number, () => glBindBuffer(target, number));
         },
@@ -389,6 +404,9 @@ export function glImports(context, module) {
         },
         glTransformFeedbackVaryings: (of, count, textsAt, mode) => gl.transformFeedbackVaryings(
             names.p.objects[of], numbersAt(textsAt, count).map((at) => textAt(at)), mode),
+        // Indices always restart.
+        glEnable: (what) => { if (what !== NUMBER.PRIMITIVE_RESTART_FIXED_INDEX) gl.enable(what); },
+        glDisable: (what) => { if (what !== NUMBER.PRIMITIVE_RESTART_FIXED_INDEX) gl.disable(what); },
         glDrawBuffers: (count, at) => gl.drawBuffers(numbersAt(at, count)),
         glBufferData: (target, size, at, usage) => {
             if (uploaded && target === NUMBER.COPY_WRITE_BUFFER)
@@ -399,12 +417,14 @@ export function glImports(context, module) {
                 gl.bufferData(target, size, usage);
         },
         glBufferSubData: (target, offset, size, at) => {
-            if (target === NUMBER.COPY_WRITE_BUFFER) settle();
-            if (size > 0) gl.bufferSubData(target, offset, memory().u8, at, size);
+            const content = waitingContent(target);
+            if (content) content.set(memory().u8.subarray(at, at + size), offset);
+            else if (size > 0) gl.bufferSubData(target, offset, memory().u8, at, size);
         },
         glGetBufferSubData: (target, offset, size, at) => {
-            if (target === NUMBER.COPY_WRITE_BUFFER) settle();
-            if (size > 0) gl.getBufferSubData(target, offset, memory().u8, at, size);
+            const content = waitingContent(target);
+            if (content) memory().u8.set(content.subarray(offset, offset + size), at);
+            else if (size > 0) gl.getBufferSubData(target, offset, memory().u8, at, size);
         },
         glCopyBufferSubData: (...values) => {
             settle();
