@@ -67,6 +67,11 @@ export class Runtime {
         gl.clear(gl.COLOR_BUFFER_BIT);
         return { drawn: true, animated: this.animated, around: { before: identityOfMock.with(14, -5), projection: identityOfMock } };
     }
+    release() {
+        this.onrestored = () => {};
+        this.calls = null;
+        this.context?.getExtension("WEBGL_lose_context")?.loseContext();
+    }
     colour(language, text) {
         const escaped = text.replace(/[&<>"]/g, (each) => `&#${each.charCodeAt(0)};`);
         return `<ol>${escaped.split("\n").map((each) => `<li>${each.replace(/^(\w+)/, '<span class="keyword">$1</span>')}</li>`).join("")}</ol>`;

@@ -16,6 +16,7 @@ import { ViewControl } from "./view.js";
 
 const kGap = 16;  // CSS pixels between the picture and the values
 const kWide = 22 * 16 + 30 * 16;  // CSS pixels that values and sources take beside the picture
+const kRest = 3000;  // milliseconds off the screen until a frame gives its context back
 
 /** @typedef {(canvas: HTMLCanvasElement) => Promise<Runtime>} Start */
 
@@ -31,6 +32,8 @@ export class App {
         this.start = start;
         this.title = document.title;
         this.poster = element.querySelector("img");
+        /** @type {HTMLElement | null} */
+        this.shown = this.poster;
         this.canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
         this.note = make("div", { class: "note", role: "status", hidden: true });
         /** @type {Runtime | undefined} */
@@ -41,6 +44,9 @@ export class App {
         this.files = new Map();
         this.isStale = true;
         this.isSeen = true;
+        // The scene of a frame waits until it can be seen, and once more after it has given its context back.
+        this.isWaiting = data.embed && !data.poster;
+        this.restTimer = 0;
         this.frame = 0;  // that is asked for
         this.size = { width: 0, height: 0 };  // of the canvas in pixels
         this.linkTimer = 0;
@@ -62,7 +68,14 @@ export class App {
         this.stage = make("div", { class: "stage" }, ...(this.poster ? [this.poster] : []), this.note, this.bar, this.keys.element);
         element.prepend(this.stage);
         if (data.poster) this.showNote("Start the scene", () => this.run());
-        else this.run();
+        else if (!data.embed) this.run();
+        const watch = new IntersectionObserver((entries) => {
+            for (const each of entries)
+                if (each.target === this.stage) this.see(each.isIntersecting);
+                else this.rest(!each.isIntersecting);
+        });
+        watch.observe(this.stage);
+        if (data.embed) watch.observe(element);
     }
 
     /** Begins, once more after the runtime has ended. */
@@ -81,10 +94,16 @@ export class App {
         } catch (failure) {
             return this.stop(failure instanceof Error ? failure.message : String(failure));
         }
-        this.poster?.remove();
-        this.stage.prepend(this.canvas);
+        this.show(this.canvas);
         this.resize();
         this.change();
+    }
+
+    /** @param {HTMLElement} picture that stands on the stage from now on */
+    show(picture) {
+        if (this.shown && this.shown !== picture) this.shown.replaceWith(picture);
+        else if (!this.shown) this.stage.prepend(picture);
+        this.shown = picture;
     }
 
     async unpack() {
@@ -103,30 +122,57 @@ export class App {
         this.showSources(!this.data.embed && this.element.clientWidth > 700);
         this.listen(this.canvas);
         this.keys.listen();
-        new IntersectionObserver(([entry]) => this.see(entry.isIntersecting)).observe(this.stage);
         new ResizeObserver(() => this.resize()).observe(this.element);
         document.addEventListener("visibilitychange", () => this.change());
         document.addEventListener("fullscreenchange", () => this.resize());
         window.addEventListener("hashchange", () => this.restoreLink());
         this.clock.seconds = this.data.time;
-        for (const each of this.data.set) this.preset(each);
+        this.preset();
         this.restoreLink();
     }
 
     /** @param {HTMLCanvasElement} canvas */
     listen(canvas) {
         this.view.listen(canvas);
-        canvas.addEventListener("webglcontextlost", () => this.showNote("The browser took the graphics away. Continue", () => this.begin()));
+        canvas.addEventListener("webglcontextlost", () => {
+            if (canvas !== this.canvas) return;
+            if (this.poster) this.show(this.poster);  // a lost canvas is black
+            this.showNote("The browser took the graphics away. Continue", () => this.begin());
+        });
+    }
+
+    /**
+     * In a frame of another page: a browser has some 16 contexts for all scenes, so one that is off the screen for a while
+     * gives its context back. Its last picture stays, and it goes on from there once it can be seen again.
+     * @param {boolean} isHidden
+     */
+    rest(isHidden) {
+        clearTimeout(this.restTimer);
+        if (isHidden) this.restTimer = setTimeout(() => this.giveBack(), kRest);
+        else if (this.isWaiting) this.begin();
+    }
+
+    giveBack() {
+        if (!this.runtime?.calls || !this.opened) return;
+        this.draw(performance.now());  // what is drawn can be copied until the browser shows it
+        const still = make("canvas", { width: this.canvas.width, height: this.canvas.height, "aria-label": "the scene" });
+        still.getContext("2d")?.drawImage(this.canvas, 0, 0);
+        this.show(this.canvas = still);
+        this.resize();
+        this.runtime.release();
+        this.isWaiting = true;
     }
 
     /** Begins with a new canvas, where the browser does not give the old one its context back. */
     async begin() {
-        const { hash } = this, canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
-        this.canvas.replaceWith(canvas);
-        this.canvas = canvas;
-        this.listen(canvas);
+        const { hash } = this;
+        this.isWaiting = false;
+        this.canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
+        if (this.opened) this.listen(this.canvas);
+        this.runtime?.release();
         this.runtime = undefined;
         await this.run();
+        this.preset();
         if (this.opened) restore(hash, this.opened.knobs, this.clock, this.view, (change) => this.tell(change));
     }
 
@@ -211,12 +257,24 @@ export class App {
         this.change();
     }
 
-    /** @param {import("./types.js").Setting} setting of the command that made the page */
-    preset(setting) {
+    /**
+     * The values with which a knob opens: those of the command that made the page, or those of the scene.
+     * @param {import("./types.js").Knob} knob
+     */
+    firstOf(knob) {
+        let first = knob.initial;
+        for (const { program, name, word, values } of this.data.set) {
+            if (knob.name !== name || (program && program !== knob.owner)) continue;
+            const given = word ? [knob.words?.indexOf(word) ?? -1] : values;
+            if (given.length === knob.current.length && !(word && given[0] < 0)) first = given;
+        }
+        return first;
+    }
+
+    preset() {
         this.opened?.knobs.forEach((knob, index) => {
-            if (knob.name !== setting.name || (setting.program && setting.program !== knob.owner)) return;
-            const values = setting.word ? [knob.words?.indexOf(setting.word) ?? -1] : setting.values;
-            if (values.length === knob.current.length && !(setting.word && values[0] < 0)) this.tell({ knob: index, values });
+            const values = this.firstOf(knob);
+            if (values !== knob.initial) this.tell({ knob: index, values });
         });
     }
 
@@ -291,7 +349,7 @@ export class App {
     }
 
     get hash() {
-        return this.opened ? hashOf(this.opened.knobs, this.clock, this.view, !this.clock.element.hidden) : "";
+        return this.opened ? hashOf(this.opened.knobs, (knob) => this.firstOf(knob), this.clock, this.view, !this.clock.element.hidden) : "";
     }
 
     writeLink() {

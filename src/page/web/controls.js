@@ -5,10 +5,10 @@ import { make } from "./dom.js";
 import { SliderScale } from "./slider.js";
 
 /** @param {number[]} a @param {number[]} b */
-const areEqual = (a, b) => a.length === b.length && a.every((each, i) => each === b[i]);
+export const areEqual = (a, b) => a.length === b.length && a.every((each, i) => each === b[i]);
 
 /** @param {Knob} knob */
-export const isChanged = (knob) => !areEqual(knob.current, knob.initial);
+const isChanged = (knob) => !areEqual(knob.current, knob.initial);
 
 /**
  * A colour of numbers from 0 to 1 as #rrggbb.

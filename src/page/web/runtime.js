@@ -142,6 +142,13 @@ export class Runtime {
         if (this.changed.length === 0) this.changed = this.knobs.filter((each) => !same(each.initial, each.current));
     }
 
+    /** Gives the context back. The canvas cannot be drawn into any more. */
+    release() {
+        this.onrestored = () => {};
+        this.end();
+        this.context?.getExtension("WEBGL_lose_context")?.loseContext();
+    }
+
     /**
      * Calls a function whose answer is JSON.
      * @param {string} name
