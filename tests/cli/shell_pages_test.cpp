@@ -183,7 +183,7 @@ TEST(Completion, OfPowerShellNamesCommandsOptionsAndWords) {
             EXPECT_TRUE(has.contains(option)) << each << " " << option;
     }
     EXPECT_PRED2(contains, text,
-                 "'render --driver' { $offers = 'auto', 'egl', 'egl-device', 'osmesa', 'wgl' }\n");
+                 "'render --driver' { $offers = 'auto', 'egl', 'egl-device', 'osmesa', 'wgl', 'gles' }\n");
     EXPECT_PRED2(contains, text, "'render --output' { return }\n") << "PowerShell offers files by itself";
 }
 
