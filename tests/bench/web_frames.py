@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT / "tests" / "report"))
 import webdriver  # noqa: E402
 
 SCENES = ("start/teapot", "lighting/volume_shadow", "arrays/checkered_shapes", "lights/two_shadows", "projection/dome")
-FRAMES, SIZE = 60, "640x480"
+FRAMES, SIZE = 40, "640x480"
 
 # Notes what a frame calls; then repeats it without what would set the same again.
 BEFORE = """

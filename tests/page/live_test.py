@@ -302,10 +302,10 @@ class Values(Pages):
         self.open("detail/fly_through")
         self.type_into(".seconds", "1")
         self.browser.run("document.querySelector('canvas').focus()")
-        self.browser.ask("POST", self.browser.session + "/actions", {"actions": [{"type": "key", "id": "keys", "actions": [
-            {"type": "keyDown", "value": "r"}, {"type": "pause", "duration": 500}, {"type": "keyUp", "value": "r"}]}]})
+        for act in ("keyDown", "keyUp"):
+            self.browser.ask("POST", self.browser.session + "/actions", {"actions": [{"type": "key", "id": "keys", "actions": [{"type": act, "value": "r"}]}]})
+            self.browser.wait("return document.querySelector(\"[type=number][aria-label^='y of']\").valueAsNumber > 1.3")
         height = self.browser.wait("return location.hash.match(/:y=([^&]*)/)?.[1]")
-        self.assertGreater(float(height), 1.25)
         self.assert_shows(self.render("detail/fly_through", "--time", "1", "--set", "y=" + height))
 
     def test_a_link_shows_what_one_saw(self):
@@ -425,11 +425,13 @@ class Edits(Pages):
         self.browser.wait("return document.querySelector('.messages').hidden")
         other = FRAGMENT.replace("uG, .5, 0.", "0., uG, gl_FragCoord.x / 320.")
         self.edit("quad.frag", other)
-        self.assert_shows(changed(sphere, other))
+        with_other = changed(sphere, other)
+        self.assert_shows(with_other)
         self.edit("quad.frag", other.replace("uG,", "uNone,"))
         self.browser.wait("return /quad.frag:4:\\d+: error/.test(document.querySelector('.messages').textContent)")
         self.assertEqual(self.browser.run(MARKED), [3])
-        self.assert_shows(changed(sphere, other.replace("uG,", "uNone,")), MARGIN)
+        time.sleep(0.3)
+        self.assert_shows(with_other)  # the last good program stays
         self.browser.click(".tabrow > button")
         self.assert_shows(with_sphere)
         self.type_into("[aria-label='uG of P, number']", ".25")
