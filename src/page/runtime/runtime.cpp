@@ -115,7 +115,7 @@ const char* wordOf(render::Widget widget) {
 }
 
 Json jsonOf(const render::Knob& knob) {
-    Json json{{"owner", knob.title},
+    Json json{{"owner", knob.program ? knob.title : std::string()},
               {"name", knob.tag},
               {"widget", wordOf(knob.widget)},
               {"declaration", knob.declaration},
