@@ -118,7 +118,7 @@ TEST(Completion, OfBashOffersCommandsOptionsWordsAndFiles) {
             EXPECT_TRUE(has.contains(option)) << each << " " << option;
     }
     EXPECT_EQ(bashOffers(folder, "glibra render dots.glib --driver ''"),
-              "auto\negl\negl-device\nosmesa\nwgl\n");
+              "auto\negl\negl-device\nosmesa\nwgl\ngles\n");
     EXPECT_EQ(bashOffers(folder, "glibra render do"), "dots.glib\n");
     EXPECT_EQ(bashOffers(folder, "glibra help ren"), "render\n");
 }
