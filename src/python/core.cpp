@@ -320,7 +320,8 @@ PYBIND11_MODULE(_core, module) {
     py::class_<glibra::Renderer>(module, "Renderer")
         .def(py::init([](const std::string& driver) {
                  const auto which = glibra::driverOfWord(driver);
-                 if (!which) throw py::value_error("driver: expected auto, egl, egl-device, osmesa, gles or wgl");
+                 if (!which)
+                     throw py::value_error("driver: expected auto, egl, egl-device, osmesa, gles or wgl");
                  return taken(glibra::Renderer::open(*which));
              }),
              py::arg("driver") = "auto")
