@@ -304,8 +304,8 @@ class Values(Pages):
         self.browser.run("document.querySelector('canvas').focus()")
         for act in ("keyDown", "keyUp"):
             self.browser.ask("POST", self.browser.session + "/actions", {"actions": [{"type": "key", "id": "keys", "actions": [{"type": act, "value": "r"}]}]})
-            self.browser.wait("return document.querySelector(\"[type=number][aria-label^='y of']\").valueAsNumber > 1.3")
-        height = self.browser.wait("return location.hash.match(/:y=([^&]*)/)?.[1]")
+            self.browser.wait("return document.querySelector(\"[type=number][aria-label='y, number']\").valueAsNumber > 1.3")
+        height = self.browser.wait("return location.hash.match(/[#&:]y=([^&]*)/)?.[1]")
         self.assert_shows(self.render("detail/fly_through", "--time", "1", "--set", "y=" + height))
 
     def test_a_link_shows_what_one_saw(self):
