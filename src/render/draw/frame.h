@@ -208,6 +208,9 @@ class FrameDrawer {
     /// Draws elements of one kind.
     /// Of a program that does the work of its geometry stage in the vertex stage (glsl::ExpandedGeometry).
     void submitExpanded(const BuiltProgram& built, const Elements& elements, bool asEdges) const;
+    /// What OpenGL ES draws otherwise than the scene states, as a text; null: nothing.
+    const char* lackOfEs(const base::RasterState& raster, const plan::PlannedDraw& planned,
+                         const BuiltProgram& built) const;
     /// The driver fills triangles only, and the draw shows their edges.
     [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
@@ -290,6 +293,7 @@ class FrameDrawer {
     mutable std::optional<gpu::Buffer> command_;  ///< the arguments of an indirect draw
     mutable gpu::EdgeBuffers edges_;
     bool lineWidthReported_ = false;
+    std::set<std::string> lacks_;  ///< that were reported (lackOfEs)
 };
 
 }  // namespace glibra::render

@@ -118,6 +118,10 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
             diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
                      plan_.drawOf(planned).place));
     }
+    if (const char* lack = capabilities.isEs ? lackOfEs(raster, planned, built) : nullptr;
+        lack != nullptr && lacks_.insert(lack).second)
+        diagnostics.push_back(diagnose("draw-W20", fmt::format("{} in a browser (OpenGL ES)", lack),
+                                       plan_.drawOf(planned).place));
     raster.pointSizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;
     fitToTile(raster, built, pass);
     if (wireframe_) raster.polygon = base::PolygonMode::line;
@@ -142,6 +146,21 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
         std::ranges::transform(*given, levels.begin(), [](double each) { return static_cast<float>(each); });
     setTessellationLevels(levels);
     return raster;
+}
+
+const char* FrameDrawer::lackOfEs(const base::RasterState& raster, const plan::PlannedDraw& planned,
+                                  const BuiltProgram& built) const {
+    const bool isExpanded = built.interface.facts.expanded.corners > 0;
+    if (raster.polygon == base::PolygonMode::line && raster.cull != base::Cull::off)
+        return "the edges of triangles are not culled";
+    if (raster.polygon == base::PolygonMode::point) return "triangles are filled, not drawn as points";
+    if (raster.provoking == base::ProvokingVertex::first) return "flat inputs are those of the last vertex";
+    if (raster.sampleShading > 0) return "the fragment stage runs once for each pixel, not for each sample";
+    if (raster.depthClamp && !context_.capabilities().hasExtension("GL_EXT_depth_clamp"))
+        return "what lies in front of the near plane or behind the far plane is cut off";
+    if (isExpanded && (planned.submission.strip || plan_.drawOf(planned).indices.buffer))
+        return "a geometry stage gets no strips and no indices of a buffer, so the picture is wrong";
+    return nullptr;
 }
 
 bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgram& built,

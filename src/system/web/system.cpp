@@ -1,5 +1,5 @@
-// A page has one thread and one process, no disk, no libraries and no environment: whoever asks for one of
-// these is told so.
+// A page has one thread and one process, and neither a disk nor libraries nor an environment. The functions
+// of this room that need one of these fail, as their headers say.
 
 #include <cerrno>
 #include <cstddef>
