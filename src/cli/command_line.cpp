@@ -392,8 +392,9 @@ Option CommandLine::choice(const std::string& name, const std::vector<std::strin
 }
 
 Option CommandLine::driver(Driver& to) {
-    return choice("--driver", to, kDriverWords,
-                  "the OpenGL driver: auto, egl, egl-device, osmesa, gles (what browsers have) or wgl (Windows)")
+    return choice(
+               "--driver", to, kDriverWords,
+               "the OpenGL driver: auto, egl, egl-device, osmesa, gles (what browsers have) or wgl (Windows)")
         .placeholder("DRIVER");
 }
 
