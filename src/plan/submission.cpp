@@ -45,11 +45,6 @@ std::string recommendation(CommandId command, std::string_view wanted) {
     return other.empty() ? std::string() : fmt::format("; use {}", other);
 }
 
-int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {
-    if (shape.list != nullptr && shape.list->patchVertices > 0) return shape.list->patchVertices;
-    return shape.command == CommandId::objPatch ? kObjPatchVertices : draw.patchVertices;
-}
-
 /// Returns how a draw with a TessEvaluation stage is submitted, or draw-E03.
 Result<Submission> asPatches(const scene::Shape& shape, const scene::Draw& draw,
                              const ProgramInterface& interface) {
@@ -93,6 +88,13 @@ bool isAdjacency(Topology topology) {
 }
 
 }  // namespace
+
+int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {
+    const Topology topology = topologyOf(shape);
+    if (topology != Topology::patches) return geometry::verticesPerPrimitive(topology);
+    if (shape.list != nullptr && shape.list->patchVertices > 0) return shape.list->patchVertices;
+    return shape.command == CommandId::objPatch ? kObjPatchVertices : draw.patchVertices;
+}
 
 std::string_view wordOf(Topology topology) {
     constexpr std::array<std::string_view, 6> kWords{

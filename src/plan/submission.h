@@ -20,6 +20,9 @@ std::string_view wordOf(geometry::Topology topology);
 Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& draw,
                                 const scene::Program* program, const ProgramInterface& interface);
 
+/// Vertices of the patches that a tessellation stage gets of the draw.
+int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw);
+
 /// The adjacency that the shape's triangles get if they are submitted as `submitted`; nothing if the mesh
 /// stays as it is.
 std::optional<geometry::Topology> addedAdjacency(const scene::Shape& shape, geometry::Topology submitted);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -16,6 +17,8 @@
 #include "glsl/es/constants.h"
 #include "glsl/es/conversions.h"
 #include "glsl/es/geometry.h"
+#include "glsl/es/parts.h"
+#include "glsl/es/tessellation.h"
 #include "glsl/parse/bodies.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
@@ -27,6 +30,7 @@ namespace glibra::glsl {
 namespace {
 
 constexpr int kEsVersion = 300;
+constexpr int kMostInputs = 16;  // of a vertex stage in GLSL ES 3.00 (gl_MaxVertexAttribs)
 
 /// Functions and variables of the core profile that GLSL ES 3.00 lacks.
 constexpr std::string_view kMissingNames =
@@ -82,20 +86,6 @@ constexpr std::array kWritten = std::to_array<Written>({
      "1u) != 0u) return i; return -1; }"},
 });
 
-std::string_view stageName(Stage stage) {
-    switch (stage) {
-        case Stage::tessControl:
-        case Stage::tessEvaluation:
-            return "tessellation";
-        case Stage::geometry:
-            return "geometry";
-        case Stage::compute:
-            return "compute";
-        default:
-            return "";
-    }
-}
-
 bool isLineNumber(std::string_view line) {
     return line.starts_with("#line ");
 }
@@ -126,8 +116,17 @@ class EsStage {
     EsStage(const TranslatedStage& core, Unit& unit, Report& report, bool hasBorders)
         : core_(core), unit_(unit), report_(report), hasBorders_(hasBorders) {}
 
-    /// It becomes a part of the vertex stage.
-    void becomePart(GeometryInVertex& expanded) { expanded_ = &expanded; }
+    /// It becomes a part of the vertex stage, and so do the stages with which it shares variables.
+    struct Part {
+        std::optional<BlockPlace> input{};
+        std::function<BlockPlace(bool isOfPatch)> output{};
+        /// Gets the variables in place of the members of blocks that the fragment stage reads.
+        std::function<void(std::string type, std::string name)> keep{};
+    };
+    void becomePart(Part part) {
+        part_ = std::move(part);
+        isPart_ = true;
+    }
 
     void adapt(std::vector<InitialValue>& initialValues) {
         for (const Declaration& each : unit_.syntax.declarations) declaration(each);
@@ -215,46 +214,55 @@ class EsStage {
         if (each.qualifiers.storage != Storage::input && each.qualifiers.storage != Storage::output) return;
         if (name == "gl_PerVertex") return unit_.remove(each.tokens);
         const bool isInput = each.qualifiers.storage == Storage::input;
-        const bool isOfCorners = expanded_ != nullptr && unit_.stage == Stage::geometry && isInput;
-        if (!isOfCorners && !each.declarators.empty() && !each.declarators.front().dimensions.empty())
+        std::optional<BlockPlace> place;
+        if (isInput) place = part_.input;
+        if (!isInput && part_.output) place = part_.output(each.qualifiers.patch);
+        if (!place && !each.declarators.empty() && !each.declarators.front().dimensions.empty())
             return lacks(
                 "web-E04",
                 "'" + name + "' is an array of blocks between stages, which GLSL ES 3.00 (WebGL 2) has not",
                 each.name);
-        const bool isPlain = isOfCorners || (expanded_ != nullptr && unit_.stage == Stage::vertex);
-        const std::string word(isPlain ? "" : isInput ? "in " : "out ");
-        unit_.remove({each.tokens.first, each.body.first + 1});
-        unit_.remove({each.body.end - 1, each.tokens.end});
+        const bool isDeclared = !place || place->isDeclared;
+        const std::string word(place ? "" : isInput ? "in " : "out ");
+        if (isDeclared) {
+            unit_.remove({each.tokens.first, each.body.first + 1});
+            unit_.remove({each.body.end - 1, each.tokens.end});
+        } else {
+            unit_.remove(each.tokens);
+        }
         const std::string_view instance =
             each.declarators.empty() ? std::string_view() : unit_.text(each.declarators.front().name);
         for (const Declaration& member : each.members) {
-            const Range qualifiers = member.qualifiers.tokens;
-            unit_.remove(qualifiers);
-            std::string before = member.qualifiers.interpolation.empty() ? each.qualifiers.interpolation
-                                                                         : member.qualifiers.interpolation;
-            if (typeOfWord(member.type.name).integral()) before = "flat";
-            if (before == "noperspective") noPerspective(member.type.tokens.first);
-            if (before == "noperspective" || before == "smooth") before.clear();
-            if (!before.empty()) before += ' ';
-            if (member.qualifiers.centroid || each.qualifiers.centroid) before += "centroid ";
-            if (isPlain) before.clear();
-            unit_.edits.before(unit_.view[member.type.tokens.first].raw, before + word);
+            if (isDeclared) declareMember(each, member, !place, word);
             for (const Declarator& one : member.declarators) {
                 const std::string own(unit_.text(one.name));
-                const std::string variable = (isOfCorners ? "glibra_c_"
-                                              : isPlain   ? "glibra_v_"
-                                                          : "glibra_") +
-                                             name + "_" + own;
-                unit_.edits.replace(unit_.view[one.name].raw,
-                                    variable + (isOfCorners ? expanded_->pass(name, own) : ""));
-                if (expanded_ != nullptr && unit_.stage == Stage::geometry && !isInput)
-                    expanded_->keep(std::string(member.type.name), variable);
+                const std::string whole = name + "_" + own;
+                const std::string variable = (place ? place->prefix : "glibra_") + whole;
+                if (isDeclared)
+                    unit_.edits.replace(unit_.view[one.name].raw, variable + (place ? place->sizes : ""));
+                if (place && place->note) place->note(whole);
+                if (!place && !isInput && part_.keep) part_.keep(std::string(member.type.name), variable);
                 if (instance.empty())
                     unit_.renames[own] = variable;
                 else
                     members_[{std::string(instance), own}] = variable;
             }
         }
+    }
+
+    /// The qualifiers of a variable in place of a member of a block.
+    void declareMember(const Declaration& block, const Declaration& member, bool isVarying,
+                       const std::string& word) {
+        unit_.remove(member.qualifiers.tokens);
+        std::string before = member.qualifiers.interpolation.empty() ? block.qualifiers.interpolation
+                                                                     : member.qualifiers.interpolation;
+        if (typeOfWord(member.type.name).integral()) before = "flat";
+        if (before == "noperspective") noPerspective(member.type.tokens.first);
+        if (before == "noperspective" || before == "smooth") before.clear();
+        if (!before.empty()) before += ' ';
+        if (member.qualifiers.centroid || block.qualifiers.centroid) before += "centroid ";
+        if (!isVarying) before.clear();
+        unit_.edits.before(unit_.view[member.type.tokens.first].raw, before + word);
     }
 
     void noPerspective(std::uint32_t at) {
@@ -270,7 +278,7 @@ class EsStage {
         each.precision.clear();
         each.precise = each.sample = false;
         const bool isVarying = (each.storage == Storage::input && unit_.stage == Stage::fragment) ||
-                               (each.storage == Storage::output && unit_.stage == Stage::vertex);
+                               (each.storage == Storage::output && unit_.stage != Stage::fragment);
         if (isVarying) {
             if (each.interpolation == "noperspective") {
                 noPerspective(each.nameToken);
@@ -416,7 +424,7 @@ class EsStage {
     void begin() {
         std::string text;
         for (const std::string& each : beginnings_) text += " " + each;
-        if (unit_.stage == Stage::vertex && !unit_.isWritten("gl_PointSize")) {
+        if (unit_.stage == Stage::vertex && !isPart_ && !unit_.isWritten("gl_PointSize")) {
             if (!unit_.isDeclared("glibra_PointSize")) unit_.declare("uniform float glibra_PointSize;");
             text += " gl_PointSize = glibra_PointSize;";
         }
@@ -428,8 +436,9 @@ class EsStage {
     Unit& unit_;
     Report& report_;
     bool hasBorders_;
-    GeometryInVertex* expanded_ = nullptr;  ///< that the stage is a part of
-    std::vector<std::string> beginnings_;   ///< statements that give variables their first values
+    Part part_;
+    bool isPart_ = false;
+    std::vector<std::string> beginnings_;  ///< statements that give variables their first values
     /// The variables in place of the members of blocks, by instance and member.
     std::map<std::pair<std::string, std::string>, std::string> members_;
 };
@@ -469,18 +478,16 @@ TranslatedStage joined(TranslatedStage first, const TranslatedStage& second, con
     append(first.lineMap.files, second.lineMap.files);
     append(first.lineMap.macros, second.lineMap.macros);
     const std::string firstText = first.source;
-    std::set<std::string_view> known;
-    for (const std::string_view line : textLines(firstText)) {
-        if (isLineNumber(line)) break;
-        known.insert(line);
-    }
-    bool isPrologue = true;
+    std::set<std::string_view> known;  // written by the translation
+    for (std::size_t i = 0; const std::string_view line : textLines(firstText))
+        if (first.lineMap.lines[i++].file < 0 && (line.ends_with(';') || line.starts_with('#')) &&
+            !isLineNumber(line))
+            known.insert(line);
     std::size_t i = 0;
     for (const std::string_view line : textLines(second.source)) {
         LineOrigin origin = second.lineMap.lines[i];
         std::vector<ColumnShift> columns = second.lineMap.columns[i++];
-        isPrologue = isPrologue && !isLineNumber(line);
-        if (isPrologue && known.contains(line)) continue;
+        if (origin.file < 0 && known.contains(line)) continue;
         const std::size_t number = line.rfind(' ');
         if (isLineNumber(line) && files > 0 && number != std::string_view::npos)
             first.source += std::string(line.substr(0, number + 1)) +
@@ -508,9 +515,153 @@ Unit* stageIn(std::vector<Unit>& units, Stage stage) {
     return found == units.end() ? nullptr : &*found;
 }
 
+/// The stages before the fragment stage as one vertex stage, where there are more than that.
+class MergedStages {
+  public:
+    MergedStages(std::vector<Unit>& units, std::vector<EsStage>& stages, const TranslatedProgram& program,
+                 int patchVertices)
+        : stages_(stages),
+          vertex_(stageIn(units, Stage::vertex)),
+          control_(stageIn(units, Stage::tessControl)),
+          evaluation_(stageIn(units, Stage::tessEvaluation)),
+          geometry_(stageIn(units, Stage::geometry)),
+          first_(units.data()) {
+        Unit* const fragment = stageIn(units, Stage::fragment);
+        if (Unit* const last = geometry_ ? geometry_ : evaluation_ ? evaluation_ : vertex_; last && fragment)
+            connect(*last, *fragment);
+        if (!vertex_ || (!evaluation_ && !geometry_)) return;
+        corners_ = evaluation_ ? patchVertices : cornersOfInput(program.geometryInput);
+        if (evaluation_) tessellate(program);
+        if (geometry_) build(fragment, program);
+    }
+
+    /// Of what the stages become.
+    [[nodiscard]] ExpandedGeometry expansion() const {
+        if (!tessellation_ && !built_) return {};
+        ExpandedGeometry all;
+        if (built_) all = built_->expansion();
+        all.corners = corners_;
+        if (!tessellation_) return all;
+        all.tessellation = tessellation_->layout();
+        all.measuresLevels = control_ != nullptr;
+        if (!built_) all.vertices = all.ofPrimitive = cornersOf(tessellation_->layout());
+        return all;
+    }
+
+    /// In place of the stages of `program`.
+    void join(std::vector<TranslatedStage>& stages) const {
+        if (!tessellation_ && !built_) return;
+        const auto at = [&](Stage stage) {
+            return std::ranges::find(stages, stage, &TranslatedStage::stage);
+        };
+        const Stage last = built_ ? Stage::geometry : Stage::tessEvaluation;
+        for (const Stage each : {Stage::tessControl, Stage::tessEvaluation, Stage::geometry}) {
+            if (at(each) == stages.end()) continue;
+            *at(Stage::vertex) = joined(*at(Stage::vertex), *at(each), each == last ? ending() : "");
+            stages.erase(at(each));
+        }
+    }
+
+  private:
+    EsStage& of(const Unit& unit) { return stages_[static_cast<std::size_t>(&unit - first_)]; }
+
+    void lacks(const Unit& unit, const char* what, const std::string& problem) {
+        if (problem.empty()) return;
+        of(unit).lacks("web-E01",
+                       std::string("WebGL 2 has no ") + what + " stage, and cannot do without: " + problem);
+    }
+
+    static std::string tooManyInputs(int inputs) {
+        if (inputs <= kMostInputs) return {};
+        return "it needs " + std::to_string(inputs) + " inputs of the vertex stage; " +
+               std::to_string(kMostInputs) + " are possible";
+    }
+
+    void tessellate(const TranslatedProgram& program) {
+        TessellationInVertex& tessellation =
+            tessellation_.emplace(*vertex_, control_, *evaluation_, corners_, program);
+        std::string problem = tessellation.prepare(geometry_ ? cornersOfInput(program.geometryInput) : 0);
+        if (problem.empty()) problem = tooManyInputs(tessellation.inputs());
+        lacks(*evaluation_, "tessellation", problem);
+        of(*vertex_).becomePart(
+            {.output = [&](bool) { return tessellation.outputOf(Stage::vertex, false); }});
+        if (control_)
+            of(*control_).becomePart({tessellation.inputOf(Stage::tessControl), [&](bool isOfPatch) {
+                                          return tessellation.outputOf(Stage::tessControl, isOfPatch);
+                                      }});
+        EsStage::Part part{tessellation.inputOf(Stage::tessEvaluation)};
+        if (geometry_) part.output = [&](bool) { return tessellation.primitives().output(); };
+        of(*evaluation_).becomePart(std::move(part));
+    }
+
+    void build(Unit* fragment, const TranslatedProgram& program) {
+        if (!tessellation_) {
+            own_.emplace(*vertex_, "glibra_v", "glibra_corners", corners_);
+            own_->prepare("glibra_Instance");
+            vertex_->declare("uniform int glibra_Instance;");
+            own_->spreadInputs();
+            of(*vertex_).becomePart({.output = [&](bool) { return own_->output(); }});
+        }
+        CornerStage& corners = tessellation_ ? tessellation_->primitives() : *own_;
+        GeometryInVertex& built = built_.emplace(corners, *geometry_, fragment, program);
+        std::string problem = built.prepare(tessellation_ ? "glibra_patch" : "gl_InstanceID");
+        for (const Unit* each : {vertex_, control_, evaluation_})
+            if (each) removeTwins(*geometry_, *each);
+        // Vertices without data are numbered; those of a mesh have lost their numbers.
+        if (own_ && vertex_->isUsed("gl_VertexID") && own_->inputs() > 0)
+            problem = "gl_VertexID and vertex data before it";
+        if (own_ && problem.empty()) problem = tooManyInputs(own_->inputs());
+        lacks(*geometry_, "geometry", problem);
+        of(*geometry_)
+            .becomePart({corners.inputOfNext("glibra_c_"), {}, [&](std::string type, std::string name) {
+                             built.keep(std::move(type), std::move(name));
+                         }});
+    }
+
+    [[nodiscard]] std::string ending() const {
+        std::string functions, text;
+        if (tessellation_) functions += tessellation_->functions();
+        if (built_) functions += built_->functions();
+        const Unit& last = geometry_ ? *geometry_ : *evaluation_;
+        if (!last.isWritten("gl_PointSize")) {
+            if (std::ranges::none_of(
+                    std::array<const Unit*, 4>{vertex_, control_, evaluation_, geometry_},
+                    [](const Unit* each) { return each && each->isDeclared("glibra_PointSize"); }))
+                functions += "uniform float glibra_PointSize;\n";
+            text += " gl_PointSize = glibra_PointSize;\n";
+        }
+        if (tessellation_) text += tessellation_->statements();
+        if (tessellation_ && built_) {
+            const ExpandedGeometry each = built_->expansion();
+            text += " int primitive = gl_VertexID / " + std::to_string(each.vertices) + ";\n";
+            for (int corner = 0; corner < each.corners; ++corner)
+                text += tessellation_->primitives().run(
+                    corner, tessellation_->coordinate("primitive * " + std::to_string(each.corners) + " + " +
+                                                      std::to_string(corner)));
+            text += built_->statements("(gl_VertexID - primitive * " + std::to_string(each.vertices) + ")");
+        } else if (tessellation_) {
+            text += tessellation_->coordinate("gl_VertexID") + " glibra_e_main();\n";
+        } else {
+            for (int corner = 0; corner < corners_; ++corner)
+                text += own_->run(corner, " glibra_vertex = " + std::to_string(corners_) +
+                                              " * gl_InstanceID + " + std::to_string(corner) + ";");
+            text += built_->statements("gl_VertexID");
+        }
+        return functions + "void main() {\n" + text + "}\n";
+    }
+
+    std::vector<EsStage>& stages_;
+    Unit *vertex_, *control_, *evaluation_, *geometry_;
+    const Unit* first_;
+    int corners_ = 0;  ///< of a primitive of the mesh
+    std::optional<TessellationInVertex> tessellation_;
+    std::optional<CornerStage> own_;  ///< the vertex stage before a geometry stage
+    std::optional<GeometryInVertex> built_;
+};
+
 }  // namespace
 
-EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
+EsProgram toEs(const TranslatedProgram& program, bool hasBorders, int patchVertices) {
     EsProgram result;
     Report report, ignored;  // the core text has been reported already
     ProgramRequest core, es;
@@ -520,11 +671,9 @@ EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
     std::vector<Unit> units;
     units.reserve(program.stages.size() + 1);
     std::vector<EsStage> stages;
-    const bool isTessellated = !program.tessellationOutput.empty();
     for (const TranslatedStage& each : program.stages) {
-        const std::string_view name = stageName(each.stage);
-        if (!name.empty() && (each.stage != Stage::geometry || isTessellated)) {
-            report.reportOnce(std::string(name), "web-E01", "WebGL 2 has no " + std::string(name) + " stage",
+        if (each.stage == Stage::compute) {
+            report.reportOnce("compute", "web-E01", "WebGL 2 has no compute stage",
                               {each.path, each.firstLine, 1});
             continue;
         }
@@ -542,28 +691,11 @@ EsProgram toEs(const TranslatedProgram& program, bool hasBorders) {
         unit.declare("precision highp samplerCube;");
         stages.emplace_back(each, unit, report, hasBorders);
     }
-    Unit *const vertex = stageIn(units, Stage::vertex), *const geometry = stageIn(units, Stage::geometry),
-                *const fragment = stageIn(units, Stage::fragment);
-    if (Unit* const last = geometry ? geometry : vertex; last && fragment) connect(*last, *fragment);
-    std::optional<GeometryInVertex> expanded;
-    if (vertex && geometry) {
-        const std::string problem = expanded.emplace(*vertex, *geometry, fragment, program).prepare();
-        EsStage& stage = stages[static_cast<std::size_t>(geometry - units.data())];
-        stage.becomePart(*expanded);
-        stages[static_cast<std::size_t>(vertex - units.data())].becomePart(*expanded);
-        if (!problem.empty())
-            stage.lacks("web-E01", "WebGL 2 has no geometry stage, and cannot do without: " + problem);
-        result.expanded = expanded->expansion();
-    }
+    const MergedStages merged(units, stages, program, patchVertices);
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());
-    if (expanded) {
-        const auto at = [&](Stage stage) {
-            return std::ranges::find(result.stages, stage, &TranslatedStage::stage);
-        };
-        *at(Stage::vertex) = joined(*at(Stage::vertex), *at(Stage::geometry), expanded->ending());
-        result.stages.erase(at(Stage::geometry));
-    }
+    merged.join(result.stages);
+    result.expanded = merged.expansion();
     // Only the core profile links a vertex stage alone.
     if (!result.stages.empty() && result.stages.back().stage == Stage::vertex) {
         TranslatedStage& empty = result.stages.emplace_back();

@@ -21,7 +21,8 @@ struct EsProgram {
 };
 
 /// `program` must have been translated without errors. `hasBorders`: textures that it reads may have a
-/// border, which whoever draws says by the uniforms of borders.h.
-EsProgram toEs(const TranslatedProgram& program, bool hasBorders = false);
+/// border, which whoever draws says by the uniforms of borders.h. `patchVertices`: of the patches that it
+/// draws.
+EsProgram toEs(const TranslatedProgram& program, bool hasBorders = false, int patchVertices = 3);
 
 }  // namespace glibra::glsl

@@ -2,69 +2,61 @@
 // WebGL 2 has no geometry stage: its work is done by the vertex stage.
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "glsl/es/parts.h"
 #include "glsl/parse/unit.h"
 #include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 
-/// The vertex and the geometry stage of a program as one vertex stage. An instance is a primitive of the
-/// mesh, and each of its vertices is one that the geometry stage delivers: it runs the vertex stage for all
-/// corners, whose attributes it has as inputs of its own, then the geometry stage, and keeps what that emits
-/// in its place. Primitives are numbered in the order in which they are emitted; those that are not emitted
-/// lie outside of the picture.
+/// Corners of a primitive that a geometry stage takes, by the word of its layout; 0: no such word.
+int cornersOfInput(std::string_view primitive);
+
+/// The geometry stage of a program as a part of its vertex stage. For each vertex that the geometry stage may
+/// deliver, the stage before it runs for all corners of a primitive, then the geometry stage, and what that
+/// emits in the place of the vertex is kept. Primitives are numbered in the order in which they are emitted;
+/// those that are not emitted lie outside of the picture.
 class GeometryInVertex {
   public:
-    /// Both were parsed. Call prepare() before they are adapted to GLSL ES.
+    /// `corners`: the stage before it. All were parsed. Call prepare() before they are adapted to GLSL ES.
     /// `fragment` may be null.
-    GeometryInVertex(Unit& vertex, Unit& geometry, Unit* fragment, const TranslatedProgram& program)
-        : vertex_(vertex), geometry_(geometry), fragment_(fragment), program_(program) {}
+    GeometryInVertex(CornerStage& corners, Unit& geometry, Unit* fragment, const TranslatedProgram& program)
+        : corners_(corners), geometry_(geometry), fragment_(fragment), program_(program) {}
 
-    /// Rewrites both. Returns what cannot be expressed, as a text, or nothing.
-    std::string prepare();
-    /// For a member of a block of inputs of the geometry stage: the size of the array that takes its place,
-    /// "[3]".
-    std::string pass(const std::string& block, const std::string& member);
-    /// A variable in place of a member of a block of outputs of the geometry stage.
+    /// Rewrites the stage. `primitive`: what gl_PrimitiveIDIn is written as. Returns what cannot be
+    /// expressed, as a text, or nothing.
+    std::string prepare(const std::string& primitive);
+    /// A variable in place of a member of a block of outputs.
     void keep(std::string type, std::string name) {
         blockOutputs_.push_back({std::move(type), std::move(name), {}});
     }
-    /// After that, and after the outputs were connected to the fragment stage: the text that follows both.
-    [[nodiscard]] std::string ending() const;
+    /// After that, and after the outputs were connected to the fragment stage: the functions that follow the
+    /// stage's text.
+    [[nodiscard]] std::string functions() const;
+    /// The statements of main that follow the runs of the corners. `vertex`: the number of the vertex to
+    /// deliver for this primitive.
+    [[nodiscard]] std::string statements(const std::string& vertex) const;
+    /// Of a primitive that the geometry stage takes.
     [[nodiscard]] ExpandedGeometry expansion() const;
 
   private:
-    struct Attribute {
-        std::string type, name;
-    };
-    /// A variable of the vertex stage, and the array that the geometry stage reads.
-    struct Passed {
-        std::string from, to;
-    };
     /// What is kept of a vertex that is emitted.
     struct Kept {
         std::string type, name, sizes;
     };
-    void prepareVertex();
-    std::string prepareGeometry();
     [[nodiscard]] std::vector<Kept> kept() const;
     [[nodiscard]] int cornersOfOutput() const;
     /// How many primitives an invocation delivers at most.
     [[nodiscard]] int most() const;
 
-    Unit& vertex_;
+    CornerStage& corners_;
     Unit& geometry_;
     Unit* fragment_;
     const TranslatedProgram& program_;
-    int corners_ = 0;  ///< of a primitive of the mesh
     int invocations_ = 1;
-    std::vector<Attribute> attributes_;
-    std::vector<Passed> passed_;
     std::vector<Kept> blockOutputs_;
 };
-
-/// How an input of the vertex stage is named for a corner; ExpandedGeometry says how they are placed.
-inline constexpr const char* kCornerInput = "glibra_Corner";
 
 }  // namespace glibra::glsl

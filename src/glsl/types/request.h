@@ -88,6 +88,7 @@ struct ProgramRequest {
     std::string geometryInput;             ///< from GeometryInput, a lower-case GLSL word, or empty
     std::string geometryOutput;            ///< from GeometryOutput, likewise
     int geometryVerticesOut = 0;           ///< 0: not given
+    int patchVertices = 3;                 ///< for GLSL ES: of the patches that the program draws
     bool reportsGeometryConflicts = true;  ///< glsl-W16, where the shader's layouts say something else
     /// The kinds of texture that the scene ever binds to the unit that the tag names. It decides the type of
     /// a `uniform int u` that is used as a sampler.

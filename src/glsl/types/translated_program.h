@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/tessellation_layout.h"
 #include "glsl/types/counted_loop.h"
 #include "glsl/types/memory_facts.h"
 #include "glsl/types/stage.h"
@@ -135,14 +136,25 @@ enum class Placement {
     point    ///< gl_Position is that matrix times vec4(vertex.xyz, 1)
 };
 
-/// Of GLSL ES: the vertex stage does the work of the geometry stage (glsl/es/geometry.h).
+/// Of GLSL ES: the vertex stage does the work of geometry and tessellation stages (glsl/es/geometry.h,
+/// glsl/es/tessellation.h). An instance is a primitive of the mesh or a patch.
 struct ExpandedGeometry {
     /// Inputs of the vertex stage for each attribute, at consecutive locations: the corners of a primitive of
-    /// the mesh, which is an instance. 0: there is no geometry stage.
+    /// the mesh or of a patch. 0: the program has neither stage.
     int corners = 0;
-    int vertices = 0;     ///< of an instance
+    int vertices = 0;     ///< of a primitive that the geometry stage takes, or that a patch becomes
     int ofPrimitive = 0;  ///< 1, 2 or 3 of them are a point, a line or a triangle
+    /// How patches are divided; nothing: there are none. Instance i is patch i % glibra_Patches, and the
+    /// texture kCoordinates has in texel i, row by row, the texel of its first coordinate and the number
+    /// of its vertices; the coordinates follow.
+    std::optional<base::TessellationLayout> tessellation{};
+    /// With the uniform glibra_Measures, the first vertex of a patch delivers its levels in the outputs of
+    /// kLevelOutputs.
+    bool measuresLevels = false;
 };
+inline constexpr const char* kCoordinates = "glibra_Coordinates";
+/// The outputs of levels: four outer ones, two inner ones.
+inline constexpr std::array<const char*, 2> kLevelOutputs{"glibra_OuterLevels", "glibra_InnerLevels"};
 
 struct TranslatedProgram {
     std::vector<TranslatedStage> stages;  ///< empty if `diagnostics` has an error

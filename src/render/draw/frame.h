@@ -21,6 +21,7 @@
 #include "plan/still.h"
 #include "render/draw/dispatch.h"
 #include "render/draw/memory_order.h"
+#include "render/draw/patch_divider.h"
 #include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
 #include "render/load/device_scene.h"
@@ -153,8 +154,6 @@ class FrameDrawer {
         std::vector<gpu::Buffer> blocks;  ///< one per uniform block; without bytes: a buffer of the scene
     };
 
-    static constexpr std::array<float, 6> kOneLevel{1, 1, 1, 1, 1, 1};
-
     [[nodiscard]] const BuiltProgram* ownProgramOf(const plan::PlannedDraw& planned) const;
     /// `window` may be null if no pass draws into it.
     Diagnostics execute(const gpu::Target* window, const Frame& frame);
@@ -205,14 +204,18 @@ class FrameDrawer {
     void setTessellationLevels(const std::array<float, 6>& levels);
     /// The same without the counts that buffers hold. The mesh of the draw must be on the device.
     [[nodiscard]] Elements elementsOf(const plan::PlannedDraw& planned) const;
-    /// Draws elements of one kind.
-    /// Of a program that does the work of its geometry stage in the vertex stage (glsl::ExpandedGeometry).
-    void submitExpanded(const BuiltProgram& built, const Elements& elements, bool asEdges) const;
+    /// Of a program that does the work of its geometry or tessellation stages in the vertex stage
+    /// (glsl::ExpandedGeometry).
+    void submitExpanded(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                        const Elements& elements) const;
+    void submitPatches(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                       const Elements& elements) const;
     /// What OpenGL ES draws otherwise than the scene states, as a text; null: nothing.
     const char* lackOfEs(const base::RasterState& raster, const plan::PlannedDraw& planned,
                          const BuiltProgram& built) const;
     /// The driver fills triangles only, and the draw shows their edges.
     [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
+    /// Draws elements of one kind.
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The program that records the loops of the frame in place of, or beside, the given one; null: none.
     [[nodiscard]] const BuiltProgram* loopCounterOf(plan::PlannedProgramIndex program,
@@ -284,7 +287,7 @@ class FrameDrawer {
     bool runsPerSample_ = false;  ///< as set
     std::optional<std::set<std::string>> movedCameras_;
     gpu::RasterTracker raster_;
-    gpu::BindingTracker bindings_;
+    mutable gpu::BindingTracker bindings_;
     std::set<const gpu::Target*> seenTargets_;
     std::optional<gpu::PixelRectangle> limit_;
     std::optional<int> clipDistances_;            ///< those below this index are enabled; nothing: not known
@@ -292,6 +295,7 @@ class FrameDrawer {
     std::array<float, 6> levels_ = kOneLevel;     ///< of tessellation; GL's own while nothing is drawn
     mutable std::optional<gpu::Buffer> command_;  ///< the arguments of an indirect draw
     mutable gpu::EdgeBuffers edges_;
+    mutable PatchDivider patches_;
     bool lineWidthReported_ = false;
     std::set<std::string> lacks_;  ///< that were reported (lackOfEs)
 };

@@ -97,6 +97,14 @@ void fitToTile(scene::RasterState& raster, const BuiltProgram& built, const Pass
 
 }  // namespace
 
+/// Of patches without a control stage.
+static TessellationLevels levelsOf(const scene::Draw& draw) {
+    TessellationLevels levels = kOneLevel;
+    if (const auto& given = draw.tessellationLevels)
+        std::ranges::transform(*given, levels.begin(), [](double each) { return static_cast<float>(each); });
+    return levels;
+}
+
 void FrameDrawer::setTessellationLevels(const std::array<float, 6>& levels) {
     if (levels_ == levels) return;
     levels_ = levels;
@@ -136,15 +144,12 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
     for (int i = before; i < distances; ++i) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     for (int i = distances; i < after; ++i) glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     clipDistances_ = distances;
-    if (planned.submission.topology != geometry::Topology::patches) return raster;
+    if (planned.submission.topology != geometry::Topology::patches || capabilities.isEs) return raster;
     if (patchVertices_ != planned.submission.patchVertices) {
         patchVertices_ = planned.submission.patchVertices;
         glPatchParameteri(GL_PATCH_VERTICES, planned.submission.patchVertices);
     }
-    std::array<float, 6> levels = kOneLevel;
-    if (const auto& given = plan_.drawOf(planned).tessellationLevels)
-        std::ranges::transform(*given, levels.begin(), [](double each) { return static_cast<float>(each); });
-    setTessellationLevels(levels);
+    setTessellationLevels(levelsOf(plan_.drawOf(planned)));
     return raster;
 }
 
@@ -159,7 +164,11 @@ const char* FrameDrawer::lackOfEs(const base::RasterState& raster, const plan::P
     if (raster.depthClamp && !context_.capabilities().hasExtension("GL_EXT_depth_clamp"))
         return "what lies in front of the near plane or behind the far plane is cut off";
     if (isExpanded && (planned.submission.strip || plan_.drawOf(planned).indices.buffer))
-        return "a geometry stage gets no strips and no indices of a buffer, so the picture is wrong";
+        return "a geometry or tessellation stage gets no strips and no indices of a buffer, so the picture "
+               "is wrong";
+    if (built.interface.facts.expanded.tessellation &&
+        planned.submission.patchVertices != built.interface.facts.expanded.corners)
+        return "a program has patches of one size, so the picture is wrong";
     return nullptr;
 }
 
@@ -259,7 +268,7 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
     Elements part = elements;
     part.count -= elements.points;
     if (const BuiltProgram& built = *programOf(planned); built.interface.facts.expanded.corners > 0)
-        return submitExpanded(built, part, drawsEdges(planned));
+        return submitExpanded(planned, built, part);
     if (part.count > 0 || elements.points == 0) submitPart(planned, part, mode);
     // A geometry stage takes lines or points, not both.
     const std::string& geometryInput = programOf(planned)->interface.facts.geometryInput;
@@ -276,8 +285,28 @@ bool FrameDrawer::drawsEdges(const plan::PlannedDraw& planned) const {
            (wireframe_ || plan_.drawOf(planned).raster->polygon == base::PolygonMode::line);
 }
 
-void FrameDrawer::submitExpanded(const BuiltProgram& built, const Elements& elements, bool asEdges) const {
-    const auto& [corners, vertices, ofPrimitive] = built.interface.facts.expanded;
+void FrameDrawer::submitPatches(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                const Elements& elements) const {
+    const int patches = elements.count / built.interface.facts.expanded.corners;
+    PatchDivider::Work work{
+        &planned, patches, 0, elements.instances, levelsOf(plan_.drawOf(planned)), drawsEdges(planned), [&] {
+            for (const plan::TextureUse& each : planned.textures)
+                if (each.driverUnit == gpu::kWorkUnit) device_.bind(each, bindings_);
+        }};
+    // Patches with vertex data are taken in turn, once for each instance.
+    const bool isOneByOne = patches > 1 && !built.interface.inputs.empty();
+    if (isOneByOne) work.instances = 1;
+    for (; work.first < elements.instances; work.first += work.instances)
+        patches_.submit(context_.capabilities(), bindings_, built, work);
+}
+
+void FrameDrawer::submitExpanded(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                 const Elements& elements) const {
+    if (built.interface.facts.expanded.tessellation) return submitPatches(planned, built, elements);
+    const int corners = built.interface.facts.expanded.corners,
+              vertices = built.interface.facts.expanded.vertices,
+              ofPrimitive = built.interface.facts.expanded.ofPrimitive;
+    const bool asEdges = drawsEdges(planned);
     constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
     const auto instance =
         std::ranges::find(built.interface.uniforms, "glibra_Instance", &base::ActiveUniform::emittedName);

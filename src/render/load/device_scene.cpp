@@ -100,7 +100,7 @@ void DeviceScene::bind(const plan::TextureUse& use, gpu::BindingTracker& binding
 }
 
 /// The last source as one for each corner of a primitive, which is an instance.
-static void spreadCorners(int corners, std::vector<gpu::AttributeSource>& sources) {
+static void spreadCorners(int corners, const DeviceMesh& mesh, std::vector<gpu::AttributeSource>& sources) {
     if (corners == 0 || sources.empty()) return;
     gpu::AttributeSource source = sources.back();
     if (source.divisor != 0) return;
@@ -108,7 +108,8 @@ static void spreadCorners(int corners, std::vector<gpu::AttributeSource>& source
     const std::size_t size =
         source.stride != 0 ? source.stride : static_cast<std::size_t>(source.components) * sizeof(float);
     source.stride = size * static_cast<std::size_t>(corners);
-    source.divisor = 1;
+    // A single one is that of all instances.
+    source.divisor = mesh.indexCount == corners ? 1U << 30U : 1;
     for (int corner = 0; corner < corners; ++corner) {
         sources.push_back(source);
         ++source.location;
@@ -140,7 +141,7 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
         if (input.location < 0) continue;
         if (const auto* name = std::get_if<std::string>(&feeds[i].from)) {
             addMeshSource(mesh, *name, input, sources);
-            spreadCorners(built.interface.facts.expanded.corners, sources);
+            spreadCorners(built.interface.facts.expanded.corners, mesh, sources);
         } else if (const auto elements = elementsOf(plan, feeds[i]))
             addBufferSources(*elements, feeds[i].isPerInstance, input, sources);
     }

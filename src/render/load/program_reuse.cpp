@@ -21,10 +21,11 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     const auto& [name, place, stages, include, target, shim, hasLights, setsLights, suppliesFragment,
                  suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors, colorTargets,
                  tiled, inPieces, checksUndefined, recordsLoops, reversesOrder, geometryInput, geometryOutput,
-                 geometryVerticesOut, reportsGeometryConflicts, samplerKindsOfTag] = asked;
+                 geometryVerticesOut, patchVertices, reportsGeometryConflicts, samplerKindsOfTag] = asked;
     static_cast<void>(target);  // that of the context, which owns what is shared
-    std::string key = fmt::format("{}\n{}:{}:{} {} {} {} {} ", name, place.file, place.line, place.column,
-                                  colorTargets, geometryInput, geometryOutput, geometryVerticesOut);
+    std::string key =
+        fmt::format("{}\n{}:{}:{} {} {} {} {} {} ", name, place.file, place.line, place.column, colorTargets,
+                    geometryInput, geometryOutput, geometryVerticesOut, patchVertices);
     for (const bool each : {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex,
                             acceptsStorage, suppliesFullScreenVertex, flatColors, tiled, inPieces,
                             checksUndefined, recordsLoops, reversesOrder, reportsGeometryConflicts})
@@ -85,7 +86,7 @@ static bool hasBorders(const scene::Scene& scene) {
 glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramRequest& asked) const {
     glsl::TranslatedProgram program = glsl::translate(asked);
     if (!context_.capabilities().isEs || hasError(program.diagnostics)) return program;
-    glsl::EsProgram es = glsl::toEs(program, hasBorders(scene_));
+    glsl::EsProgram es = glsl::toEs(program, hasBorders(scene_), asked.patchVertices);
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
     program.expanded = es.expanded;

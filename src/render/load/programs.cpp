@@ -11,11 +11,12 @@
 #include <utility>
 
 #include "glsl/emit/log.h"
-#include "glsl/es/geometry.h"
+#include "glsl/es/parts.h"
 #include "glsl/facts/stage_variables.h"
 #include "glsl/types/translated_program.h"
 #include "gpu/object/uniform.h"
 #include "plan/accesses.h"
+#include "plan/submission.h"
 #include "render/load/gl_names.h"
 #include "scene/scene.h"
 
@@ -253,10 +254,26 @@ ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& 
       shared_(shared),
       sources_(scene, options, stats) {}
 
+/// Of the first draw with that program.
+static int patchVerticesOf(const scene::Scene& scene, scene::ProgramIndex program) {
+    std::optional<int> found;
+    const auto look = [&](const scene::NodeList& nodes) {
+        nodes.visitDraws([&](const scene::Draw& draw, const auto&) {
+            if (draw.program == program && !found)
+                found = plan::patchVerticesOf(scene.shapes[draw.shape], draw);
+        });
+    };
+    look(scene.frame);
+    for (const scene::OnceBlock& each : scene.once) look(each.nodes);
+    for (const scene::StepBlock& each : scene.steps) look(each.nodes);
+    return found.value_or(3);
+}
+
 glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant, Diagnostics& diagnostics) {
     glsl::ProgramRequest request = sources_.request(variant, tiled_, diagnostics);
     request.target = glslTargetOf(context_.capabilities());
     request.reversesOrder = isReversed_;
+    if (context_.capabilities().isEs) request.patchVertices = patchVerticesOf(scene_, variant.program);
     return request;
 }
 
@@ -267,8 +284,10 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     std::vector<gpu::StageSource> stages;
     for (const glsl::TranslatedStage& each : translated.stages)
         stages.push_back({glStage(each.stage), each.source});
-    gpu::BuildOutcome outcome = gpu::buildProgram(
-        context_.capabilities(), {.stages = stages, .vertexInputs = {}, .fragmentOutputs = {}});
+    gpu::ProgramSource source{.stages = stages};
+    if (translated.expanded.measuresLevels)
+        source.captured.assign(glsl::kLevelOutputs.begin(), glsl::kLevelOutputs.end());
+    gpu::BuildOutcome outcome = gpu::buildProgram(context_.capabilities(), source);
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
         if (outcome.stages[i].compiled) continue;
         Diagnostics found = glsl::explainCompileLog(translated, translated.stages[i], outcome.stages[i].log);
@@ -288,6 +307,9 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     if (!outcome.program) return false;
     static_cast<base::ActiveResources&>(built.interface) = gpu::reflect(*outcome.program);
     if (translated.expanded.corners > 0) collapseCorners(built.interface.inputs, translated.expanded.corners);
+    // Nobody else gives that one a texture (PatchDivider).
+    std::erase_if(built.interface.uniforms,
+                  [](const base::ActiveUniform& each) { return each.emittedName == glsl::kCoordinates; });
     if (!context_.capabilities().atLeast(4, 3))
         built.interface.outputs = declaredOutputs(translated, *outcome.program);
     built.program = std::move(outcome.program);

@@ -1,0 +1,104 @@
+#include "render/draw/patch_divider.h"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "geometry/tessellator.h"
+#include "gpu/object/uniform.h"
+
+namespace glibra::render {
+namespace {
+
+void setNumber(const BuiltProgram& built, std::string_view name, double value) {
+    const auto uniform = std::ranges::find(built.interface.uniforms, name, &base::ActiveUniform::emittedName);
+    if (uniform != built.interface.uniforms.end())
+        gpu::setUniform(*built.program, *uniform, std::array<double, 1>{value});
+}
+
+}  // namespace
+
+void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings,
+                          const BuiltProgram& built, const Work& work) {
+    const int count = work.patches * work.instances;
+    if (count <= 0) return;
+    setNumber(built, "glibra_Instance", work.first);
+    setNumber(built, "glibra_Patches", work.patches);
+    std::vector<TessellationLevels> levels =
+        built.interface.facts.expanded.measuresLevels
+            ? measured(built, count)
+            : std::vector<TessellationLevels>(static_cast<std::size_t>(count), work.levels);
+    Divided& divided = divided_[{work.draw, work.first}];
+    if (divided.levels != levels) {
+        divided = divide(capabilities, built, std::move(levels));
+        bindings.forgetWorkUnit();
+        if (work.bindAgain) work.bindAgain();
+    }
+    if (!divided.coordinates || divided.most == 0) return;
+    const int unit = capabilities.combinedTextureUnits - 1;  // the scene's are counted from 0
+    bindings.bind(*divided.coordinates, unit);
+    const auto [location, isNew] = locations_.try_emplace(&built, 0);
+    if (isNew) location->second = glGetUniformLocation(built.program->id(), glsl::kCoordinates);
+    glUniform1i(location->second, unit);
+    constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
+    const auto corners = static_cast<std::size_t>(built.interface.facts.expanded.ofPrimitive);
+    if (work.asEdges && corners == 3)
+        edges_.draw(nullptr, 0, divided.most, GL_TRIANGLES, count);
+    else
+        glDrawArraysInstanced(kModes.at(corners - 1), 0, divided.most, count);
+}
+
+std::vector<TessellationLevels> PatchDivider::measured(const BuiltProgram& built, int count) {
+    std::vector<TessellationLevels> levels(static_cast<std::size_t>(count));
+    const std::span<std::byte> bytes = std::as_writable_bytes(std::span(levels));
+    if (!measures_ || measures_->size() < bytes.size()) {
+        Result<gpu::Buffer> room = gpu::Buffer::create(bytes.size(), GL_STREAM_READ);
+        if (!room) return {};
+        measures_ = std::move(*room);
+    }
+    setNumber(built, "glibra_Measures", 1);
+    measures_->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+    glEnable(GL_RASTERIZER_DISCARD);
+    glBeginTransformFeedback(GL_POINTS);
+    glDrawArraysInstanced(GL_POINTS, 0, 1, count);
+    glEndTransformFeedback();
+    glDisable(GL_RASTERIZER_DISCARD);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+    setNumber(built, "glibra_Measures", 0);
+    measures_->read(0, bytes);
+    return levels;
+}
+
+PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
+                                           std::vector<TessellationLevels> levels) {
+    const auto& [corners, vertices, ofPrimitive, layout, measures] = built.interface.facts.expanded;
+    constexpr int kWidth = 2048;  // the least that OpenGL ES 3.0 has
+    using Texel = std::array<float, 4>;
+    std::vector<Texel> texels(levels.size());
+    std::map<TessellationLevels, Texel> known;
+    Divided divided;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const auto [entry, isNew] = known.try_emplace(levels[i]);
+        if (isNew) {
+            const auto first = static_cast<float>(texels.size());
+            const std::vector<std::array<float, 3>> coordinates = geometry::tessellate(*layout, levels[i]);
+            for (const auto& [u, v, w] : coordinates) texels.push_back({u, v, w, 0});
+            const int count = static_cast<int>(coordinates.size()) / cornersOf(*layout) * vertices;
+            divided.most = std::max(divided.most, count);
+            entry->second = {first, static_cast<float>(count), 0, 0};
+        }
+        texels[i] = entry->second;
+    }
+    const auto rows = (texels.size() + kWidth - 1) / kWidth;
+    texels.resize(rows * kWidth);
+    Result<gpu::Texture> texture =
+        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba32f,
+                             {kWidth, static_cast<int>(rows)},
+                             {std::as_bytes(std::span(std::as_const(texels))), 4, gpu::TexelType::f32});
+    if (texture) divided.coordinates.emplace(std::move(*texture));
+    divided.levels = std::move(levels);
+    return divided;
+}
+
+}  // namespace glibra::render
