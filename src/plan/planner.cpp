@@ -442,7 +442,8 @@ class FramePlanner {
                             geometry::Topology submitted) {
         const std::optional<geometry::Topology> adjacency =
             addedAdjacency(scene_.shapes[draw.shape], submitted);
-        const bool isExpanded = programs_[program].interface->facts.expanded.corners > 0;
+        const glsl::ExpandedGeometry& expanded = programs_[program].interface->facts.expanded;
+        const bool isExpanded = expanded.corners > 0 || expanded.numbersPrimitives;
         PlannedMeshIndex& mesh = isExpanded  ? expandedMeshes_[{draw.shape, submitted}]
                                  : adjacency ? adjacentMeshes_[{draw.shape, *adjacency}]
                                              : meshOfShape_[draw.shape];

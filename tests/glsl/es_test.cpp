@@ -269,7 +269,7 @@ TEST(Es, BordersAreReadByTheShader) {
           "void main() { c = texture(a, vec2(2.)) + of(a) + of(many[1]) + lit(s, vec4(2.)) + texture(a, "
           "vec2(1.), "
           "-1.) + textureProj(a, vec3(1.)) + textureProj(a, vec4(1.)); }\n"}});
-    const EsProgram es = toEs(core, true);
+    const EsProgram es = toEs(core, {.hasBorders = true});
     EXPECT_EQ(ids(es.diagnostics), "");
     TranslatedProgram program;
     program.stages = es.stages;

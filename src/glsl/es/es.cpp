@@ -30,7 +30,6 @@ namespace glibra::glsl {
 namespace {
 
 constexpr int kEsVersion = 300;
-constexpr int kMostInputs = 16;  // of a vertex stage in GLSL ES 3.00 (gl_MaxVertexAttribs)
 
 /// Functions and variables of the core profile that GLSL ES 3.00 lacks.
 constexpr std::string_view kMissingNames =
@@ -113,8 +112,14 @@ std::string withoutDirectives(std::string_view source) {
 /// One stage, from the core text to that of GLSL ES.
 class EsStage {
   public:
-    EsStage(const TranslatedStage& core, Unit& unit, Report& report, bool hasBorders)
-        : core_(core), unit_(unit), report_(report), hasBorders_(hasBorders) {}
+    EsStage(const TranslatedStage& core, Unit& unit, Report& report, const EsOptions& options)
+        : core_(core), unit_(unit), report_(report), options_(options) {
+        if (options.hasClipDistances && unit.isUsed("gl_ClipDistance"))
+            unit.declare("#extension GL_EXT_clip_cull_distance : require");
+        for (const char* each : {"precision highp float;", "precision highp int;",
+                                 "precision highp sampler2D;", "precision highp samplerCube;"})
+            unit.declare(each);
+    }
 
     /// It becomes a part of the vertex stage, and so do the stages with which it shares variables.
     struct Part {
@@ -138,7 +143,7 @@ class EsStage {
             if (unit_.function(name) && std::ranges::find(core, name) != core.end())
                 unit_.renames[name] = std::string(kOwnOverload) + name;
         for (const Call& each : unit_.bodies.calls) call(each);
-        if (hasBorders_) passBorders(unit_);
+        if (options_.hasBorders) passBorders(unit_);
         writeConversions(unit_);
         begin();
     }
@@ -173,6 +178,8 @@ class EsStage {
         return stage;
     }
 
+    /// Statements that main does first.
+    void beginWith(std::string statements) { beginnings_.push_back(std::move(statements)); }
     /// Of the stage as a whole.
     void lacks(const char* id, const std::string& text) const {
         report_.reportOnce(core_.path + text, id, text, {core_.path, core_.firstLine, 1});
@@ -270,6 +277,7 @@ class EsStage {
     }
 
     void variable(Variable& each, std::vector<InitialValue>& initialValues) {
+        if (isClipDistance(each.name)) return;
         if (each.name.starts_with("gl_")) {
             each.removed = true;
             return;
@@ -348,7 +356,7 @@ class EsStage {
             if (role == WordRole::global) member(at, text);
             return;
         }
-        if (unit_.renames.contains(text)) return;
+        if (unit_.renames.contains(text) || isClipDistance(text)) return;
         if (listed(kMissingNames, text) || (text.starts_with("gl_Max") && !listed(kLimits, text)) ||
             text.starts_with("atomic") || text.starts_with("imageAtomic"))
             lacks("web-E02",
@@ -420,6 +428,10 @@ class EsStage {
         }
     }
 
+    [[nodiscard]] bool isClipDistance(std::string_view name) const {
+        return options_.hasClipDistances && name == "gl_ClipDistance";
+    }
+
     /// What main does first.
     void begin() {
         std::string text;
@@ -435,7 +447,7 @@ class EsStage {
     const TranslatedStage& core_;
     Unit& unit_;
     Report& report_;
-    bool hasBorders_;
+    const EsOptions& options_;
     Part part_;
     bool isPart_ = false;
     std::vector<std::string> beginnings_;  ///< statements that give variables their first values
@@ -529,6 +541,8 @@ class MergedStages {
         Unit* const fragment = stageIn(units, Stage::fragment);
         if (Unit* const last = geometry_ ? geometry_ : evaluation_ ? evaluation_ : vertex_; last && fragment)
             connect(*last, *fragment);
+        if (vertex_ && fragment && !geometry_ && fragment->isUsed("gl_PrimitiveID"))
+            numberPrimitives(*fragment);
         if (!vertex_ || (!evaluation_ && !geometry_)) return;
         corners_ = evaluation_ ? patchVertices : cornersOfInput(program.geometryInput);
         if (evaluation_) tessellate(program);
@@ -537,10 +551,12 @@ class MergedStages {
 
     /// Of what the stages become.
     [[nodiscard]] ExpandedGeometry expansion() const {
-        if (!tessellation_ && !built_) return {};
         ExpandedGeometry all;
+        all.numbersPrimitives = numbersPrimitives_ && !tessellation_;
+        if (!tessellation_ && !built_) return all;
         if (built_) all = built_->expansion();
         all.corners = corners_;
+        all.fetched = (own_ ? *own_ : tessellation_->corners()).fetched();
         if (!tessellation_) return all;
         all.tessellation = tessellation_->layout();
         all.measuresLevels = control_ != nullptr;
@@ -565,24 +581,34 @@ class MergedStages {
   private:
     EsStage& of(const Unit& unit) { return stages_[static_cast<std::size_t>(&unit - first_)]; }
 
+    /// The fragment stage gets the number of its primitive from the vertices.
+    void numberPrimitives(Unit& fragment) {
+        const bool hasInputs = std::ranges::any_of(vertex_->variables, [](const Variable& each) {
+            return each.storage == Storage::input && !each.name.starts_with("gl_");
+        });
+        if (!evaluation_ && hasInputs && vertex_->isUsed("gl_VertexID")) return;  // numbers of the mesh
+        numbersPrimitives_ = true;
+        fragment.renames["gl_PrimitiveID"] = kPrimitive;
+        fragment.declare(std::string("flat in int ") + kPrimitive + ";");
+        if (evaluation_) return;
+        vertex_->declare(std::string("flat out int ") + kPrimitive + ";");
+        vertex_->declare("uniform int glibra_PerPrimitive;");
+        vertex_->declare("uniform int glibra_BeforeFirst;");
+        of(*vertex_).beginWith(std::string(kPrimitive) +
+                               " = (gl_VertexID - glibra_BeforeFirst) / glibra_PerPrimitive;");
+    }
+
     void lacks(const Unit& unit, const char* what, const std::string& problem) {
         if (problem.empty()) return;
         of(unit).lacks("web-E01",
                        std::string("WebGL 2 has no ") + what + " stage, and cannot do without: " + problem);
     }
 
-    static std::string tooManyInputs(int inputs) {
-        if (inputs <= kMostInputs) return {};
-        return "it needs " + std::to_string(inputs) + " inputs of the vertex stage; " +
-               std::to_string(kMostInputs) + " are possible";
-    }
-
     void tessellate(const TranslatedProgram& program) {
         TessellationInVertex& tessellation =
             tessellation_.emplace(*vertex_, control_, *evaluation_, corners_, program);
-        std::string problem = tessellation.prepare(geometry_ ? cornersOfInput(program.geometryInput) : 0);
-        if (problem.empty()) problem = tooManyInputs(tessellation.inputs());
-        lacks(*evaluation_, "tessellation", problem);
+        lacks(*evaluation_, "tessellation",
+              tessellation.prepare(geometry_ ? cornersOfInput(program.geometryInput) : 0));
         of(*vertex_).becomePart(
             {.output = [&](bool) { return tessellation.outputOf(Stage::vertex, false); }});
         if (control_)
@@ -608,9 +634,8 @@ class MergedStages {
         for (const Unit* each : {vertex_, control_, evaluation_})
             if (each) removeTwins(*geometry_, *each);
         // Vertices without data are numbered; those of a mesh have lost their numbers.
-        if (own_ && vertex_->isUsed("gl_VertexID") && own_->inputs() > 0)
+        if (own_ && vertex_->isUsed("gl_VertexID") && own_->hasInputs())
             problem = "gl_VertexID and vertex data before it";
-        if (own_ && problem.empty()) problem = tooManyInputs(own_->inputs());
         lacks(*geometry_, "geometry", problem);
         of(*geometry_)
             .becomePart({corners.inputOfNext("glibra_c_"), {}, [&](std::string type, std::string name) {
@@ -630,7 +655,9 @@ class MergedStages {
                 functions += "uniform float glibra_PointSize;\n";
             text += " gl_PointSize = glibra_PointSize;\n";
         }
+        if (numbersPrimitives_) functions += std::string("flat out int ") + kPrimitive + ";\n";
         if (tessellation_) text += tessellation_->statements();
+        if (numbersPrimitives_) text += std::string(" ") + kPrimitive + " = glibra_patch;\n";
         if (tessellation_ && built_) {
             const ExpandedGeometry each = built_->expansion();
             text += " int primitive = gl_VertexID / " + std::to_string(each.vertices) + ";\n";
@@ -653,7 +680,9 @@ class MergedStages {
     std::vector<EsStage>& stages_;
     Unit *vertex_, *control_, *evaluation_, *geometry_;
     const Unit* first_;
+    static constexpr const char* kPrimitive = "glibra_PrimitiveID";
     int corners_ = 0;  ///< of a primitive of the mesh
+    bool numbersPrimitives_ = false;
     std::optional<TessellationInVertex> tessellation_;
     std::optional<CornerStage> own_;  ///< the vertex stage before a geometry stage
     std::optional<GeometryInVertex> built_;
@@ -661,7 +690,7 @@ class MergedStages {
 
 }  // namespace
 
-EsProgram toEs(const TranslatedProgram& program, bool hasBorders, int patchVertices) {
+EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
     EsProgram result;
     Report report, ignored;  // the core text has been reported already
     ProgramRequest core, es;
@@ -685,13 +714,9 @@ EsProgram toEs(const TranslatedProgram& program, bool hasBorders, int patchVerti
         unit.variables = collectVariables(unit);
         findUsage(unit);
         unit.request = &es;
-        unit.declare("precision highp float;");
-        unit.declare("precision highp int;");
-        unit.declare("precision highp sampler2D;");
-        unit.declare("precision highp samplerCube;");
-        stages.emplace_back(each, unit, report, hasBorders);
+        stages.emplace_back(each, unit, report, options);
     }
-    const MergedStages merged(units, stages, program, patchVertices);
+    const MergedStages merged(units, stages, program, options.patchVertices);
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());
     merged.join(result.stages);

@@ -20,9 +20,15 @@ struct EsProgram {
     Diagnostics diagnostics;
 };
 
-/// `program` must have been translated without errors. `hasBorders`: textures that it reads may have a
-/// border, which whoever draws says by the uniforms of borders.h. `patchVertices`: of the patches that it
-/// draws.
-EsProgram toEs(const TranslatedProgram& program, bool hasBorders = false, int patchVertices = 3);
+struct EsOptions {
+    /// Textures that the program reads may have a border, which whoever draws says by the uniforms of
+    /// borders.h.
+    bool hasBorders = false;
+    bool hasClipDistances = false;  ///< the driver has EXT_clip_cull_distance
+    int patchVertices = 3;          ///< of the patches that the program draws
+};
+
+/// `program` must have been translated without errors.
+EsProgram toEs(const TranslatedProgram& program, const EsOptions& options = {});
 
 }  // namespace glibra::glsl

@@ -21,6 +21,13 @@ bool hasTwin(const Unit& unit, const Declaration& wanted, std::string_view name)
     });
 }
 
+/// As many components as a type has.
+std::string_view swizzleOf(std::string_view type) {
+    constexpr std::string_view kAll = ".xyzw";
+    const char last = type.empty() ? '4' : type.back();
+    return kAll.substr(0, last >= '2' && last <= '4' ? static_cast<std::size_t>(last - '0') + 1 : 2);
+}
+
 }  // namespace
 
 std::string bracketed(const std::vector<std::string>& sizes) {
@@ -100,14 +107,27 @@ void CornerStage::prepare(std::string_view instance) {
 }
 
 void CornerStage::spreadInputs() {
-    for (Variable& each : unit_->variables) {
-        if (each.storage != Storage::input || each.removed || each.name.starts_with("gl_")) continue;
-        for (int corner = 0; corner < corners_; ++corner)
-            unit_->declare(fmt::format("layout(location = {}) in {} {}{}_{};", inputs() + corner, each.type,
-                                       kCornerInput, corner, each.name));
-        attributes_.push_back(each.name);
-        makePlain(each);
+    constexpr int kMostInputs = 16;  // of a vertex stage in GLSL ES 3.00 (gl_MaxVertexAttribs)
+    std::vector<Variable*> inputs;
+    for (Variable& each : unit_->variables)
+        if (each.storage == Storage::input && !each.removed && !each.name.starts_with("gl_"))
+            inputs.push_back(&each);
+    const bool fits = static_cast<int>(inputs.size()) * corners_ <= kMostInputs;
+    int location = 0;
+    for (Variable* each : inputs) {
+        for (int corner = 0; fits && corner < corners_; ++corner)
+            unit_->declare(fmt::format("layout(location = {}) in {} {}{}_{};", location++, each->type,
+                                       kCornerInput, corner, each->name));
+        if (!fits) fetched_.push_back({each->name, each->type});
+        attributes_.push_back(each->name);
+        makePlain(*each);
     }
+    if (fits) return;
+    unit_->declare(fmt::format("uniform highp sampler2D {};", kFetchedInputs));
+    unit_->declare(
+        fmt::format("vec4 glibra_input(int at) {{ int width = textureSize({0}, 0).x; at += glibra_vertex * "
+                    "{1}; return texelFetch({0}, ivec2(at % width, at / width), 0); }}",
+                    kFetchedInputs, inputs.size()));
 }
 
 bool CornerStage::deliverTo(Unit& next) {
@@ -134,8 +154,12 @@ BlockPlace CornerStage::inputOfNext(const std::string& prefix) {
 
 std::string CornerStage::run(int corner, const std::string& before) const {
     std::string text = before;
-    for (const std::string& each : attributes_)
-        text += fmt::format(" {} = {}{}_{};", emittedName(*unit_, each), kCornerInput, corner, each);
+    for (std::size_t i = 0; i < fetched_.size(); ++i)
+        text += fmt::format(" {} = {}(glibra_input({}){});", emittedName(*unit_, fetched_[i].name),
+                            fetched_[i].type, i, swizzleOf(fetched_[i].type));
+    if (fetched_.empty())
+        for (const std::string& each : attributes_)
+            text += fmt::format(" {} = {}{}_{};", emittedName(*unit_, each), kCornerInput, corner, each);
     text += fmt::format(
         " {0}_main(); {1}[{2}].glibra_position = {0}Position; {1}[{2}].glibra_pointSize = {0}PointSize;",
         prefix_, array_, corner);

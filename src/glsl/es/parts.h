@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glsl/parse/unit.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 
@@ -50,7 +51,7 @@ class CornerStage {
 
     /// Renames what the stage declares. `instance`: what gl_InstanceID is written as.
     void prepare(std::string_view instance);
-    /// The inputs of a vertex stage become one input for each corner.
+    /// The inputs of a vertex stage become one input for each corner, or are fetched from a texture.
     void spreadInputs();
     /// The inputs of `next` become arrays of what this stage delivers. False if it has some that this stage
     /// does not deliver.
@@ -62,13 +63,16 @@ class CornerStage {
 
     /// Statements that run the stage for a corner. `before`: what it needs.
     [[nodiscard]] std::string run(int corner, const std::string& before) const;
-    [[nodiscard]] int inputs() const { return static_cast<int>(attributes_.size()) * corners_; }
+    [[nodiscard]] bool hasInputs() const { return !attributes_.empty(); }
+    /// Those that do not fit into attributes.
+    [[nodiscard]] const std::vector<ExpandedGeometry::Fetched>& fetched() const { return fetched_; }
 
   private:
     Unit* unit_;
     std::string prefix_, array_;
     int corners_;
     std::vector<std::string> attributes_;
+    std::vector<ExpandedGeometry::Fetched> fetched_;
     std::vector<std::pair<std::string, std::string>>
         passed_;  ///< a variable here, an array of the next stage
 };

@@ -51,7 +51,7 @@ std::string TessellationInVertex::prepare(int geometry) {
     inputs_.prepare("glibra_instance");
     vertex_.declare("int glibra_instance;");
     inputs_.spreadInputs();
-    if (vertex_.isUsed("gl_VertexID") && inputs_.inputs() > 0) return "gl_VertexID and vertex data before it";
+    if (vertex_.isUsed("gl_VertexID") && inputs_.hasInputs()) return "gl_VertexID and vertex data before it";
     std::string problem = control_ != nullptr ? prepareControl() : std::string();
     if (geometry > 0) {
         primitives_ = CornerStage(evaluation_, "glibra_e", "glibra_corners", geometry);

@@ -32,8 +32,7 @@ class TessellationInVertex {
     /// a geometry stage reads of what they deliver; 0: there is none.
     std::string prepare(int geometry);
     [[nodiscard]] const base::TessellationLayout& layout() const { return layout_; }
-    /// Of the vertex stage.
-    [[nodiscard]] int inputs() const { return inputs_.inputs(); }
+    [[nodiscard]] const CornerStage& corners() const { return inputs_; }
     /// The evaluation stage before a geometry stage.
     CornerStage& primitives() { return primitives_; }
     [[nodiscard]] const CornerStage& primitives() const { return primitives_; }

@@ -151,7 +151,17 @@ struct ExpandedGeometry {
     /// With the uniform glibra_Measures, the first vertex of a patch delivers its levels in the outputs of
     /// kLevelOutputs.
     bool measuresLevels = false;
+    /// Inputs of the vertex stage that do not fit into its attributes. The texture kFetchedInputs has them in
+    /// texels, row by row: all of them for each vertex, the corners of a primitive after each other.
+    struct Fetched {
+        std::string name, type;  ///< in the core text; a GLSL word
+    };
+    std::vector<Fetched> fetched{};
+    /// The vertex stage numbers primitives for the fragment stage: each index needs a vertex of its own, and
+    /// its number less glibra_BeforeFirst, divided by glibra_PerPrimitive, is that of its primitive.
+    bool numbersPrimitives = false;
 };
+inline constexpr const char* kFetchedInputs = "glibra_Inputs";
 inline constexpr const char* kCoordinates = "glibra_Coordinates";
 /// The outputs of levels: four outer ones, two inner ones.
 inline constexpr std::array<const char*, 2> kLevelOutputs{"glibra_OuterLevels", "glibra_InnerLevels"};

@@ -78,7 +78,7 @@ std::vector<TranslatedShader> translatedShaders(SceneState& state, bool isForWeb
         const bool isHidden = !state.conductor.programs.hiddenSource(program).empty();
         glsl::EsProgram es;
         const glsl::TranslatedProgram* core = state.conductor.programs.translated(variant);
-        if (isForWeb && core && !hasError(core->diagnostics)) es = glsl::toEs(*core);
+        if (isForWeb && core && !hasError(core->diagnostics)) es = glsl::toEs(*core, {.hasClipDistances = true});
         state.conductor.programs.hideTexts(program, es.diagnostics);
         addUnknown(diagnostics, std::move(es.diagnostics));
         for (const glsl::TranslatedStage& each : isForWeb ? es.stages : planned->interface->facts.stages)

@@ -20,6 +20,7 @@
 #include "plan/frame_plan.h"
 #include "plan/still.h"
 #include "render/draw/dispatch.h"
+#include "render/draw/fetched_inputs.h"
 #include "render/draw/memory_order.h"
 #include "render/draw/patch_divider.h"
 #include "render/draw/tiles.h"
@@ -197,7 +198,7 @@ class FrameDrawer {
     void setSupplied(plan::PlannedProgramIndex program, const BuiltProgram& built, const DrawFacts& facts);
     void setBuiltins(const BuiltProgram& built, const DrawFacts& facts);
     void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                           const glm::dvec4& color) const;
+                           const glm::dvec4& color);
     void bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built);
     void bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built);
     void runPerSample(bool on);
@@ -208,6 +209,8 @@ class FrameDrawer {
     /// (glsl::ExpandedGeometry).
     void submitExpanded(const plan::PlannedDraw& planned, const BuiltProgram& built,
                         const Elements& elements) const;
+    /// Says how vertices are counted (glsl::ExpandedGeometry::numbersPrimitives).
+    static void numberPrimitives(const plan::PlannedDraw& planned, const BuiltProgram& built);
     void submitPatches(const plan::PlannedDraw& planned, const BuiltProgram& built,
                        const Elements& elements) const;
     /// What OpenGL ES draws otherwise than the scene states, as a text; null: nothing.
@@ -296,6 +299,7 @@ class FrameDrawer {
     mutable std::optional<gpu::Buffer> command_;  ///< the arguments of an indirect draw
     mutable gpu::EdgeBuffers edges_;
     mutable PatchDivider patches_;
+    FetchedInputs fetched_;
     bool lineWidthReported_ = false;
     std::set<std::string> lacks_;  ///< that were reported (lackOfEs)
 };

@@ -166,6 +166,8 @@ const char* FrameDrawer::lackOfEs(const base::RasterState& raster, const plan::P
     if (isExpanded && (planned.submission.strip || plan_.drawOf(planned).indices.buffer))
         return "a geometry or tessellation stage gets no strips and no indices of a buffer, so the picture "
                "is wrong";
+    if (built.interface.facts.expanded.numbersPrimitives && plan_.drawOf(planned).indices.buffer)
+        return "gl_PrimitiveID is wrong where a buffer has the indices";
     if (built.interface.facts.expanded.tessellation &&
         planned.submission.patchVertices != built.interface.facts.expanded.corners)
         return "a program has patches of one size, so the picture is wrong";
@@ -207,7 +209,8 @@ FrameDrawer::Elements FrameDrawer::elementsOf(const plan::PlannedDraw& planned) 
     const scene::Draw& draw = plan_.drawOf(planned);
     const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
     const int instances = std::max(0, draw.instances);
-    if (!draw.indices.buffer) return {bool(mesh.indices), 0, mesh.indexCount, mesh.pointCount, instances};
+    const bool areIndexed = mesh.indices && !plan_.meshes[planned.mesh].isExpanded;
+    if (!draw.indices.buffer) return {areIndexed, 0, mesh.indexCount, mesh.pointCount, instances};
     const auto own = device_.indicesOf(draw).value_or(DeviceScene::Indices{});
     const int wanted = draw.drawsAllIndices ? own.count : std::min(own.count, mesh.indexCount);
     return {true, own.offset, wanted, 0, instances};
@@ -269,6 +272,8 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
     part.count -= elements.points;
     if (const BuiltProgram& built = *programOf(planned); built.interface.facts.expanded.corners > 0)
         return submitExpanded(planned, built, part);
+    else if (built.interface.facts.expanded.numbersPrimitives)
+        numberPrimitives(planned, built);
     if (part.count > 0 || elements.points == 0) submitPart(planned, part, mode);
     // A geometry stage takes lines or points, not both.
     const std::string& geometryInput = programOf(planned)->interface.facts.geometryInput;
@@ -283,6 +288,14 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
 bool FrameDrawer::drawsEdges(const plan::PlannedDraw& planned) const {
     return context_.capabilities().isEs &&
            (wireframe_ || plan_.drawOf(planned).raster->polygon == base::PolygonMode::line);
+}
+
+void FrameDrawer::numberPrimitives(const plan::PlannedDraw& planned, const BuiltProgram& built) {
+    const GLenum mode = glMode(planned.submission);
+    const int corners = mode == GL_POINTS ? 1 : mode == GL_LINES || mode == GL_LINE_STRIP ? 2 : 3;
+    const bool isStrip = planned.submission.strip.has_value();
+    setOwnUniform(built, "glibra_PerPrimitive", isStrip ? 1 : corners);
+    setOwnUniform(built, "glibra_BeforeFirst", isStrip ? corners - 1 : 0);
 }
 
 void FrameDrawer::submitPatches(const plan::PlannedDraw& planned, const BuiltProgram& built,

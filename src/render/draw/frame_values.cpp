@@ -96,28 +96,36 @@ void FrameDrawer::setSupplied(plan::PlannedProgramIndex program, const BuiltProg
 }
 
 void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                                    const glm::dvec4& color) const {
+                                    const glm::dvec4& color) {
     const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
-    const auto isInMesh = [&](const std::string& name) {
-        return std::ranges::any_of(mesh.attributes,
-                                   [&](const DeviceMesh::Attribute& each) { return each.name == name; });
-    };
+    const glsl::ExpandedGeometry& expanded = built.interface.facts.expanded;
     const std::vector<plan::InputSource>& sources = device_.inputSources(plan_, planned.inputs, built);
+    std::vector<FetchedInputs::Source> fetched;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const base::ActiveInput& input = built.interface.inputs[i];
-        if (input.location < 0) continue;
+        const bool isFetched = i + expanded.fetched.size() >= sources.size();
+        if (input.location < 0 && !isFetched) continue;
         std::array<double, 4> value{0, 0, 0, 1};
+        bool isKnown = true;
         if (const auto* name = std::get_if<std::string>(&sources[i].from)) {
-            if (isInMesh(*name)) continue;
+            const auto own = std::ranges::find(mesh.attributes, *name, &DeviceMesh::Attribute::name);
+            if (own != mesh.attributes.end()) {
+                if (isFetched) fetched.emplace_back(&*own);
+                continue;
+            }
             if (*name == geometry::kColor) value = {color.r, color.g, color.b, color.a};
         } else if (const auto* numbers = std::get_if<std::array<double, 4>>(&sources[i].from)) {
             value = *numbers;
         } else {
-            continue;
+            isKnown = false;
         }
-        for (int corner = 0; corner < std::max(1, built.interface.facts.expanded.corners); ++corner)
-            gpu::setConstantAttribute(static_cast<GLuint>(input.location + corner), input.type, value);
+        if (isFetched)
+            fetched.emplace_back(value);
+        else if (isKnown)
+            for (int corner = 0; corner < std::max(1, expanded.corners); ++corner)
+                gpu::setConstantAttribute(static_cast<GLuint>(input.location + corner), input.type, value);
     }
+    if (!fetched.empty()) fetched_.bind(context_.capabilities(), bindings_, built, planned, mesh, fetched);
 }
 
 /// The uniform of glsl/es/borders.h, if the program has it.

@@ -9,22 +9,18 @@
 #include "gpu/object/uniform.h"
 
 namespace glibra::render {
-namespace {
-
-void setNumber(const BuiltProgram& built, std::string_view name, double value) {
+void setOwnUniform(const BuiltProgram& built, std::string_view name, double value) {
     const auto uniform = std::ranges::find(built.interface.uniforms, name, &base::ActiveUniform::emittedName);
     if (uniform != built.interface.uniforms.end())
         gpu::setUniform(*built.program, *uniform, std::array<double, 1>{value});
 }
 
-}  // namespace
-
 void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings,
                           const BuiltProgram& built, const Work& work) {
     const int count = work.patches * work.instances;
     if (count <= 0) return;
-    setNumber(built, "glibra_Instance", work.first);
-    setNumber(built, "glibra_Patches", work.patches);
+    setOwnUniform(built, "glibra_Instance", work.first);
+    setOwnUniform(built, "glibra_Patches", work.patches);
     std::vector<TessellationLevels> levels =
         built.interface.facts.expanded.measuresLevels
             ? measured(built, count)
@@ -57,7 +53,7 @@ std::vector<TessellationLevels> PatchDivider::measured(const BuiltProgram& built
         if (!room) return {};
         measures_ = std::move(*room);
     }
-    setNumber(built, "glibra_Measures", 1);
+    setOwnUniform(built, "glibra_Measures", 1);
     measures_->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
     glEnable(GL_RASTERIZER_DISCARD);
     glBeginTransformFeedback(GL_POINTS);
@@ -65,14 +61,15 @@ std::vector<TessellationLevels> PatchDivider::measured(const BuiltProgram& built
     glEndTransformFeedback();
     glDisable(GL_RASTERIZER_DISCARD);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-    setNumber(built, "glibra_Measures", 0);
+    setOwnUniform(built, "glibra_Measures", 0);
     measures_->read(0, bytes);
     return levels;
 }
 
 PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
                                            std::vector<TessellationLevels> levels) {
-    const auto& [corners, vertices, ofPrimitive, layout, measures] = built.interface.facts.expanded;
+    const glsl::ExpandedGeometry& expanded = built.interface.facts.expanded;
+    const base::TessellationLayout& layout = *expanded.tessellation;
     constexpr int kWidth = 2048;  // the least that OpenGL ES 3.0 has
     using Texel = std::array<float, 4>;
     std::vector<Texel> texels(levels.size());
@@ -82,9 +79,9 @@ PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities
         const auto [entry, isNew] = known.try_emplace(levels[i]);
         if (isNew) {
             const auto first = static_cast<float>(texels.size());
-            const std::vector<std::array<float, 3>> coordinates = geometry::tessellate(*layout, levels[i]);
+            const std::vector<std::array<float, 3>> coordinates = geometry::tessellate(layout, levels[i]);
             for (const auto& [u, v, w] : coordinates) texels.push_back({u, v, w, 0});
-            const int count = static_cast<int>(coordinates.size()) / cornersOf(*layout) * vertices;
+            const int count = static_cast<int>(coordinates.size()) / cornersOf(layout) * expanded.vertices;
             divided.most = std::max(divided.most, count);
             entry->second = {first, static_cast<float>(count), 0, 0};
         }

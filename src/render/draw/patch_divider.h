@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "gpu/context/capabilities.h"
@@ -20,6 +21,9 @@ namespace glibra::render {
 
 using TessellationLevels = std::array<float, 6>;  ///< four outer ones, two inner ones
 inline constexpr TessellationLevels kOneLevel{1, 1, 1, 1, 1, 1};
+
+/// Sets a uniform that the translation added, if the program has it.
+void setOwnUniform(const BuiltProgram& built, std::string_view name, double value);
 
 class PatchDivider {
   public:

@@ -145,11 +145,8 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
         } else if (const auto elements = elementsOf(plan, feeds[i]))
             addBufferSources(*elements, feeds[i].isPerInstance, input, sources);
     }
-    const bool isExpanded = built.interface.facts.expanded.corners > 0;
-    const gpu::Buffer* indices = isExpanded     ? nullptr
-                                 : own          ? own->buffer
-                                 : mesh.indices ? &*mesh.indices
-                                                : nullptr;
+    const bool isExpanded = plan.meshes[planned.mesh].isExpanded;
+    const gpu::Buffer* indices = own ? own->buffer : mesh.indices && !isExpanded ? &*mesh.indices : nullptr;
     return made.try_emplace({planned.mesh, inputs, buffers}, gpu::VertexArray(sources, indices))
         .first->second;
 }

@@ -86,7 +86,10 @@ static bool hasBorders(const scene::Scene& scene) {
 glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramRequest& asked) const {
     glsl::TranslatedProgram program = glsl::translate(asked);
     if (!context_.capabilities().isEs || hasError(program.diagnostics)) return program;
-    glsl::EsProgram es = glsl::toEs(program, hasBorders(scene_), asked.patchVertices);
+    glsl::EsProgram es = glsl::toEs(
+        program, {.hasBorders = hasBorders(scene_),
+                  .hasClipDistances = context_.capabilities().hasExtension("GL_EXT_clip_cull_distance"),
+                  .patchVertices = asked.patchVertices});
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
     program.expanded = es.expanded;

@@ -254,6 +254,12 @@ ProgramLibrary::ProgramLibrary(const gpu::Context& context, const scene::Scene& 
       shared_(shared),
       sources_(scene, options, stats) {}
 
+/// Components of a GLSL type.
+static int rowsOf(const std::string& type) {
+    const char last = type.empty() ? '1' : type.back();
+    return last >= '2' && last <= '4' ? last - '0' : 1;
+}
+
 /// Of the first draw with that program.
 static int patchVerticesOf(const scene::Scene& scene, scene::ProgramIndex program) {
     std::optional<int> found;
@@ -307,9 +313,12 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     if (!outcome.program) return false;
     static_cast<base::ActiveResources&>(built.interface) = gpu::reflect(*outcome.program);
     if (translated.expanded.corners > 0) collapseCorners(built.interface.inputs, translated.expanded.corners);
-    // Nobody else gives that one a texture (PatchDivider).
-    std::erase_if(built.interface.uniforms,
-                  [](const base::ActiveUniform& each) { return each.emittedName == glsl::kCoordinates; });
+    for (const auto& [name, type] : translated.expanded.fetched)
+        built.interface.inputs.push_back({.name = name, .type = {.rows = rowsOf(type), .word = type}});
+    // Nobody but the drawer gives these a texture (PatchDivider, FetchedInputs).
+    std::erase_if(built.interface.uniforms, [](const base::ActiveUniform& each) {
+        return each.emittedName == glsl::kCoordinates || each.emittedName == glsl::kFetchedInputs;
+    });
     if (!context_.capabilities().atLeast(4, 3))
         built.interface.outputs = declaredOutputs(translated, *outcome.program);
     built.program = std::move(outcome.program);
