@@ -180,7 +180,7 @@ class Film(unittest.TestCase):
                 self.assertEqual(stops, sorted(stops))
                 for stop, picture in zip(stops, knob["pictures"][component], strict=True):
                     values = knob["initial"][:component] + [stop] + knob["initial"][component + 1:]
-                    text = knob["words"][stop] if "words" in knob else ("false", "true")[stop] if name == "uOn" else ",".join(map(repr, values))
+                    text = knob["words"][int(stop)] if "words" in knob else ("false", "true")[int(stop)] if name == "uOn" else ",".join(map(repr, values))
                     self.assertEqual(pictures[picture], self.rendered("--set", f"{name}={text}"), (name, values))
         self.assertEqual(len(set(pictures)), len(pictures))
         self.assertEqual(set(knobs["uSame"]["pictures"][0]), {0})
