@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -48,11 +49,14 @@ bool isFilmed(const Knob& knob) {
     return knob.widget == render::Widget::slider && components <= kMostComponents;
 }
 
-/// A value of a range with three digits of its size.
+/// A value of a range with three digits of its size, as the number that they are the shortest text of.
 double rounded(double value, double size) {
     const double unit = std::pow(10, std::floor(std::log10(size)) - 2);
-    // As text, so that it is the number of these digits.
-    return std::stod(fmt::format("{:.{}g}", std::round(value / unit) * unit, 15));
+    if (!std::isnormal(unit)) return value;
+    const std::string text = fmt::format("{:.15g}", std::round(value / unit) * unit);
+    double result = value;
+    std::from_chars(text.data(), text.data() + text.size(), result);
+    return result;
 }
 
 /// The values that a component takes, in rising order, with that at which it begins.
@@ -62,7 +66,9 @@ std::vector<double> stopsOf(const Knob& knob, std::size_t component, std::size_t
         for (std::size_t i = 0; i < knob.words.size(); ++i) stops.insert(static_cast<double>(i));
     else if (knob.widget == render::Widget::checkBox)
         stops.insert({0, 1});
-    else if (const double low = knob.minimum, high = knob.maximum; std::isfinite(high - low) && high > low) {
+    else if (const double low = knob.isInteger() ? std::ceil(knob.minimum) : knob.minimum,
+             high = knob.isInteger() ? std::floor(knob.maximum) : knob.maximum;
+             std::isfinite(high - low) && high > low) {
         // As the slider: by factors over three decades or more.
         const bool isLogarithmic = low > 0 && std::log10(high / low) >= 3 - 1e-9;
         const std::size_t count =
@@ -234,8 +240,9 @@ class FilmMaker {
         std::set<std::string> known;
         const auto addFile = [&](const fs::path& path, const char* language) {
             std::string name = parts_.nameOf(path);
-            if (!path.empty() && known.insert(name).second)
-                state_["files"].push_back({{"name", std::move(name)}, {"language", language}});
+            if (path.empty() || !known.insert(name).second) return;
+            film_.texts.push_back(name);
+            state_["files"].push_back({{"name", std::move(name)}, {"language", language}});
         };
         addFile(task_.scene, "glib");
         for (const fs::path& each : conductor.programs.filesRead()) addFile(each, "glsl");

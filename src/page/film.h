@@ -40,7 +40,8 @@ struct Film {
     ///   "shared": [[indices of knobs that one control moves together]],
     ///   "files": [{ "name", "language": "glib" or "glsl" }] }
     std::string state;
-    int width = 0, height = 0;  ///< pixels
+    std::vector<std::string> texts;  ///< the names of those files
+    int width = 0, height = 0;       ///< pixels
 };
 
 /// The most bytes that the pictures of a film have together.

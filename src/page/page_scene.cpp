@@ -134,6 +134,10 @@ void addFilm(gpu::Context& context, const PageTask& task, render::SharedParts* s
     Diagnostics ofFilm;
     const auto take = [&](const Film& film) {
         page.film = film;
+        // Models, pictures and the like are not needed any more.
+        std::erase_if(page.files, [&](const PageFile& each) {
+            return std::ranges::find(film.texts, each.name) == film.texts.end();
+        });
         page.picture = film.pictures.front();
         page.width = film.width;
         page.height = film.height;

@@ -267,7 +267,7 @@ TEST(PageScene, GoesThroughAPipe) {
     PageScene scene = hostile();
     scene.read = {"/a/b.glib"};
     scene.diagnostics.push_back(diagnose("web-E01", "x", {"a.glib", 3, 7}));
-    scene.film = {{"one", std::string("\0\xff", 2)}, "{}", scene.width, scene.height};
+    scene.film = {{"one", std::string("\0\xff", 2)}, "{}", {}, scene.width, scene.height};
     const std::string text = toText(scene);
     const std::optional<PageScene> same = parsePageScene(text);
     ASSERT_TRUE(same);
