@@ -59,6 +59,15 @@ double rounded(double value, double size) {
     return result;
 }
 
+/// True if the scene states only whole numbers for the range and it has enough of them: a variable may be a
+/// count, of which there are no halves.
+bool countsWhole(const Knob& knob) {
+    constexpr double kEnough = 4;
+    const auto isWhole = [](double each) { return each == std::trunc(each); };
+    return knob.maximum - knob.minimum >= kEnough && isWhole(knob.minimum) && isWhole(knob.maximum) &&
+           std::ranges::all_of(knob.current, isWhole);
+}
+
 /// The values that a component takes, in rising order, with that at which it begins.
 std::vector<double> stopsOf(const Knob& knob, std::size_t component, std::size_t most) {
     std::set<double> stops{knob.current[component]};
@@ -71,17 +80,18 @@ std::vector<double> stopsOf(const Knob& knob, std::size_t component, std::size_t
              std::isfinite(high - low) && high > low) {
         // As the slider: by factors over three decades or more.
         const bool isLogarithmic = low > 0 && std::log10(high / low) >= 3 - 1e-9;
+        const bool isWhole = knob.isInteger() || countsWhole(knob);
         const std::size_t count =
-            knob.isInteger() ? std::min(most, static_cast<std::size_t>(std::min(high - low, 1e3)) + 1) : most;
+            isWhole ? std::min(most, static_cast<std::size_t>(std::min(high - low, 1e3)) + 1) : most;
         for (std::size_t i = 0; i < count; ++i) {
             const double part = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0;
             const double value =
                 isLogarithmic ? low * std::pow(high / low, part) : low * (1 - part) + high * part;
             const double size = isLogarithmic ? value : high - low;
-            stops.insert(i == 0             ? low
-                         : i + 1 == count   ? high
-                         : knob.isInteger() ? std::round(value)
-                                            : std::clamp(rounded(value, size), low, high));
+            stops.insert(i == 0           ? low
+                         : i + 1 == count ? high
+                         : isWhole        ? std::round(value)
+                                          : std::clamp(rounded(value, size), low, high));
         }
     }
     return {stops.begin(), stops.end()};
