@@ -18,7 +18,6 @@ namespace glibra::page {
 
 /// How long a film is.
 struct FilmOptions {
-    bool isMade = true;
     int frames = 24;     ///< over time
     double seconds = 0;  ///< that they last; 0: once round, if the scene moves by Timer alone and returns
                          ///< within 4 seconds, else 3

@@ -231,7 +231,7 @@ PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedP
     const bool isWhole = !hasError(page.diagnostics);
     if (isWhole && task.draws) page.picture = drawn(context, task, shared, page);
     page.isLive = isWhole && (!task.draws || !page.picture.empty());
-    if (!isWhole && task.film.isMade && std::ranges::all_of(page.diagnostics, isOfWeb))
+    if (!isWhole && std::ranges::all_of(page.diagnostics, isOfWeb))
         addFilm(context, task, shared, step, page);
     return page;
 }

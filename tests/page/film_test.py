@@ -195,6 +195,7 @@ class Film(unittest.TestCase):
         self.assertEqual(pictures[knob["pictures"][0][0]], self.rendered("--time", ".25", "--set", "uGreen=0", "--set", "blue=.9"))
         self.open("#:blue=0")
         self.browser.wait("return document.querySelector('.seconds').value === '0.25'")
+        self.browser.element("[title='Restart at 0.25 seconds']")
         self.shows(self.rendered("--time", ".25", "--set", "uGreen=.7", "--set", "blue=0"))
 
     def test_steps_are_one_run_in_order(self):

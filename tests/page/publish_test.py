@@ -147,11 +147,16 @@ class Publish(unittest.TestCase):
             self.assertEqual(re.findall(r"alert\(1\)>|<!--|<script>", text), [], each)
 
     def test_it_is_the_same_in_a_sandbox(self):
-        self.glibra("publish", "in/a.glib")
-        run = subprocess.run([self.program, "publish", "in/a.glib", "-o", "b.html", "--untrusted"], cwd=self.folder, capture_output=True, text=True, check=False)
-        if run.returncode == 4:
-            self.skipTest(run.stderr)
-        self.assertEqual((run.returncode, self.read("b.html")), (0, self.read("a.html")), run.stderr)
+        self.write("in/film.glib", SCENE.replace("q.frag", "lacking.frag").replace("q.vert", "lacking.vert"))
+        self.write("in/lacking.vert", VERTEX.replace("void main() {", "noperspective out vec3 v;\nvoid main() { v = vec3(.5);"))
+        self.write("in/lacking.frag", LACKING)
+        for each in ("in/a.glib", "in/film.glib"):
+            self.glibra("publish", each, "-o", "a.html")
+            run = subprocess.run([self.program, "publish", each, "-o", "b.html", "--untrusted"], cwd=self.folder, capture_output=True, text=True, check=False)
+            if run.returncode == 4:
+                self.skipTest(run.stderr)
+            self.assertEqual((run.returncode, self.read("b.html")), (0, self.read("a.html")), run.stderr)
+        self.assertIn('"film":{', self.read("b.html"))
 
 
 if __name__ == "__main__":

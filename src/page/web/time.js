@@ -24,6 +24,7 @@ export class Clock {
         this.last = undefined;
         this.playButton = iconButton("pause", "Pause (Space)", () => this.play(!this.isPlaying));
         this.stepButton = iconButton("step", "Next step (B)", () => this.nextStep());
+        this.restartButton = iconButton("restart", "Restart at 0 seconds", restart);
         this.field = make("input", { type: "number", class: "seconds", min: 0, step: "any", "aria-label": "Seconds", title: "Seconds",
             change: ({ target }) => this.goTo(target.valueAsNumber) });
         this.speedField = make("input", { type: "number", class: "speed", value: 1, step: 0.25, "aria-label": "Speed", title: "Speed",
@@ -35,7 +36,7 @@ export class Clock {
             iconButton("back", "Previous frame (,)", () => this.step(-1)),
             iconButton("forward", "Next frame (.)", () => this.step(1)),
             this.stepButton,
-            iconButton("restart", "Restart at 0 seconds", restart),
+            this.restartButton,
             this.thumb,
             make("label", {}, this.field, " s"),
             make("label", {}, "\u00d7 ", this.speedField));
@@ -45,6 +46,7 @@ export class Clock {
     fill(scene) {
         this.span = scene.span;
         this.thumb.hidden = !scene.span;
+        rename(this.restartButton, "restart", `Restart at ${scene.span?.begin ?? 0} seconds`);
         this.thumb.max = String((scene.span?.count ?? 1) - 1);
         this.stepRate = scene.stepRate ?? 0;
         this.element.hidden = !scene.animated && !scene.hasSteps;
