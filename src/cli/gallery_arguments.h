@@ -16,6 +16,7 @@ struct GalleryArguments {
     SiteOptions made{.site = "glibra-gallery"};
     bool isLive = false;
     page::PageOptions page{};  ///< of live scenes
+    page::FilmOptions film{};  ///< of the others
 };
 
 /// Makes the site and prints what went wrong. Returns the exit status.

@@ -51,7 +51,7 @@ int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
     if (arguments.isLive) {
         Result<std::string> runtime = page::packedRuntime();
         if (printErrors(runtime.diagnostics)) return kSceneIsWrong;
-        plan.live = {arguments.page, std::move(*runtime)};
+        plan.live = {arguments.page, std::move(*runtime), arguments.film};
     }
     plan.folder = arguments.folder;
     plan.site = arguments.made.site;
@@ -141,7 +141,8 @@ void addGallery(CommandLine& program, int& status) {
     command.option("--title", to.title, "title of the site; by default the folder's name");
     addSiteOptions(command, to.made, "folder for the pages, pictures and films",
                    {"size", "library", "memory"});
-    command.flag("--live", to.isLive, "the scenes run on their pages (see `glibra publish`)");
+    command.flag("--live", to.isLive,
+                 "the scenes run on their pages, or films of them do (see `glibra publish`)");
     for (const char* each : {"--library", "--memory", "--timeout", "--driver", "--untrusted"})
         command.find(each).rare();
     command.onRun([arguments, site = command.find("--output"), &status] {

@@ -82,9 +82,8 @@ Diagnostics writePage(const page::PageScene& scene, const PublishArguments& argu
 /// One scene, one page. Returns the exit status.
 int publishScene(const PublishArguments& arguments, const fs::path& file, image::NamedBy named) {
     const std::string& scene = arguments.named.front();
-    const Result<std::string> runtime = page::packedRuntime();
-    if (printErrors(runtime.diagnostics)) return kSceneIsWrong;
-    const page::PageTask task = taskOf(scene, arguments.made.picture.options);
+    page::PageTask task = taskOf(scene, arguments.made.picture.options);
+    task.film = arguments.film;
     std::optional<system::Sandbox> sandbox;
     if (arguments.made.untrusted) {
         if (!prepareUntrusted()) return kNoDriver;
@@ -107,9 +106,17 @@ int publishScene(const PublishArguments& arguments, const fs::path& file, image:
     if (page.noDriver) return kNoDriver;
     const bool isWrong = hasError(page.diagnostics);
     if (page.picture.empty()) return kSceneIsWrong;
-    if (printErrors(writePage(page, arguments, file, named, *runtime))) return kSceneIsWrong;
+    std::string runtime;
+    if (page.isLive) {
+        Result<std::string> found = page::packedRuntime();
+        if (printErrors(found.diagnostics)) return kSceneIsWrong;
+        runtime = std::move(*found);
+    }
+    if (printErrors(writePage(page, arguments, file, named, runtime))) return kSceneIsWrong;
     printLine(fmt::format("page: {}{}", file.generic_string(),
-                          page.isLive ? "" : " (a picture, because browsers cannot draw the scene)"));
+                          page.isLive ? std::string()
+                                      : fmt::format(" (a {}, because browsers cannot draw the scene)",
+                                                    page.film.pictures.size() > 1 ? "film" : "picture")));
     return isWrong ? kSceneIsWrong : kDone;
 }
 
@@ -150,7 +157,8 @@ int runPublishCommand(PublishArguments& arguments) {
 void addPublish(CommandLine& program, int& status) {
     auto arguments = std::make_shared<PublishArguments>();
     CommandLine command = program.subcommand(
-        "publish", "makes a page in which a scene runs live in a browser, or a site of such pages",
+        "publish",
+        "makes a page in which a scene, or a film of it, runs in a browser; or a site of such pages",
         "glibra publish teapot.glib                        # teapot.html: one file, for any browser\n"
         "glibra publish teapot.glib -o site/teapot.html --poster --set uKd=.8\n"
         "glibra publish scenes/ -o site/                   # site/index.html; the pages share one runtime");
@@ -163,7 +171,17 @@ void addPublish(CommandLine& program, int& status) {
     command.flag("--embed", to.page.isEmbedded,
                  "nothing but the scene and its controls, for a frame of another page");
     command.flag("--poster", to.page.hasPoster, "the picture stands there until it is clicked");
-    for (const char* each : {"--library", "--memory", "--timeout", "--driver", "--jobs", "--untrusted"})
+    command
+        .option("--frames", to.film.frames,
+                "pictures over time in the film of a scene that browsers cannot draw")
+        .within(1, 1000)
+        .withDefault();
+    command
+        .option("--seconds", to.film.seconds,
+                "seconds of time in such a film; by default once round for Timer, else 3")
+        .within(1e-3, 1e6);
+    for (const char* each :
+         {"--library", "--memory", "--timeout", "--driver", "--jobs", "--untrusted", "--frames", "--seconds"})
         command.find(each).rare();
     command.onRun([arguments, site = command.find("--output"), &status] {
         arguments->made.siteIsNamed = site.isGiven();

@@ -51,7 +51,8 @@ struct GalleryScene {
     Diagnostics diagnostics;
     std::string picture, film;            ///< files on the site; empty if there is none
     int width = 0, height = 0;            ///< of the picture
-    bool isLive = false;                  ///< it runs on its page
+    bool isLive = false;                  ///< it runs on its page, or a film of it does
+    std::string whyFilm;                  ///< if a film runs there: page::whyNotLive()
     std::optional<std::size_t> solution;  ///< of an exercise: the scene that solves it
     std::vector<std::size_t> tasks;       ///< the exercises that it solves
 };

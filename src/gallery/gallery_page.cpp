@@ -163,8 +163,8 @@ std::string textHtml(const GalleryScene& scene) {
 std::string picturesHtml(const GalleryScene& scene) {
     if (scene.picture.empty()) return {};
     if (scene.isLive)
-        return page::liveHtml("../live", scene.name + ".js", "../" + scene.picture, scene.width,
-                              scene.height);
+        return page::liveHtml("../live", scene.name + ".js", "../" + scene.picture, scene.width, scene.height,
+                              scene.whyFilm);
     std::string html = fmt::format(
         "<div class=\"shown\"><figure><img src=\"../{}\" width=\"{}\" height=\"{}\" alt=\"the "
         "picture\"></figure>",

@@ -44,15 +44,6 @@ void removeEarlier(const fs::path& site) {
                 base::removeBeneath(site, fs::path(folder) / each.path().filename());
 }
 
-/// The largest size of the window's shape that fits into the given one.
-std::pair<int, int> fitting(const Description& about, int width, int height) {
-    if (about.width <= 0 || about.height <= 0) return {width, height};
-    const double scale =
-        std::min(static_cast<double>(width) / about.width, static_cast<double>(height) / about.height);
-    const auto side = [&](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
-    return {side(about.width), side(about.height)};
-}
-
 std::string frameName(const std::string& scene, int frame) {
     return fmt::format("{}@frame={:02}", scene, frame);
 }
@@ -165,8 +156,9 @@ class GalleryRun {
         shot.name = name;
         shot.script = plan_.scenes[scene];
         shot.options = confined();
+        const Description& about = end_.gallery.scenes[scene].description;
         std::tie(shot.options.width, shot.options.height) =
-            fitting(end_.gallery.scenes[scene].description, width, height);
+            page::fitting(about.width, about.height, width, height);
         shot.options.time = time;
         suite_.shots.push_back(std::move(shot));
     }
@@ -189,7 +181,7 @@ class GalleryRun {
         });
     }
 
-    /// Writes the runtime, and for each scene that browsers can draw what it is made of.
+    /// Writes for each scene what it is made of, or its film, and the runtime if a scene needs it.
     void makeLive() {
         const auto write = [&](const std::string& name, const std::string& text) {
             Diagnostics problems = suite::writeBelow(plan_.site, name, std::as_bytes(std::span(text)));
@@ -197,13 +189,15 @@ class GalleryRun {
             append(end_.diagnostics, std::move(problems));
             return isWritten;
         };
-        for (const page::SiteFile& each : page::runtimeFiles(plan_.live->runtime))
-            if (!write(fmt::format("{}/{}", kLive, each.name), each.content)) return;
+        bool needsRuntime = false;
         std::vector<page::PageTask> tasks;
         std::vector<std::size_t> scenes;  // of the tasks
         for (std::size_t i = 0; i < plan_.scenes.size(); ++i)
             if (isDrawn(end_.gallery.scenes[i])) {
-                tasks.push_back({plan_.scenes[i], confined(), false});
+                page::PageTask task{plan_.scenes[i], confined(), false, plan_.live->film};
+                task.film.width = plan_.width;
+                task.film.height = plan_.height;
+                tasks.push_back(std::move(task));
                 scenes.push_back(i);
             }
         page::makePages(
@@ -212,12 +206,19 @@ class GalleryRun {
                 if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
                 GalleryScene& scene = end_.gallery.scenes[scenes[task]];
                 if (!made) return;
-                if (made->isLive)
+                if (made->isLive || page::isFilm(*made))
                     scene.isLive = write(fmt::format("scenes/{}.js", scene.name),
                                          page::sceneScript(*made, plan_.live->page));
-                else
-                    append(scene.diagnostics, std::move(made->diagnostics));
+                if (made->isLive) {
+                    needsRuntime = true;
+                    return;
+                }
+                if (scene.isLive) scene.whyFilm = page::whyNotLive(*made);
+                append(scene.diagnostics, std::move(made->diagnostics));
             });
+        for (const page::SiteFile& each :
+             page::runtimeFiles(needsRuntime ? plan_.live->runtime : std::string_view()))
+            if (!write(fmt::format("{}/{}", kLive, each.name), each.content)) return;
         end_.stopped = end_.stopped || (events_.stop && events_.stop());
     }
 

@@ -27,8 +27,10 @@ struct GalleryPlan {
     struct Live {
         page::PageOptions page;
         std::string runtime;  ///< page::packedRuntime()
+        page::FilmOptions film{};
     };
-    std::optional<Live> live{};  ///< scenes that browsers can draw run on their pages, and have no films
+    /// Scenes that browsers can draw run on their pages, and of the others films with controls do.
+    std::optional<Live> live{};
 };
 
 struct GalleryEvents {

@@ -17,6 +17,7 @@
 #include "image/file.h"
 #include "page/sha256.h"
 #include "plan/overrides.h"
+#include "source/code_html.h"
 #include "suite/report/packed_pixels.h"
 #include "system/places.h"
 
@@ -52,6 +53,30 @@ std::string scriptText(const Json& json) {
     return text;
 }
 
+/// A film as the page plays it, with the texts that it names in colours: [] of what is no film, which may
+/// come from a worker that a scene has taken over.
+Json filmJson(const PageScene& scene) {
+    constexpr int kDeepest = 8;
+    Json film = Json::parse(
+        scene.film.state, [](int depth, Json::parse_event_t, Json&) { return depth < kDeepest; }, false);
+    Json sources = Json::object();
+    if (!film.is_object() || !film.contains("files") || !film["files"].is_array()) return Json::array();
+    for (const Json& each : film["files"]) {
+        const auto file = std::ranges::find_if(scene.files, [&](const PageFile& one) {
+            return each.is_object() && each.contains("name") && each["name"] == one.name;
+        });
+        if (file == scene.files.end()) continue;
+        const bool isGlib = each.value("language", Json()) == "glib";
+        sources[file->name] =
+            source::codeHtml(file->content, isGlib ? source::CodeLanguage::glib : source::CodeLanguage::glsl);
+    }
+    film["sources"] = packed(bytesOf(sources.dump(-1, ' ', true, Json::error_handler_t::replace)));
+    film["pictures"] = Json::array();
+    for (const std::string& each : scene.film.pictures)
+        film["pictures"].push_back(suite::base64(bytesOf(each)));
+    return film;
+}
+
 std::string dataOf(const PageScene& scene, const PageOptions& options) {
     Json files = Json::array(), set = Json::array();
     std::string content;
@@ -66,15 +91,12 @@ std::string dataOf(const PageScene& scene, const PageOptions& options) {
                            {"name", value->name},
                            {"values", value->values},
                            {"word", value->word}});
-    return scriptText({{"scene", scene.name},
-                       {"files", std::move(files)},
-                       {"content", packed(bytesOf(content))},
-                       {"set", std::move(set)},
-                       {"time", options.time},
-                       {"width", options.width},
-                       {"height", options.height},
-                       {"embed", options.isEmbedded},
-                       {"poster", options.hasPoster}});
+    Json data = {
+        {"scene", scene.name},      {"files", std::move(files)},   {"content", packed(bytesOf(content))},
+        {"set", std::move(set)},    {"time", options.time},        {"width", options.width},
+        {"height", options.height}, {"embed", options.isEmbedded}, {"poster", options.hasPoster}};
+    if (isFilm(scene)) data["film"] = filmJson(scene);
+    return scriptText(data);
 }
 
 std::string posterHtml(std::string_view source, int width, int height) {
@@ -88,15 +110,31 @@ constexpr const char* kLivePolicy =
     "default-src 'none'; img-src data: blob:; style-src {}; script-src {} 'wasm-unsafe-eval'; base-uri "
     "'none'; "
     "form-action 'none'";
-
-/// Why a scene is a picture.
-std::string whyNotLive(const PageScene& scene) {
-    for (const Diagnostic& each : scene.diagnostics)
-        if (each.severity == Severity::error) return toString(each);
-    return "it cannot be drawn";
-}
+constexpr const char* kFilmPolicy =
+    "default-src 'none'; img-src data: blob:; style-src {}; script-src {}; base-uri 'none'; form-action "
+    "'none'";
 
 }  // namespace
+
+std::string whyNotLive(const PageScene& scene) {
+    const auto found = std::ranges::find_if(scene.diagnostics, [](const Diagnostic& each) {
+        return each.severity == Severity::error || each.id.starts_with("web-");
+    });
+    std::string why = "it cannot be drawn";
+    if (found != scene.diagnostics.end()) {
+        Diagnostic first = *found;
+        first.severity = Severity::error;
+        // As the page calls the file: where it is on this machine is nobody's business.
+        for (const PageFile& each : scene.files)
+            if (first.place.file.ends_with("/" + each.name)) first.place.file = each.name;
+        why = toString(first);
+    }
+    if (scene.film.pictures.size() < 2)
+        return "This is a picture, because browsers cannot draw the scene: " + why;
+    return "This is a film, because browsers cannot draw the scene: " + why +
+           ". It shows one change at a time: of the time, or of one value while all others are as at the "
+           "beginning; and the mouse does not turn it.";
+}
 
 std::string packed(std::span<const std::byte> bytes) {
     constexpr int kSmallest = 12;
@@ -133,20 +171,25 @@ std::string wholePage(const PageScene& scene, const PageOptions& options, const 
                               : posterHtml("data:image/png;base64," + suite::base64(bytesOf(scene.picture)),
                                            scene.width, scene.height);
     std::string content = fmt::format("<div class=\"live\">{}</div>", picture), scripts;
-    if (scene.isLive) {
-        content += "<noscript><p class=\"remark\">With JavaScript the scene moves.</p></noscript>";
-        scripts = fmt::format(
-            "<script type=\"application/json\" id=\"glibra-scene\">{}</script>\n"
-            "<script type=\"text/plain\" id=\"glibra-runtime\">{}</script>\n<script>{}</script>",
-            dataOf(scene, options), runtime, script);
-    } else {
-        content += "<p class=\"remark\">This is a picture, because browsers cannot draw the scene: " +
-                   escapeXml(printableText(whyNotLive(scene))) + "</p>";
+    const bool hasScript = scene.isLive || isFilm(scene);
+    if (!scene.isLive)
+        content.insert(options.isEmbedded ? content.size() : 0,
+                       "<p class=\"remark\">" + escapeXml(printableText(whyNotLive(scene))) + "</p>\n");
+    if (hasScript) {
+        content += fmt::format("<noscript><p class=\"remark\">With JavaScript the {} moves.</p></noscript>",
+                               scene.isLive ? "scene" : "film");
+        scripts = fmt::format("<script type=\"application/json\" id=\"glibra-scene\">{}</script>\n",
+                              dataOf(scene, options));
+        if (scene.isLive)
+            scripts +=
+                fmt::format("<script type=\"text/plain\" id=\"glibra-runtime\">{}</script>\n", runtime);
+        scripts += fmt::format("<script>{}</script>", script);
     }
     std::string facts;
     for (const std::string& each : scene.head.rows) facts += (facts.empty() ? "" : " ") + each;
     const base::Slot slots[] = {
         {"policy", scene.isLive ? fmt::format(kLivePolicy, hashOf(style), hashOf(script))
+                   : hasScript  ? fmt::format(kFilmPolicy, hashOf(style), hashOf(script))
                                 : fmt::format(kPlainPolicy, hashOf(style))},
         {"title", escapeXml(printableText(title))},
         {"style", std::string(style)},
@@ -159,9 +202,11 @@ std::string wholePage(const PageScene& scene, const PageOptions& options, const 
 }
 
 std::vector<SiteFile> runtimeFiles(std::string_view runtime) {
-    return {{"live.css", std::string(live_page::live_css())},
-            {"live.js", std::string(live_page::live_js())},
-            {"runtime.js", fmt::format("globalThis.glibraRuntime = \"{}\";\n", runtime)}};
+    std::vector<SiteFile> files{{"live.css", std::string(live_page::live_css())},
+                                {"live.js", std::string(live_page::live_js())}};
+    if (!runtime.empty())
+        files.push_back({"runtime.js", fmt::format("globalThis.glibraRuntime = \"{}\";\n", runtime)});
+    return files;
 }
 
 std::string sceneScript(const PageScene& scene, const PageOptions& options) {
@@ -169,12 +214,14 @@ std::string sceneScript(const PageScene& scene, const PageOptions& options) {
 }
 
 std::string liveHtml(std::string_view folder, std::string_view script, std::string_view picture, int width,
-                     int height) {
-    std::string html =
-        fmt::format("<link rel=\"stylesheet\" href=\"{0}/live.css\"><div class=\"live\">{1}</div>\n", folder,
-                    posterHtml(picture, width, height));
-    for (const std::string& each :
-         {std::string(script), fmt::format("{}/runtime.js", folder), fmt::format("{}/live.js", folder)})
+                     int height, const std::string& whyFilm) {
+    std::string html;
+    if (!whyFilm.empty()) html = "<p class=\"remark\">" + escapeXml(printableText(whyFilm)) + "</p>\n";
+    html += fmt::format("<link rel=\"stylesheet\" href=\"{0}/live.css\"><div class=\"live\">{1}</div>\n",
+                        folder, posterHtml(picture, width, height));
+    std::vector<std::string> scripts{std::string(script), fmt::format("{}/live.js", folder)};
+    if (whyFilm.empty()) scripts.insert(scripts.begin() + 1, fmt::format("{}/runtime.js", folder));
+    for (const std::string& each : scripts)
         html += fmt::format("<script src=\"{}\" defer></script>\n", escapeXml(each));
     return html;
 }

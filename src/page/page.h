@@ -1,6 +1,7 @@
 #pragma once
-// Live pages as texts. Whatever a scene contains is data on them: no text of a scene becomes HTML or script,
-// and the Content-Security-Policy lets only glibra's own script run. Equal scenes give equal bytes.
+// Live pages, and those of films, as texts. Whatever a scene contains is data on them: no text of a scene
+// becomes HTML or script, and the Content-Security-Policy lets only glibra's own script run. Equal scenes
+// give equal bytes.
 
 #include <glibra/diagnostic.h>
 #include <glibra/result.h>
@@ -34,8 +35,16 @@ Result<std::string> packedRuntime(
 /// The bytes packed by gzip, in base64.
 std::string packed(std::span<const std::byte> bytes);
 
+/// True if the page has the scene's film.
+inline bool isFilm(const PageScene& scene) {
+    return !scene.isLive && !scene.film.pictures.empty();
+}
+/// What the page of a scene that is not live says: that it is a film or a picture, the first message why, and
+/// what it cannot do.
+std::string whyNotLive(const PageScene& scene);
+
 /// A page that needs no other file. `title` is the text of its heading. Of a scene that is not live it has
-/// the picture and the first message that says why.
+/// the film, or the picture alone; it then needs no runtime.
 std::string wholePage(const PageScene& scene, const PageOptions& options, const std::string& title,
                       std::string_view runtime);
 
@@ -45,14 +54,15 @@ struct SiteFile {
     std::string name;
     std::string content;
 };
-/// "live.css", "live.js" and "runtime.js", for one folder.
+/// "live.css", "live.js" and, unless the runtime is empty, "runtime.js", for one folder.
 std::vector<SiteFile> runtimeFiles(std::string_view runtime);
 /// What a scene is made of, as a script that its page loads.
 std::string sceneScript(const PageScene& scene, const PageOptions& options);
 /// The HTML of a scene on its page: the picture, in whose place the scripts put the scene. `folder` is that
-/// of the runtime, `script` the file of sceneScript(), `picture` that of the picture.
+/// of the runtime, `script` the file of sceneScript(), `picture` that of the picture, `whyFilm` is
+/// whyNotLive() of a film; empty: the scene is live.
 std::string liveHtml(std::string_view folder, std::string_view script, std::string_view picture, int width,
-                     int height);
+                     int height, const std::string& whyFilm);
 /// What the pages of a site state as their Content-Security-Policy, as the content of an attribute.
 inline constexpr std::string_view kSitePolicy =
     "default-src 'none'; img-src 'self' file: data: blob:; style-src 'self' file:; script-src 'self' file: "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <set>
 #include <span>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "base/device_lost.h"
@@ -117,6 +119,41 @@ std::string drawn(gpu::Context& context, const PageTask& task, render::SharedPar
     return converted(std::move(*picture));
 }
 
+void addFilm(gpu::Context& context, const PageTask& task, render::SharedParts* shared, const base::Step& step,
+             PageScene& page) {
+    for (Diagnostic& each : page.diagnostics) each.severity = std::min(each.severity, Severity::warning);
+    FilmTask sized{task.scene, task.options, task.film};
+    if (task.options.width <= 0) {
+        render::Stats stats;
+        const Result<render::InterpretedScene> read = render::interpretFile(task.scene, task.options, stats);
+        if (read)
+            std::tie(sized.options.width, sized.options.height) =
+                fitting(read->scene.width, read->scene.height, task.film.width, task.film.height);
+    }
+    const Names names(task);
+    Diagnostics ofFilm;
+    const auto take = [&](const Film& film) {
+        page.film = film;
+        // Models, pictures and the like are not needed any more.
+        std::erase_if(page.files, [&](const PageFile& each) {
+            return std::ranges::find(film.texts, each.name) == film.texts.end();
+        });
+        page.picture = film.pictures.front();
+        page.width = film.width;
+        page.height = film.height;
+        addUnknown(page.diagnostics, std::exchange(ofFilm, {}));
+    };
+    const Film film = filmOf(context, sized, shared,
+                             {[&](const fs::path& path) { return names.of(path); }, converted,
+                              [&](const Film* soFar) {
+                                  if (soFar) take(*soFar);
+                                  step(soFar ? toText(page) : std::string());
+                              }},
+                             ofFilm);
+    if (!film.pictures.empty()) take(film);
+    addUnknown(page.diagnostics, std::move(ofFilm));
+}
+
 Json binary(std::string_view text) {
     return Json::binary({text.begin(), text.end()});
 }
@@ -126,6 +163,14 @@ std::string textOf(const Json& json) {
 }
 
 }  // namespace
+
+std::pair<int, int> fitting(int windowWidth, int windowHeight, int width, int height) {
+    if (windowWidth <= 0 || windowHeight <= 0) return {width, height};
+    const double scale =
+        std::min(static_cast<double>(width) / windowWidth, static_cast<double>(height) / windowHeight);
+    const auto side = [&](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
+    return {side(windowWidth), side(windowHeight)};
+}
 
 std::vector<PageFile> filesOf(const PageTask& task, std::vector<fs::path>& read, Diagnostics& problems) {
     const Place place{task.scene.generic_string(), 1, 1};
@@ -170,7 +215,8 @@ std::vector<PageFile> filesOf(const PageTask& task, std::vector<fs::path>& read,
     return sorted;
 }
 
-PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedParts* shared) {
+PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedParts* shared,
+                    const base::Step& step) {
     PageScene page;
     page.name = Names(task).of(task.scene);
     page.files = filesOf(task, page.read, page.diagnostics);
@@ -179,13 +225,14 @@ PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedP
     RenderOptions checked = task.options;
     checked.set.clear();  // reported by the picture
     addUnknown(page.diagnostics, render::checkScene(context, task.scene, checked, shared, true).diagnostics);
-    const bool isWhole = !hasError(page.diagnostics);
     const auto isOfWeb = [](const Diagnostic& each) {
         return each.severity != Severity::error || each.id.starts_with("web-");
     };
-    if (task.draws && std::ranges::all_of(page.diagnostics, isOfWeb))
-        page.picture = drawn(context, task, shared, page);
+    const bool isWhole = !hasError(page.diagnostics);
+    if (isWhole && task.draws) page.picture = drawn(context, task, shared, page);
     page.isLive = isWhole && (!task.draws || !page.picture.empty());
+    if (!isWhole && std::ranges::all_of(page.diagnostics, isOfWeb))
+        addFilm(context, task, shared, step, page);
     return page;
 }
 
@@ -196,9 +243,10 @@ void makePages(std::span<const PageTask> tasks, Driver driver, const base::Worke
         render::SharedParts shared;           // after the context, because it must be destroyed first
     };
     const auto worker = std::make_shared<Worker>();
+    std::map<std::size_t, std::string> soFar;  // pages with unfinished films
     base::runInWorkers(
         tasks.size(), workers,
-        [&, worker](std::size_t index, const base::Step&) -> std::string {
+        [&, worker](std::size_t index, const base::Step& step) -> std::string {
             if (!worker->context) {
                 suite::shareProcessors(workers.workers, tasks.size());
                 Result<gpu::Context> opened = gpu::openContext({.driver = driver});
@@ -211,7 +259,7 @@ void makePages(std::span<const PageTask> tasks, Driver driver, const base::Worke
                 worker->context.emplace(std::move(*opened));
             }
             try {
-                return toText(pageScene(*worker->context, tasks[index], &worker->shared));
+                return toText(pageScene(*worker->context, tasks[index], &worker->shared, step));
             } catch (const base::DeviceLost&) {
                 throw;  // the worker must not be used any more
             } catch (const std::exception& failure) {
@@ -222,18 +270,44 @@ void makePages(std::span<const PageTask> tasks, Driver driver, const base::Worke
             }
         },
         [&](std::size_t index, const base::Outcome& outcome) {
-            const bool isWhole = outcome.end == base::Outcome::End::finished;
-            done(index, outcome, isWhole ? parsePageScene(outcome.answer) : std::nullopt);
+            using End = base::Outcome::End;
+            std::optional<PageScene> page;
+            if (outcome.end == End::finished) {
+                page = parsePageScene(outcome.answer);
+            } else if (outcome.end != End::stopped) {
+                page = parsePageScene(soFar[index]);
+                if (page)
+                    page->diagnostics.push_back(
+                        diagnose("page-W02",
+                                 fmt::format("the film is not complete: {}", outcome.end == End::timedOut
+                                                                                 ? "a picture took too long"
+                                                                                 : "drawing ended"),
+                                 {tasks[index].scene.generic_string(), 1, 1}));
+            }
+            soFar.erase(index);
+            done(index, outcome, std::move(page));
         },
-        [](std::size_t, const std::string&) {});
+        [&](std::size_t index, const std::string& text) {
+            if (!text.empty()) soFar[index] = text;
+        });
 }
 
 std::string toText(const PageScene& scene) {
-    Json json = {
-        {"name", binary(scene.name)},       {"rows", scene.head.rows}, {"summary", scene.head.summary},
-        {"text", scene.head.text},          {"width", scene.width},    {"height", scene.height},
-        {"picture", binary(scene.picture)}, {"isLive", scene.isLive},  {"noDriver", scene.noDriver},
-        {"files", Json::array()},           {"read", Json::array()},   {"messages", Json::array()}};
+    Json json = {{"name", binary(scene.name)},
+                 {"rows", scene.head.rows},
+                 {"summary", scene.head.summary},
+                 {"text", scene.head.text},
+                 {"width", scene.width},
+                 {"height", scene.height},
+                 {"picture", binary(scene.picture)},
+                 {"isLive", scene.isLive},
+                 {"noDriver", scene.noDriver},
+                 {"files", Json::array()},
+                 {"read", Json::array()},
+                 {"messages", Json::array()},
+                 {"film", Json::array()},
+                 {"filmState", binary(scene.film.state)}};
+    for (const std::string& each : scene.film.pictures) json["film"].push_back(binary(each));
     for (const PageFile& each : scene.files)
         json["files"].push_back({binary(each.name), binary(each.content), each.isConverted});
     for (const fs::path& each : scene.read) json["read"].push_back(binary(each.generic_string()));
@@ -258,6 +332,10 @@ std::optional<PageScene> parsePageScene(std::string_view text) try {
     scene.noDriver = json.at("noDriver").get<bool>();
     for (const Json& each : json.at("files"))
         scene.files.push_back({textOf(each.at(0)), textOf(each.at(1)), each.at(2).get<bool>()});
+    for (const Json& each : json.at("film")) scene.film.pictures.push_back(textOf(each));
+    scene.film.state = textOf(json.at("filmState"));
+    scene.film.width = scene.width;
+    scene.film.height = scene.height;
     for (const Json& each : json.at("read")) scene.read.emplace_back(textOf(each));
     for (const Json& each : json.at("messages")) {
         const int severity = std::clamp(each.at(0).get<int>(), 0, static_cast<int>(Severity::error));

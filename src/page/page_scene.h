@@ -1,6 +1,6 @@
 #pragma once
-// What a live page of a scene is made of: every file that the scene reads, its picture, and whether browsers
-// can draw it.
+// What a page of a scene is made of: every file that the scene reads, its picture, and whether browsers
+// can draw it; if not, its film.
 
 #include <glibra/diagnostic.h>
 #include <glibra/driver.h>
@@ -13,10 +13,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/workers.h"
 #include "gpu/context/context.h"
+#include "page/film.h"
 #include "render/load/shared_parts.h"
 #include "source/scene_head.h"
 
@@ -39,14 +41,20 @@ struct PageScene {
     /// False if something that the scene needs is not in WebGL 2, or the scene has an error of its own: the
     /// diagnostics have it.
     bool isLive = false;
+    /// Of a scene that is not live only for what WebGL 2 lacks, which are warnings then. No pictures: none.
+    Film film;
     bool noDriver = false;  ///< nothing was drawn or checked
 };
 
 struct PageTask {
     std::filesystem::path scene;
     RenderOptions options;  ///< `within` says which files may be read, besides those of the library
-    bool draws = true;      ///< false: without the picture
+    bool draws = true;      ///< false: without the picture of a live scene
+    FilmOptions film{};
 };
+
+/// The largest size of a window's shape that fits into the given one.
+std::pair<int, int> fitting(int windowWidth, int windowHeight, int width, int height);
 
 /// The most bytes that the files of a scene may have together.
 inline constexpr std::size_t kLargestScene = std::size_t{256} << 20U;
@@ -61,11 +69,15 @@ inline constexpr std::size_t kLargestScene = std::size_t{256} << 20U;
 std::vector<PageFile> filesOf(const PageTask& task, std::vector<std::filesystem::path>& read,
                               Diagnostics& problems);
 
-/// All of it. A scene with errors has what could be made of it.
-PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedParts* shared);
+/// All of it. A scene with errors has what could be made of it. While a film is drawn, `step` gets toText()
+/// of the page with the film so far, or an empty text after another picture.
+PageScene pageScene(
+    gpu::Context& context, const PageTask& task, render::SharedParts* shared,
+    const base::Step& step = [](const std::string&) {});
 
 /// Does pageScene() for each task in worker processes. `done` gets nothing for a worker that ended or was
-/// late: the outcome says how. Call it before any thread or GL context exists.
+/// late: the outcome says how; if that was while it drew a film, the film so far, with page-W02. Call it
+/// before any thread or GL context exists.
 void makePages(
     std::span<const PageTask> tasks, Driver driver, const base::WorkerOptions& workers,
     const std::function<void(std::size_t task, const base::Outcome&, std::optional<PageScene>)>& done);

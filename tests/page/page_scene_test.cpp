@@ -213,6 +213,48 @@ TEST(Page, OfASceneThatIsNotLiveIsAPictureAndSaysWhy) {
     EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
 }
 
+PageScene hostileFilm() {
+    PageScene scene = hostile();
+    scene.isLive = false;
+    scene.diagnostics.push_back(
+        diagnose("web-E01", std::string("no stage ") + kHostile, {"/home/me/week/" + scene.name, 3, 1}));
+    scene.film.pictures = {"\x89PNG one", std::string(kHostile)};
+    scene.film.state =
+        nlohmann::json{{"knobs", {{{"name", kHostile}}}},
+                       {"files", {{{"name", scene.name}, {"language", "glib"}}, {{"name", 7}}, 3}}}
+            .dump();
+    return scene;
+}
+
+TEST(Page, OfAFilmHasItsPicturesAndNoRuntime) {
+    const PageScene scene = hostileFilm();
+    ASSERT_TRUE(isFilm(scene));
+    const std::string page = wholePage(scene, {}, "a", "");
+    EXPECT_EQ(countOf(page, "<script"), 2U);
+    EXPECT_EQ(countOf(page, "</script"), 2U);
+    EXPECT_EQ(countOf(page, "<img"), 1U);
+    EXPECT_EQ(countOf(page, "glibra-runtime\">"), 0U);
+    EXPECT_EQ(countOf(between(page, "Content-Security-Policy\" content=\"", "\""), "wasm"), 0U);
+    EXPECT_NE(page.find("This is a film, because browsers cannot draw the scene: &lt;/script"),
+              std::string::npos);
+    EXPECT_EQ(page.find("/home/me"), std::string::npos);  // where the file is on this machine
+    const auto data = nlohmann::json::parse(between(page, "id=\"glibra-scene\">", "</script>"));
+    EXPECT_EQ(data["film"]["knobs"][0]["name"], kHostile);
+    EXPECT_EQ(data["film"]["pictures"].size(), 2U);
+    EXPECT_NE(data["film"]["sources"], "");
+    EXPECT_EQ(sceneScript(scene, {}).find("</"), std::string::npos);
+}
+
+TEST(Page, OfAFilmOutlivesWhatAWorkerSends) {
+    PageScene scene = hostileFilm();
+    for (const std::string& each :
+         {std::string(), std::string("{"), std::string("[]"), std::string("{\"files\":{}}"),
+          std::string(1'000'000, '['), "{\"files\":[],\"knobs\":" + std::string(1'000'000, '[')}) {
+        scene.film.state = each;
+        EXPECT_EQ(countOf(wholePage(scene, {}, "a", ""), "<script"), 2U);
+    }
+}
+
 TEST(Page, TheScriptHasNothingThatEndsItsElement) {
     const std::string script = runtimeFiles("x")[1].content;
     EXPECT_EQ(script.find("</script"), std::string::npos);
@@ -225,11 +267,14 @@ TEST(PageScene, GoesThroughAPipe) {
     PageScene scene = hostile();
     scene.read = {"/a/b.glib"};
     scene.diagnostics.push_back(diagnose("web-E01", "x", {"a.glib", 3, 7}));
+    scene.film = {{"one", std::string("\0\xff", 2)}, "{}", {}, scene.width, scene.height};
     const std::string text = toText(scene);
     const std::optional<PageScene> same = parsePageScene(text);
     ASSERT_TRUE(same);
     EXPECT_EQ(toText(*same), text);
     EXPECT_EQ(same->files[1].content, scene.files[1].content);
+    EXPECT_EQ(same->film.pictures, scene.film.pictures);
+    EXPECT_EQ(same->film.state, scene.film.state);
     EXPECT_EQ(same->diagnostics[0].place, scene.diagnostics[0].place);
     for (std::size_t length = 0; length < text.size(); ++length)
         EXPECT_FALSE(parsePageScene(text.substr(0, length))) << length;

@@ -82,18 +82,28 @@ class Publish(unittest.TestCase):
                 self.assertIn(each, page)
             shutil.rmtree(os.path.join(self.folder, "site"))
 
-    def test_what_browsers_lack_is_reported_and_the_page_is_a_picture(self):
+    def test_what_browsers_lack_is_reported_and_the_page_is_a_film(self):
         self.write("in/q.vert", VERTEX.replace("void main() {", "noperspective out vec3 v;\nvoid main() { v = vec3(.5);"))
         self.write("in/q.frag", LACKING)
-        message = self.glibra("publish", "in/a.glib", status=3)
-        self.assertRegex(message, r"in/q\.(vert|frag):\d+:\d+: error: .*\[web-E04\]")
+        os.remove(os.path.join(self.programs, "glibra.wasm"))  # a film does not need it
+        message = self.glibra("publish", "in/a.glib")
+        self.assertRegex(message, r"in/q\.(vert|frag):\d+:\d+: warning: .*\[web-E04\]")
         page = self.read("a.html")
-        self.assertNotIn("<script", page)
-        self.assertIn("[web-E04]", page)
+        self.assertRegex(page, r'<p class="remark">This is a film, .*: in/q\.(vert|frag):\d+:\d+: error: .*\[web-E04\]\. It shows one change at a time')
         self.assertIn("data:image/png", page)
+        self.assertNotIn("glibra-runtime\">", page)
+        self.assertNotIn("wasm-unsafe-eval';", page)
+        self.assertNotIn(self.folder, page)
+        self.glibra("publish", "in/a.glib", "-o", "b.html")
+        self.assertEqual(self.read("b.html"), page)
+        self.write("glibra.wasm", "a runtime", self.programs)
         self.glibra("publish", "in", "-o", "site")
-        self.assertIn("[web-E04]", self.read("site/scenes/a.html"))
-        self.assertNotIn("<script", self.read("site/scenes/a.html"))
+        page = self.read("site/scenes/a.html")
+        self.assertIn("[web-E04]", page)
+        self.assertIn('src="../live/live.js"', page)
+        self.assertNotIn("runtime.js", page)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "site/live/runtime.js")))
+        self.assertIn('"film":{', self.read("site/scenes/a.js"))
 
     def test_a_faulty_scene_leaves_no_page(self):
         self.write("in/a.glib", SCENE.replace("QuadXY", "QuadYX"))
@@ -137,11 +147,16 @@ class Publish(unittest.TestCase):
             self.assertEqual(re.findall(r"alert\(1\)>|<!--|<script>", text), [], each)
 
     def test_it_is_the_same_in_a_sandbox(self):
-        self.glibra("publish", "in/a.glib")
-        run = subprocess.run([self.program, "publish", "in/a.glib", "-o", "b.html", "--untrusted"], cwd=self.folder, capture_output=True, text=True, check=False)
-        if run.returncode == 4:
-            self.skipTest(run.stderr)
-        self.assertEqual((run.returncode, self.read("b.html")), (0, self.read("a.html")), run.stderr)
+        self.write("in/film.glib", SCENE.replace("q.frag", "lacking.frag").replace("q.vert", "lacking.vert"))
+        self.write("in/lacking.vert", VERTEX.replace("void main() {", "noperspective out vec3 v;\nvoid main() { v = vec3(.5);"))
+        self.write("in/lacking.frag", LACKING)
+        for each in ("in/a.glib", "in/film.glib"):
+            self.glibra("publish", each, "-o", "a.html")
+            run = subprocess.run([self.program, "publish", each, "-o", "b.html", "--untrusted"], cwd=self.folder, capture_output=True, text=True, check=False)
+            if run.returncode == 4:
+                self.skipTest(run.stderr)
+            self.assertEqual((run.returncode, self.read("b.html")), (0, self.read("a.html")), run.stderr)
+        self.assertIn('"film":{', self.read("b.html"))
 
 
 if __name__ == "__main__":

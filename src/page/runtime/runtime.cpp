@@ -20,6 +20,7 @@
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "render/draw/view_matrices.h"
+#include "render/live/knob_json.h"
 #include "render/live/live_scene.h"
 #include "render/load/device_textures.h"
 #include "source/code_html.h"
@@ -109,26 +110,10 @@ void note(Diagnostics diagnostics) {
 
 // ---- Opening
 
-const char* wordOf(render::Widget widget) {
-    constexpr std::array kWords{"slider", "checkBox", "color", "numbers"};
-    return kWords.at(static_cast<std::size_t>(widget));
-}
-
-Json jsonOf(const render::Knob& knob) {
-    Json json{{"owner", knob.program ? knob.title : std::string()},
-              {"name", knob.tag},
-              {"widget", wordOf(knob.widget)},
-              {"declaration", knob.declaration},
-              {"isInteger", knob.isInteger()},
-              {"isShared", knob.isShared},
-              {"minimum", knob.minimum},
-              {"maximum", knob.maximum},
-              {"components", knob.type.components()},
-              {"initial", knob.initial},
-              {"current", knob.current},
-              {"file", nameOf(knob.place.file)},
-              {"line", knob.place.line}};
-    if (!knob.words.empty()) json["words"] = knob.words;
+Json placed(const render::Knob& knob) {
+    Json json = render::jsonOf(knob);
+    json["file"] = nameOf(knob.place.file);
+    json["line"] = knob.place.line;
     return json;
 }
 
@@ -197,7 +182,7 @@ void describe(Json& json) {
     json["camera"] = page.camera;
     json["cameras"] = namesOf(page.live->cameras(), [](const scene::NamedCamera& each) { return each.name; });
     json["keys"] = namesOf(scene.keys, [](const scene::KeyBinding& each) { return jsonOf(each); });
-    json["knobs"] = namesOf(page.knobs, [](const render::Knob& each) { return jsonOf(each); });
+    json["knobs"] = namesOf(page.knobs, [](const render::Knob& each) { return placed(each); });
     json["shared"] = namesOf(render::sharedKnobs(page.knobs), itself);
 }
 

@@ -3,7 +3,7 @@
 /** @typedef {import("./types.js").Scene} Scene */
 /** @typedef {import("./types.js").Opened} Opened */
 /** @typedef {import("./types.js").Answer} Answer */
-/** @typedef {import("./runtime.js").Runtime} Runtime */
+/** @typedef {import("./runtime.js").Runtime | import("./film.js").Film} Runtime */
 /** @typedef {import("./types.js").Message} Message */
 import { Controls } from "./controls.js";
 import { iconButton, make, unpacked } from "./dom.js";
@@ -58,13 +58,14 @@ export class App {
         this.controls = new Controls(this.panel, (change) => this.tell(change));
         this.keys = new Keys(this);
         this.list = make("ul", { class: "messages", "aria-label": "Messages", "aria-live": "polite", hidden: true });
-        this.editor = new Editor((name, text) => this.edit(name, text), (name, text) => this.runtime?.colour(this.languageOf(name), text) ?? "");
+        this.editor = new Editor((name, text) => this.edit(name, text), (name, text) => this.runtime?.colour(this.languageOf(name), text, name) ?? "");
         this.sourceButton = iconButton("code", "Sources (E)", () => this.showSources(this.editor.element.hidden));
         this.bar = make("div", { class: "bar", role: "toolbar", "aria-label": "Scene" }, this.clock.element, this.view.element,
             make("span", { class: "tools" }, iconButton("save", "Save the picture", () => this.hardcopy()),
                 iconButton("link", "Copy a link to what is shown", () => this.copyLink()), this.sourceButton,
                 ...(document.fullscreenEnabled ? [iconButton("screen", "Full screen", () => this.fullScreen())] : [])));
         this.bar.hidden = true;  // until there is a scene
+        if (data.film) for (const each of [this.view, this.editor]) each.fix();
         this.stage = make("div", { class: "stage" }, ...(this.poster ? [this.poster] : []), this.note, this.bar, this.keys.element);
         element.prepend(this.stage);
         if (data.poster) this.showNote("Start the scene", () => this.run());
@@ -248,6 +249,7 @@ export class App {
             this.clock.fill(this.opened);
         }
         if (answer.restart) this.clock.restart();
+        if (answer.isStill) this.clock.hold();
     }
 
     /** @param {object} change as glibra_set() takes it */

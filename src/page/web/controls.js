@@ -2,7 +2,7 @@
 
 /** @typedef {import("./types.js").Knob} Knob */
 import { make } from "./dom.js";
-import { SliderScale } from "./slider.js";
+import { SliderScale, StopScale } from "./slider.js";
 
 /** @param {number[]} a @param {number[]} b */
 export const areEqual = (a, b) => a.length === b.length && a.every((each, i) => each === b[i]);
@@ -158,9 +158,9 @@ export class Controls {
      */
     sliders(index, label, setOne, first) {
         const knob = this.knobs[index];
-        const scale = knob.widget === "slider" ? new SliderScale(knob) : new SliderScale({ minimum: 0, maximum: 1, isInteger: false });
+        const whole = knob.widget === "slider" ? new SliderScale(knob) : new SliderScale({ minimum: 0, maximum: 1, isInteger: false });
         return knob.current.slice(first).flatMap((_, k) => {
-            const i = first + k, name = labelOf(label, knob, i);
+            const i = first + k, name = labelOf(label, knob, i), scale = knob.stops ? new StopScale(knob.stops[i]) : whole;
             const thumb = make("input", { type: "range", min: 0, max: 1, step: "any", "aria-label": name,
                 input: ({ target }) => setOne(i, scale.valueAt(target.valueAsNumber)) });
             if (scale.isInteger) thumb.step = String(1 / Math.max(1, scale.maximum - scale.minimum));

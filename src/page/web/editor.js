@@ -28,6 +28,11 @@ export class Editor {
         this.element = make("section", { class: "sources", "aria-label": "Sources" }, make("div", { class: "tabrow" }, this.tabs, this.restoreButton), this.code);
     }
 
+    /** Shows texts that cannot be changed. */
+    fix() {
+        this.area.readOnly = this.restoreButton.hidden = true;
+    }
+
     /**
      * Shows a tab for each text. A text that is known keeps what was typed.
      * @param {{ name: string, text: string }[]} texts
@@ -110,7 +115,7 @@ export class Editor {
     /** @param {KeyboardEvent} event */
     key(event) {
         if (event.key === "Escape") this.area.blur();
-        if (event.key !== "Enter" || event.isComposing) return;
+        if (event.key !== "Enter" || event.isComposing || this.area.readOnly) return;
         // A new line is indented as the one before.
         const line = this.area.value.slice(0, this.area.selectionStart).split("\n").at(-1) ?? "";
         event.preventDefault();

@@ -22,6 +22,8 @@ const kOwn = {
     4: (app) => app.view.setMode("texture"),
 };
 
+const kOfView = ["r", "c", "p", "1", "2", "4"];
+
 /** @param {KeyboardEvent} event as Key statements name it */
 const nameOf = (event) => kNames[event.key] ?? event.key.toLowerCase();
 
@@ -59,7 +61,7 @@ export class Keys {
             if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target, name)) return;
             const isOfScene = !event.shiftKey && this.keys.some((each) => each.key.toLowerCase() === name);
             if (isOfScene) this.press(name, event.repeat);
-            else if (kOwn[name]) kOwn[name](this.app);
+            else if (kOwn[name] && !(this.app.view.isFixed && kOfView.includes(name))) kOwn[name](this.app);
             else return;
             event.preventDefault();
         });

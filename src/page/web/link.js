@@ -70,6 +70,7 @@ export function restore(hash, knobs, clock, view, tell) {
     if (speed) clock.setSpeed(speed[0]);
     if (time) clock.goTo(time[0]);
     const camera = parts.get("camera") ?? "", projection = parts.get("projection");
+    if (view.isFixed) return;
     if (view.cameras.includes(camera)) tell({ camera });
     if (projection === "perspective" || projection === "orthographic") view.view.projection = projection;
     for (const name of /** @type {const} */ (["eye", "scene", "texture"])) {

@@ -3,6 +3,7 @@
 /** @typedef {import("./types.js").Scene} Scene */
 import { App } from "./app.js";
 import { make, unpacked, Unpacker } from "./dom.js";
+import { Film } from "./film.js";
 import { Runtime } from "./runtime.js";
 
 /** @param {string} id */
@@ -21,6 +22,7 @@ async function startOn(canvas) {
 }
 
 const place = document.querySelector(".live");
-if (place instanceof HTMLElement && typeof WebAssembly === "object" && Unpacker)
-    new App(place, site.glibraScene ?? JSON.parse(contentOf("glibra-scene")), startOn);
+const data = /** @type {Scene} */ (place ? site.glibraScene ?? JSON.parse(contentOf("glibra-scene")) : {}), { film } = data;
+if (place instanceof HTMLElement && (film || typeof WebAssembly === "object") && Unpacker)
+    new App(place, data, film ? async (canvas) => new Film(film, canvas) : startOn);
 else place?.append(make("p", { class: "remark", text: "This is a picture, because this browser has no WebAssembly." }));

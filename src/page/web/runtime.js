@@ -113,8 +113,9 @@ export class Runtime {
      * A text as HTML, a list item per line; empty while there is no instance.
      * @param {"glib" | "glsl"} language
      * @param {string} text
+     * @param {string} [_name] of the file
      */
-    colour(language, text) {
+    colour(language, text, _name) {
         return this.run("glibra_colour", language === "glib" ? 1 : 0, text);
     }
 

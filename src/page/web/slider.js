@@ -1,6 +1,27 @@
 // Where a slider's thumb stands for a value, and which value a place of the thumb means: as in the window
 // (src/view/scene/slider_scale.cpp).
 
+/** A scale of the values that a film has, each as far from the next. */
+export class StopScale {
+    /** @param {number[]} stops in rising order */
+    constructor(stops) {
+        this.stops = stops;
+        this.minimum = 0;
+        this.maximum = Math.max(stops.length - 1, 1);
+        this.isInteger = true;  // it counts them
+    }
+
+    /** @param {number} value */
+    positionOf(value) {
+        return this.stops.indexOf(value) / this.maximum;
+    }
+
+    /** @param {number} position */
+    valueAt(position) {
+        return this.stops[Math.min(Math.round(position * this.maximum), this.stops.length - 1)];
+    }
+}
+
 export class SliderScale {
     /** @param {{ minimum: number, maximum: number, isInteger: boolean }} knob */
     constructor(knob) {

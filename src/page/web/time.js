@@ -2,6 +2,8 @@
 
 import { iconButton, make, rename } from "./dom.js";
 
+/** @typedef {import("./types.js").Span} Span */
+
 const kFrameSeconds = 1 / 30;
 const kMostSeconds = 0.25;  // that one frame may take of the time
 
@@ -16,26 +18,36 @@ export class Clock {
         this.speed = 1;
         this.isPlaying = !matchMedia("(prefers-reduced-motion: reduce)").matches;
         this.stepRate = 0;
+        /** @type {Span | undefined} of a film, which begins anew after its end */
+        this.span = undefined;
         /** @type {number | undefined} of the last frame, in milliseconds */
         this.last = undefined;
         this.playButton = iconButton("pause", "Pause (Space)", () => this.play(!this.isPlaying));
         this.stepButton = iconButton("step", "Next step (B)", () => this.nextStep());
+        this.restartButton = iconButton("restart", "Restart at 0 seconds", restart);
         this.field = make("input", { type: "number", class: "seconds", min: 0, step: "any", "aria-label": "Seconds", title: "Seconds",
             change: ({ target }) => this.goTo(target.valueAsNumber) });
         this.speedField = make("input", { type: "number", class: "speed", value: 1, step: 0.25, "aria-label": "Speed", title: "Speed",
             change: ({ target }) => this.setSpeed(target.valueAsNumber) });
+        this.thumb = make("input", { type: "range", class: "scrub", min: 0, step: 1, "aria-label": "Time", title: "Time",
+            input: ({ target }) => this.span && this.goTo(this.span.begin + target.valueAsNumber * this.span.step) });
         this.element = make("span", { class: "time", role: "group", "aria-label": "Time" },
             this.playButton,
             iconButton("back", "Previous frame (,)", () => this.step(-1)),
             iconButton("forward", "Next frame (.)", () => this.step(1)),
             this.stepButton,
-            iconButton("restart", "Restart at 0 seconds", restart),
+            this.restartButton,
+            this.thumb,
             make("label", {}, this.field, " s"),
             make("label", {}, "\u00d7 ", this.speedField));
     }
 
-    /** @param {{ animated: boolean, hasSteps: boolean, stepRate?: number }} scene */
+    /** @param {{ animated: boolean, hasSteps: boolean, stepRate?: number, span?: Span }} scene */
     fill(scene) {
+        this.span = scene.span;
+        this.thumb.hidden = !scene.span;
+        rename(this.restartButton, "restart", `Restart at ${scene.span?.begin ?? 0} seconds`);
+        this.thumb.max = String((scene.span?.count ?? 1) - 1);
         this.stepRate = scene.stepRate ?? 0;
         this.element.hidden = !scene.animated && !scene.hasSteps;
         this.stepButton.hidden = !scene.hasSteps || !(this.stepRate > 0);
@@ -44,20 +56,38 @@ export class Clock {
 
     show() {
         rename(this.playButton, this.isPlaying ? "pause" : "play", this.isPlaying ? "Pause (Space)" : "Play (Space)");
-        if (document.activeElement !== this.field) this.field.value = this.seconds.toFixed(2);
+        if (document.activeElement !== this.field) this.field.value = this.at(this.seconds).toFixed(2);
+        if (this.span) this.thumb.valueAsNumber = Math.round((this.at(this.seconds) - this.span.begin) / this.span.step);
         if (document.activeElement !== this.speedField) this.speedField.value = String(this.speed);
+    }
+
+    /**
+     * The time of the picture at that time.
+     * @param {number} seconds
+     */
+    at(seconds) {
+        if (!this.span) return Math.max(0, seconds);
+        const { begin, step, count } = this.span, frame = Math.floor((seconds - begin) / step + 1e-6);
+        return begin + Math.min(Math.max(frame || 0, 0), count - 1) * step;
+    }
+
+    /** Stands at the beginning. */
+    hold() {
+        this.restart();
+        this.play(false);
     }
 
     /** @param {boolean} on */
     play(on) {
         this.isPlaying = on;
+        if (!on) this.seconds = this.at(this.seconds);
         this.last = undefined;
         this.changed();
     }
 
     /** @param {number} seconds */
     goTo(seconds) {
-        if (Number.isFinite(seconds)) this.seconds = Math.max(0, seconds);
+        if (Number.isFinite(seconds)) this.seconds = this.at(seconds);
         this.play(false);
     }
 
@@ -69,7 +99,7 @@ export class Clock {
 
     /** @param {number} frames */
     step(frames) {
-        this.goTo(this.seconds + frames * kFrameSeconds * this.speed);
+        this.goTo(this.seconds + frames * (this.span ? this.span.step * Math.sign(this.speed) : kFrameSeconds * this.speed));
     }
 
     nextStep() {
@@ -78,7 +108,7 @@ export class Clock {
 
     /** The runtime has begun anew. */
     restart() {
-        this.seconds = 0;
+        this.seconds = this.span?.begin ?? 0;
         this.last = undefined;
         this.changed();
     }
@@ -96,7 +126,13 @@ export class Clock {
      * @param {number} milliseconds
      */
     advance(milliseconds) {
-        if (this.isPlaying && !this.element.hidden) this.seconds = Math.max(0, this.seconds + this.secondsSince(milliseconds) * this.speed);
+        if (this.isPlaying && !this.element.hidden) {
+            const seconds = this.seconds + this.secondsSince(milliseconds) * this.speed;
+            if (this.span) {
+                const { begin, step, count } = this.span, length = step * count, passed = (seconds - begin) % length;
+                this.seconds = begin + (passed < 0 ? passed + length : passed);
+            } else this.seconds = Math.max(0, seconds);
+        }
         this.last = milliseconds;
     }
 }

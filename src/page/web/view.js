@@ -40,7 +40,13 @@ export class ViewControl {
             this.setMode(/** @type {Mode} */ (value));
         });
         this.resetButton = iconButton("home", "Reset the view (R)", () => this.reset());
+        this.isFixed = false;  // as in a film
         this.element = make("span", { class: "view", role: "group", "aria-label": "View" }, this.modeMenu, this.projectionMenu, this.cameraMenu, this.resetButton);
+    }
+
+    /** Nothing turns the scene. */
+    fix() {
+        this.isFixed = this.element.hidden = true;
     }
 
     /**
@@ -108,6 +114,7 @@ export class ViewControl {
 
     /** @param {HTMLCanvasElement} canvas */
     listen(canvas) {
+        if (this.isFixed) return;
         canvas.addEventListener("pointerdown", (event) => {
             canvas.focus({ preventScroll: true });
             canvas.setPointerCapture(event.pointerId);
