@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 
 #include "base/text.h"
 #include "geometry/shapes/clouds.h"
@@ -43,6 +44,14 @@ std::string recommendation(CommandId command, std::string_view wanted) {
     for (const Topology each : {Topology::lines, Topology::triangles})
         if (wanted == wordOf(each)) other = counterpartOf(command, each);
     return other.empty() ? std::string() : fmt::format("; use {}", other);
+}
+
+/// Vertices of the patches that a tessellation stage gets of the draw.
+int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {
+    const Topology topology = topologyOf(shape);
+    if (topology != Topology::patches) return geometry::verticesPerPrimitive(topology);
+    if (shape.list != nullptr && shape.list->patchVertices > 0) return shape.list->patchVertices;
+    return shape.command == CommandId::objPatch ? kObjPatchVertices : draw.patchVertices;
 }
 
 /// Returns how a draw with a TessEvaluation stage is submitted, or draw-E03.
@@ -88,13 +97,6 @@ bool isAdjacency(Topology topology) {
 }
 
 }  // namespace
-
-int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw) {
-    const Topology topology = topologyOf(shape);
-    if (topology != Topology::patches) return geometry::verticesPerPrimitive(topology);
-    if (shape.list != nullptr && shape.list->patchVertices > 0) return shape.list->patchVertices;
-    return shape.command == CommandId::objPatch ? kObjPatchVertices : draw.patchVertices;
-}
 
 std::string_view wordOf(Topology topology) {
     constexpr std::array<std::string_view, 6> kWords{
@@ -173,6 +175,25 @@ bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
     if (program->hasStage(glsl::Stage::tessEvaluation, draw.isFill))
         return interface.facts.tessellationOutput == points;
     return submission.topology == Topology::points;
+}
+
+glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex program) {
+    glsl::DrawForms forms;
+    std::set<int> sizes;
+    const auto look = [&](const scene::NodeList& nodes) {
+        nodes.visitDraws([&](const scene::Draw& draw, const auto&) {
+            if (draw.program != program) return;
+            const scene::Shape& shape = scene.shapes[draw.shape];
+            forms.areStrips = forms.areStrips || shape.strip;
+            forms.haveIndexBuffers = forms.haveIndexBuffers || draw.indices.buffer;
+            sizes.insert(patchVerticesOf(shape, draw));
+        });
+    };
+    look(scene.frame);
+    for (const scene::OnceBlock& each : scene.once) look(each.nodes);
+    for (const scene::StepBlock& each : scene.steps) look(each.nodes);
+    if (!sizes.empty()) forms.patchVertices = sizes.size() > 1 ? 0 : *sizes.begin();
+    return forms;
 }
 
 }  // namespace glibra::plan

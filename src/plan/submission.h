@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "glsl/types/request.h"
 #include "plan/frame_plan.h"
 
 namespace glibra::plan {
@@ -20,8 +21,8 @@ std::string_view wordOf(geometry::Topology topology);
 Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& draw,
                                 const scene::Program* program, const ProgramInterface& interface);
 
-/// Vertices of the patches that a tessellation stage gets of the draw.
-int patchVerticesOf(const scene::Shape& shape, const scene::Draw& draw);
+/// How all draws of a scene with that program are submitted.
+glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex program);
 
 /// The adjacency that the shape's triangles get if they are submitted as `submitted`; nothing if the mesh
 /// stays as it is.

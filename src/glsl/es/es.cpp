@@ -531,8 +531,9 @@ Unit* stageIn(std::vector<Unit>& units, Stage stage) {
 class MergedStages {
   public:
     MergedStages(std::vector<Unit>& units, std::vector<EsStage>& stages, const TranslatedProgram& program,
-                 int patchVertices)
+                 const DrawForms& draws)
         : stages_(stages),
+          draws_(draws),
           vertex_(stageIn(units, Stage::vertex)),
           control_(stageIn(units, Stage::tessControl)),
           evaluation_(stageIn(units, Stage::tessEvaluation)),
@@ -544,7 +545,7 @@ class MergedStages {
         if (vertex_ && fragment && !geometry_ && fragment->isUsed("gl_PrimitiveID"))
             numberPrimitives(*fragment);
         if (!vertex_ || (!evaluation_ && !geometry_)) return;
-        corners_ = evaluation_ ? patchVertices : cornersOfInput(program.geometryInput);
+        corners_ = evaluation_ ? draws.patchVertices : cornersOfInput(program.geometryInput);
         if (evaluation_) tessellate(program);
         if (geometry_) build(fragment, program);
     }
@@ -586,6 +587,7 @@ class MergedStages {
         const bool hasInputs = std::ranges::any_of(vertex_->variables, [](const Variable& each) {
             return each.storage == Storage::input && !each.name.starts_with("gl_");
         });
+        if (draws_.haveIndexBuffers) return;
         if (!evaluation_ && hasInputs && vertex_->isUsed("gl_VertexID")) return;  // numbers of the mesh
         numbersPrimitives_ = true;
         fragment.renames["gl_PrimitiveID"] = kPrimitive;
@@ -598,7 +600,10 @@ class MergedStages {
                                " = (gl_VertexID - glibra_BeforeFirst) / glibra_PerPrimitive;");
     }
 
-    void lacks(const Unit& unit, const char* what, const std::string& problem) {
+    void lacks(const Unit& unit, const char* what, std::string problem) {
+        if (problem.empty() && draws_.areStrips) problem = "strips, fans and loops";
+        if (problem.empty() && draws_.haveIndexBuffers) problem = "indices of a buffer";
+        if (problem.empty() && corners_ == 0) problem = "patches of several sizes";
         if (problem.empty()) return;
         of(unit).lacks("web-E01",
                        std::string("WebGL 2 has no ") + what + " stage, and cannot do without: " + problem);
@@ -678,6 +683,7 @@ class MergedStages {
     }
 
     std::vector<EsStage>& stages_;
+    const DrawForms& draws_;
     Unit *vertex_, *control_, *evaluation_, *geometry_;
     const Unit* first_;
     static constexpr const char* kPrimitive = "glibra_PrimitiveID";
@@ -716,7 +722,7 @@ EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
         unit.request = &es;
         stages.emplace_back(each, unit, report, options);
     }
-    const MergedStages merged(units, stages, program, options.patchVertices);
+    const MergedStages merged(units, stages, program, options.draws);
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());
     merged.join(result.stages);

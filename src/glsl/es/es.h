@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "glsl/types/request.h"
 #include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
@@ -25,7 +26,7 @@ struct EsOptions {
     /// borders.h.
     bool hasBorders = false;
     bool hasClipDistances = false;  ///< the driver has EXT_clip_cull_distance
-    int patchVertices = 3;          ///< of the patches that the program draws
+    DrawForms draws{};
 };
 
 /// `program` must have been translated without errors.

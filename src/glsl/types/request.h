@@ -45,6 +45,13 @@ struct Target {
 };
 
 /// Everything that decides how one program is translated. A compute stage is a program of its own.
+/// How a scene draws with a program.
+struct DrawForms {
+    int patchVertices = 3;          ///< 0: patches of several sizes
+    bool areStrips = false;         ///< some are strips, fans or loops
+    bool haveIndexBuffers = false;  ///< some take their indices from a buffer of the scene
+};
+
 struct ProgramRequest {
     std::string name;  ///< the Program's name, for messages
     Place place;       ///< the scene line of the Program
@@ -88,7 +95,7 @@ struct ProgramRequest {
     std::string geometryInput;             ///< from GeometryInput, a lower-case GLSL word, or empty
     std::string geometryOutput;            ///< from GeometryOutput, likewise
     int geometryVerticesOut = 0;           ///< 0: not given
-    int patchVertices = 3;                 ///< for GLSL ES: of the patches that the program draws
+    DrawForms draws{};                     ///< for GLSL ES
     bool reportsGeometryConflicts = true;  ///< glsl-W16, where the shader's layouts say something else
     /// The kinds of texture that the scene ever binds to the unit that the tag names. It decides the type of
     /// a `uniform int u` that is used as a sampler.

@@ -1,4 +1,5 @@
 #include "render/check/scene_check.h"
+#include "plan/submission.h"
 
 #include <fmt/format.h>
 
@@ -78,7 +79,8 @@ std::vector<TranslatedShader> translatedShaders(SceneState& state, bool isForWeb
         const bool isHidden = !state.conductor.programs.hiddenSource(program).empty();
         glsl::EsProgram es;
         const glsl::TranslatedProgram* core = state.conductor.programs.translated(variant);
-        if (isForWeb && core && !hasError(core->diagnostics)) es = glsl::toEs(*core, {.hasClipDistances = true});
+        if (isForWeb && core && !hasError(core->diagnostics))
+            es = glsl::toEs(*core, {.hasClipDistances = true, .draws = plan::drawFormsOf(scene, program)});
         state.conductor.programs.hideTexts(program, es.diagnostics);
         addUnknown(diagnostics, std::move(es.diagnostics));
         for (const glsl::TranslatedStage& each : isForWeb ? es.stages : planned->interface->facts.stages)

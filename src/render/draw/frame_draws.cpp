@@ -155,7 +155,6 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
 
 const char* FrameDrawer::lackOfEs(const base::RasterState& raster, const plan::PlannedDraw& planned,
                                   const BuiltProgram& built) const {
-    const bool isExpanded = built.interface.facts.expanded.corners > 0;
     if (raster.polygon == base::PolygonMode::line && raster.cull != base::Cull::off)
         return "the edges of triangles are not culled";
     if (raster.polygon == base::PolygonMode::point) return "triangles are filled, not drawn as points";
@@ -163,14 +162,6 @@ const char* FrameDrawer::lackOfEs(const base::RasterState& raster, const plan::P
     if (raster.sampleShading > 0) return "the fragment stage runs once for each pixel, not for each sample";
     if (raster.depthClamp && !context_.capabilities().hasExtension("GL_EXT_depth_clamp"))
         return "what lies in front of the near plane or behind the far plane is cut off";
-    if (isExpanded && (planned.submission.strip || plan_.drawOf(planned).indices.buffer))
-        return "a geometry or tessellation stage gets no strips and no indices of a buffer, so the picture "
-               "is wrong";
-    if (built.interface.facts.expanded.numbersPrimitives && plan_.drawOf(planned).indices.buffer)
-        return "gl_PrimitiveID is wrong where a buffer has the indices";
-    if (built.interface.facts.expanded.tessellation &&
-        planned.submission.patchVertices != built.interface.facts.expanded.corners)
-        return "a program has patches of one size, so the picture is wrong";
     return nullptr;
 }
 

@@ -21,14 +21,15 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     const auto& [name, place, stages, include, target, shim, hasLights, setsLights, suppliesFragment,
                  suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors, colorTargets,
                  tiled, inPieces, checksUndefined, recordsLoops, reversesOrder, geometryInput, geometryOutput,
-                 geometryVerticesOut, patchVertices, reportsGeometryConflicts, samplerKindsOfTag] = asked;
+                 geometryVerticesOut, draws, reportsGeometryConflicts, samplerKindsOfTag] = asked;
     static_cast<void>(target);  // that of the context, which owns what is shared
     std::string key =
         fmt::format("{}\n{}:{}:{} {} {} {} {} {} ", name, place.file, place.line, place.column, colorTargets,
-                    geometryInput, geometryOutput, geometryVerticesOut, patchVertices);
-    for (const bool each : {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex,
-                            acceptsStorage, suppliesFullScreenVertex, flatColors, tiled, inPieces,
-                            checksUndefined, recordsLoops, reversesOrder, reportsGeometryConflicts})
+                    geometryInput, geometryOutput, geometryVerticesOut, draws.patchVertices);
+    for (const bool each :
+         {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex, acceptsStorage,
+          suppliesFullScreenVertex, flatColors, tiled, inPieces, checksUndefined, recordsLoops, reversesOrder,
+          reportsGeometryConflicts, draws.areStrips, draws.haveIndexBuffers})
         key += each ? '1' : '0';
     key += '\n';
     for (const auto& [stage, path, text] : stages)
@@ -89,7 +90,7 @@ glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramReques
     glsl::EsProgram es = glsl::toEs(
         program, {.hasBorders = hasBorders(scene_),
                   .hasClipDistances = context_.capabilities().hasExtension("GL_EXT_clip_cull_distance"),
-                  .patchVertices = asked.patchVertices});
+                  .draws = asked.draws});
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
     program.expanded = es.expanded;

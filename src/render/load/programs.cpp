@@ -260,26 +260,11 @@ static int rowsOf(const std::string& type) {
     return last >= '2' && last <= '4' ? last - '0' : 1;
 }
 
-/// Of the first draw with that program.
-static int patchVerticesOf(const scene::Scene& scene, scene::ProgramIndex program) {
-    std::optional<int> found;
-    const auto look = [&](const scene::NodeList& nodes) {
-        nodes.visitDraws([&](const scene::Draw& draw, const auto&) {
-            if (draw.program == program && !found)
-                found = plan::patchVerticesOf(scene.shapes[draw.shape], draw);
-        });
-    };
-    look(scene.frame);
-    for (const scene::OnceBlock& each : scene.once) look(each.nodes);
-    for (const scene::StepBlock& each : scene.steps) look(each.nodes);
-    return found.value_or(3);
-}
-
 glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant, Diagnostics& diagnostics) {
     glsl::ProgramRequest request = sources_.request(variant, tiled_, diagnostics);
     request.target = glslTargetOf(context_.capabilities());
     request.reversesOrder = isReversed_;
-    if (context_.capabilities().isEs) request.patchVertices = patchVerticesOf(scene_, variant.program);
+    if (context_.capabilities().isEs) request.draws = plan::drawFormsOf(scene_, variant.program);
     return request;
 }
 
