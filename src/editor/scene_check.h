@@ -41,6 +41,9 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
                      const std::filesystem::path& file,
                      const std::function<std::string(const std::filesystem::path&)>& textOf);
 
+/// The text of a shader of the stage that does as little as possible, and is right in a program of its own.
+std::string simplestShader(glsl::Stage stage);
+
 struct SceneCheck {
     Diagnostics diagnostics;
     std::vector<std::filesystem::path> files;  ///< shaders, what they include, and included scenes

@@ -157,7 +157,7 @@ TEST(DeclaredNames, ReadsIncompleteCode) {
         "uniform Block { mat4 m; } inst;\nvoid main( { vec3 n = vec3(1., 2., 3.), k; for (int i = 0");
     std::string all;
     for (const editor::DeclaredName& each : names) all += each.type + " " + each.name + "; ";
-    EXPECT_EQ(all, "block Block; mat4 m; void main; vec3 n; vec3 k; int i; ");
+    EXPECT_EQ(all, "block Block; mat4 m; Block inst; void main; vec3 n; vec3 k; int i; ");
 }
 
 TEST(DeclaredNames, KnowsWhatIsAnInterface) {
