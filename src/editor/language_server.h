@@ -88,9 +88,10 @@ class LanguageServer {
     /// The file that a scene or shader names.
     [[nodiscard]] std::filesystem::path found(CodeLanguage language, const std::filesystem::path& from,
                                               const std::string& name) const;
-    /// The document first, then what may have the same names: the shaders of the programs that it belongs to,
-    /// what they include, and their scenes.
-    [[nodiscard]] std::vector<SourceText> textsAround(const Document& document) const;
+    /// The document first, then the texts in which a name of it may mean the same: the shaders of the
+    /// programs that it belongs to, what they include, and their scenes.
+    [[nodiscard]] std::vector<SourceText> textsAround(const Document& document,
+                                                      const std::string& name) const;
     [[nodiscard]] Symbol symbolOf(const json& parameters) const;
     [[nodiscard]] json linkTo(const std::filesystem::path& file, std::string_view text,
                               const TextRange& place) const;

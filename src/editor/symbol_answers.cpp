@@ -65,7 +65,7 @@ json tokenLegend() {
     return {{"tokenTypes", kTokenTypes}, {"tokenModifiers", kTokenModifiers}};
 }
 
-std::vector<SourceText> LanguageServer::textsAround(const Document& document) const {
+std::vector<SourceText> LanguageServer::textsAround(const Document& document, const std::string& name) const {
     constexpr std::size_t kMostTexts = 256;
     std::vector<SourceText> texts;
     std::map<std::filesystem::path, std::size_t> known;
@@ -106,14 +106,16 @@ std::vector<SourceText> LanguageServer::textsAround(const Document& document) co
                                                                                : CodeLanguage::glsl);
             continue;
         }
-        // The programs that share files with the shader, with each other, and so on.
+        // The programs that share files that have the name with the shader, with each other, and so on.
         std::set<std::filesystem::path> files{document.file};
         std::set<std::string> programs;
         for (bool isMore = true; std::exchange(isMore, false);)
             for (const SceneProgram& each : check.names.programs) {
                 const std::set<std::filesystem::path> own = filesOf(each);
-                const bool isRelated = std::ranges::any_of(
-                    own, [&](const auto& file) { return file != scene && files.contains(file); });
+                const bool isRelated = std::ranges::any_of(own, [&](const auto& file) {
+                    return file != scene && files.contains(file) &&
+                           documents_.textOf(file).find(name) != std::string::npos;
+                });
                 if (!isRelated || !programs.insert(each.name).second) continue;
                 files.insert(own.begin(), own.end());
                 isMore = true;
@@ -129,7 +131,8 @@ std::vector<SourceText> LanguageServer::textsAround(const Document& document) co
 Symbol LanguageServer::symbolOf(const json& parameters) const {
     const Document& document = documentOf(parameters);
     const std::size_t byte = TextLines(document.text).byte(positionIn(parameters.at("position")));
-    return symbolAt(textsAround(document), byte);
+    const TextRange word = wordAt(document.text, byte);
+    return symbolAt(textsAround(document, document.text.substr(word.begin, word.end - word.begin)), byte);
 }
 
 json LanguageServer::references(const json& parameters) {
