@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 
 #include "server_test.h"
@@ -119,6 +120,24 @@ TEST_F(CorrectionTest, ShowsEveryMistakeOfAStudentAtItsLine) {
             EXPECT_NE(told.find(" " + std::to_string(each.line) + ":"), std::string::npos)
                 << name << " " << each.to << " " << told;
         }
+}
+
+TEST_F(CorrectionTest, AsksTheFrontEndWhereThereIsNoDriver) {
+    if (std::system("command -v glslangValidator > /dev/null") != 0) GTEST_SKIP() << "it is not installed";
+    write("a.glib", kScene);
+    EXPECT_TRUE(editor::checkScene(folder_ / "a.glib", {}, true).diagnostics.empty());
+    const std::string shader = "#version 330\nuniform vec4 uTint;\nout vec4 c;\nvoid main() {\n";
+    for (const char* line :
+         {"c = uTint", "c = uTnt;", "vec2 a = uTint;", "c = abs(uTint, 1);", "uTint = c;", "c = uTint;\n"}) {
+        write("flat.frag", shader + line + (std::string_view(line).ends_with("\n") ? "" : "\n}\n"));
+        for (const char* file : {"a.glib", "flat.frag"}) {
+            const editor::SceneCheck check = editor::checkScene(folder_ / file, {}, true);
+            ASSERT_FALSE(check.diagnostics.empty()) << line;
+            EXPECT_EQ(check.diagnostics[0].id, "glsl-E01");
+            EXPECT_TRUE(check.diagnostics[0].place.file.ends_with("flat.frag"));
+            EXPECT_NEAR(check.diagnostics[0].place.line, 5.5, 1) << toString(check.diagnostics);
+        }
+    }
 }
 
 TEST_F(CorrectionTest, WaitsForNoCheck) {

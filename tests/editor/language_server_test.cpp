@@ -406,7 +406,7 @@ TEST(SceneCheck, HasNothingToSayOfTheScenesOfTheProject) {
     const std::vector<fs::path> scenes = exampleScenes();
     for (std::size_t i = 0; i < scenes.size(); i += 4) {
         if (scenes[i].string().find("scenes/expectations") != std::string::npos) continue;
-        for (const Diagnostic& each : editor::checkScene(scenes[i], {}).diagnostics)
+        for (const Diagnostic& each : editor::checkScene(scenes[i], {}, i % 40 == 0).diagnostics)
             EXPECT_EQ(each.severity, Severity::note) << toString(each);
     }
 }
