@@ -33,9 +33,11 @@ std::string_view wordOfDirective(std::string_view line, std::string_view what) {
     return line.substr(0, static_cast<std::size_t>(end - line.begin()));
 }
 
+constexpr std::size_t kMostBytes = 4U << 20;  // language, 11; a longer text counts as empty
+
 class Reader {
   public:
-    explicit Reader(std::string_view glsl) : text_(glsl) {
+    explicit Reader(std::string_view glsl) : text_(glsl.size() > kMostBytes ? std::string_view{} : glsl) {
         for (std::size_t i = 0; i < text_.size(); ++i)
             if (text_[i] == '\0' || (text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n'))
                 text_[i] = ' ';
@@ -307,30 +309,30 @@ class Reader {
         return found == globals_.end() ? kNoName : found->second;
     }
 
-    /// The overload with a body that has the same parameters.
-    [[nodiscard]] static std::size_t withBody(const ShaderNames& names, std::size_t name) {
-        const auto types = [](const std::string& declaration) {  // "f(vec3 n, float r)": without the names
-            std::string text;
-            for (std::size_t at = declaration.find('('); at < declaration.size();) {
-                const std::size_t end = std::min(declaration.find_first_of(",)", at + 1), declaration.size());
-                const std::string one = declaration.substr(at + 1, end - at - 1);
-                text += one.substr(0, one.find_last_of(' ')) + ",";
-                at = end;
-            }
-            return text;
-        };
-        const DeclaredName& own = names.names[name];
-        if (!own.isFunction || own.body.end > 0) return name;
-        for (std::size_t i = 0; i < names.names.size(); ++i) {
-            const DeclaredName& each = names.names[i];
-            if (each.isFunction && each.name == own.name && each.body.end > 0 &&
-                types(each.declaration) == types(own.declaration))
-                return i;
+    /// "f(vec3,float)" of "float f(vec3 n, float r)": the types of the parameters, without their names.
+    static std::string signatureOf(const DeclaredName& function) {
+        std::string text = function.name;
+        const std::string& declaration = function.declaration;
+        for (std::size_t at = declaration.find('('); at < declaration.size();) {
+            const std::size_t end = std::min(declaration.find_first_of(",)", at + 1), declaration.size());
+            const std::string one = declaration.substr(at + 1, end - at - 1);
+            text += one.substr(0, one.find_last_of(' ')) + ",";
+            at = end;
         }
-        return name;
+        return text;
     }
 
     void addUses(ShaderNames& names) {
+        std::map<std::string, std::size_t> bodies;  // of functions, by signature
+        for (std::size_t i = 0; i < names.names.size(); ++i)
+            if (const DeclaredName& each = names.names[i]; each.isFunction && each.body.end > 0)
+                bodies.emplace(signatureOf(each), i);
+        const auto withBody = [&](std::size_t name) {
+            const DeclaredName& own = names.names[name];
+            if (!own.isFunction || own.body.end > 0) return name;
+            const auto body = bodies.find(signatureOf(own));
+            return body == bodies.end() ? name : body->second;
+        };
         std::map<std::uint32_t, std::uint32_t> called;
         for (const glsl::Call& each : unit_.bodies.calls) called[each.name] = each.function;
         for (std::uint32_t i = 0; i < unit_.view.size(); ++i) {
@@ -348,7 +350,7 @@ class Reader {
                 use.target = indexOf(call->second);
             else if (const std::size_t own = indexOf(i); own != kNoName)
                 use.target = own;
-            if (use.target != kNoName) use.target = withBody(names, use.target);
+            if (use.target != kNoName) use.target = withBody(use.target);
             names.uses.push_back(use);
         }
         for (const DirectiveWord& each : directiveWords_)

@@ -83,8 +83,9 @@ class Search {
     }
 
     void add(const Part& part, const NameUse& use) {
-        const bool isDeclaration = std::ranges::any_of(
-            part.names.names, [&](const DeclaredName& each) { return each.place == use.place; });
+        const auto declared = std::ranges::lower_bound(
+            part.names.names, use.place.begin, {}, [](const DeclaredName& each) { return each.place.begin; });
+        const bool isDeclaration = declared != part.names.names.end() && declared->place == use.place;
         symbol_.all.push_back({texts_[part.source].file,
                                {use.place.begin + part.begin, use.place.end + part.begin},
                                isDeclaration});

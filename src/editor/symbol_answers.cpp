@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -58,6 +60,28 @@ bool isNewName(const std::string& name, CodeLanguage language) {
     return language == CodeLanguage::glib || (glsl::keywordSince(name) == 0 && !name.starts_with("gl_") &&
                                               name.find("__") == std::string::npos);
 }
+
+/// Occurrences as the protocol states them; each file is read once.
+class RangesOfFiles {
+  public:
+    explicit RangesOfFiles(const Documents& documents) : documents_(documents) {}
+    json of(const Occurrence& occurrence) {
+        File& file = files_[occurrence.file];
+        if (!file.lines) {
+            file.text = documents_.textOf(occurrence.file);
+            file.lines.emplace(file.text);
+        }
+        return toJson(*file.lines, occurrence.place);
+    }
+
+  private:
+    struct File {
+        std::string text;
+        std::optional<TextLines> lines;
+    };
+    const Documents& documents_;
+    std::map<std::filesystem::path, File> files_;
+};
 
 }  // namespace
 
@@ -139,9 +163,10 @@ json LanguageServer::references(const json& parameters) {
     const bool withDeclaration =
         parameters.value("context", json::object()).value("includeDeclaration", json(true)) == true;
     json places = json::array();
+    RangesOfFiles ranges(documents_);
     for (const Occurrence& each : symbolOf(parameters).all)
         if (withDeclaration || !each.isDeclaration)
-            places.push_back(linkTo(each.file, documents_.textOf(each.file), each.place));
+            places.push_back({{"uri", documents_.uriOf(each.file)}, {"range", ranges.of(each)}});
     return places;
 }
 
@@ -171,12 +196,9 @@ json LanguageServer::rename(const json& parameters) {
                         "and '_', begins with no digit, and is no word of the language",
                         name));
     json changes = json::object();
-    std::map<std::filesystem::path, std::string> texts;
-    for (const Occurrence& each : symbol.all) {
-        const auto text = texts.try_emplace(each.file, documents_.textOf(each.file)).first;
-        changes[documents_.uriOf(each.file)].push_back(
-            {{"range", toJson(TextLines(text->second), each.place)}, {"newText", name}});
-    }
+    RangesOfFiles ranges(documents_);
+    for (const Occurrence& each : symbol.all)
+        changes[documents_.uriOf(each.file)].push_back({{"range", ranges.of(each)}, {"newText", name}});
     return {{"changes", std::move(changes)}};
 }
 
@@ -263,9 +285,13 @@ json LanguageServer::findSymbols(const json& parameters) {
     json found = json::array();
     for (const std::filesystem::path& file : files) {
         const std::string text = documents_.textOf(file);
+        const TextLines lines(text);
+        const json uri = documents_.uriOf(file);
         const auto add = [&](const std::string& name, int kind, const TextRange& place) {
             if (found.size() < kMost && !name.empty() && glib::lower(name).find(query) != std::string::npos)
-                found.push_back({{"name", name}, {"kind", kind}, {"location", linkTo(file, text, place)}});
+                found.push_back({{"name", name},
+                                 {"kind", kind},
+                                 {"location", {{"uri", uri}, {"range", toJson(lines, place)}}}});
         };
         constexpr int kFunction = 12, kVariable = 13, kStructure = 23, kObject = 19;
         if (glib::sameWord(file.extension().generic_string(), ".glib")) {
