@@ -79,7 +79,6 @@ class Collector {
         std::move(group_.begin(), group_.end(), std::back_inserter(all_));
         group_.clear();
     }
-    [[nodiscard]] bool hasAny() const { return !all_.empty(); }
     std::vector<Completion> take() {
         nextGroup();
         if (all_.size() == 1 && all_.front().word == exact_) all_.clear();
@@ -216,24 +215,33 @@ void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
             words.add(each, glsl::isTypeWord(each) ? "type" : "keyword");
 }
 
-/// True if the last whole word before the cursor is a number, as the size of a texture.
+/// True if nothing but a name and numbers stand between the statement and the word at the cursor, as the size
+/// of a texture.
 bool isAfterSize(std::string_view before) {
+    const std::string_view statement = firstWord(before);
     before.remove_suffix(fileBefore(before).size());
-    const std::size_t end = before.find_last_not_of(" \t");
-    return end != std::string_view::npos && base::isDigit(before[end]) &&
-           base::isDigit(before[wordAt(before, end).begin]);
+    const auto begin = static_cast<std::size_t>(statement.data() + statement.size() - before.data());
+    if (begin >= before.size()) return false;
+    const std::string_view rest = before.substr(begin);
+    const std::string_view name = firstWord(rest);
+    if (name.empty() || base::isDigit(name.front())) return false;
+    const auto end = static_cast<std::size_t>(name.data() + name.size() - rest.data());
+    const std::string_view size = rest.substr(end);
+    return size.find_first_of("0123456789") != std::string_view::npos &&
+           size.find_first_not_of("0123456789. \t") == std::string_view::npos;
 }
 
-/// `isAfterSize`: what follows is the format of a texture, if the statement has one.
-void addStatementWords(Collector& words, std::string_view name, bool isAfterSize) {
+bool hasFormat(std::string_view name) {
+    const glib::StatementRow* const statement =
+        glib::findCommand(name) ? glib::modernFormOf(name) : glib::findStatement(name);
+    return statement && hasNode(*statement, [](const glib::SyntaxNode& each) {
+               return each.type == glib::ValueType::word && each.text == "format";
+           });
+}
+
+void addStatementWords(Collector& words, std::string_view name) {
     const glib::StatementRow* command = glib::findCommand(name);
     const glib::StatementRow* statement = command ? glib::modernFormOf(name) : glib::findStatement(name);
-    const bool hasFormat = statement && hasNode(*statement, [](const glib::SyntaxNode& each) {
-                               return each.type == glib::ValueType::word && each.text == "format";
-                           });
-    if (hasFormat)
-        for (const base::TexelFormatRow& each : base::texelFormats()) words.add(each.name, "format");
-    if (hasFormat && isAfterSize) return;
     if (command)
         for (const std::string& each : glib::wordsOf(*command)) words.add(each, "word");
     if (statement)
@@ -294,9 +302,11 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed, co
     const auto open = std::ranges::count(before, '(');
     const bool isExpression = open > std::ranges::count(before, ')');
     if (!isExpression) {
-        addStatementWords(words, statement, isAfterSize(before));
+        if (hasFormat(statement))
+            for (const base::TexelFormatRow& each : base::texelFormats()) words.add(each.name, "format");
+        if (hasFormat(statement) && isAfterSize(before)) return;
+        addStatementWords(words, statement);
         words.nextGroup();
-        if (isAfterSize(before) && words.hasAny()) return;
     }
     if (!isExpression && takesNumbersOnly(statement)) return;
     addDeclaredNames(words, text, typed.begin);
@@ -366,7 +376,8 @@ std::optional<std::string_view> typedFile(std::string_view before) {
                                               glib::findStatement(statement)};
     const bool takes =
         std::ranges::any_of(rows, [](const glib::StatementRow* each) { return each && takesFile(*each); });
-    if (!takes || before.find('#') != std::string_view::npos || isAfterSize(before)) return std::nullopt;
+    if (!takes || before.find('#') != std::string_view::npos || (hasFormat(statement) && isAfterSize(before)))
+        return std::nullopt;
     const std::string_view file = fileBefore(before);
     const bool isAfterStatement = file.data() > statement.data() + statement.size();
     return isAfterStatement && !base::isDigit(file.empty() ? ' ' : file.front()) ? std::optional(file)
@@ -394,7 +405,7 @@ std::vector<Completion> wordsAt(std::string_view text, std::size_t cursor, const
             Collector words(text.substr(typed.begin, typed.end - typed.begin));
             const glib::StatementRow* const command = glib::findCommand(firstWord(statement));
             if (command && formOf(*command) == glib::ArgumentForm::file)
-                addStatementWords(words, firstWord(statement), false);
+                addStatementWords(words, firstWord(statement));
             else
                 addGlib(words, text, typed, context);
             std::vector<Completion> others = from(words.take(), typed.begin);

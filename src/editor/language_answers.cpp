@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -121,8 +122,8 @@ json LanguageServer::complete(const json& parameters) {
     // A blank begins a word, but only where few words may stand.
     const json trigger = parameters.value("context", json::object()).value("triggerCharacter", json());
     for (const Completion& each : completionsAt(document.text, cursor, contextOf(document))) {
-        if (trigger == " " && each.type != "file" && each.type != "folder" && each.type != "version")
-            continue;
+        static const std::set<std::string_view> kAfterBlanks{"file", "folder", "version", "format"};
+        if (trigger == " " && !kAfterBlanks.contains(each.type)) continue;
         const json typed = toJson(lines, TextRange{each.begin, cursor});
         // The order of the list is that of importance.
         json item = {{"label", each.word},

@@ -292,6 +292,8 @@ TEST(Completion, ProposesFilesBesideTheScene) {
     EXPECT_TRUE(labels("Texture2D wide g|").starts_with("glow.png "));
     EXPECT_TRUE(labels("Texture2D wide 64 64 rgba8|").starts_with("rgba8"));
     EXPECT_EQ(labels("Texture2D wide 64 64 glo|"), "") << "after a size stands a format";
+    EXPECT_TRUE(labels("Texture2D wide 64 64 rgba8 levels 3 ne|").starts_with("nearest "));
+    EXPECT_EQ(labels("Texture2D 5 gl|"), "glow.png ") << "after a unit stands a file";
     CodeContext shader;
     shader.folders = {folder};
     EXPECT_EQ(at("#include \"sh|", shader).front().word, "shade.glsl");

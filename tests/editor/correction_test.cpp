@@ -75,6 +75,20 @@ TEST_F(CorrectionTest, AddsSlidersAndCreatesShaders) {
     EXPECT_EQ(made[0]["edit"]["changes"][uri("a.glib")][0]["newText"], "<0 1 2>");
 }
 
+TEST_F(CorrectionTest, ProposesAfterABlankOnlyWhatFollowsAFewStatements) {
+    beginAsEditor();
+    const auto count = [&](const std::string& text) {
+        open("a.glib", text);
+        json parameters = at("a.glib", text, "\n");
+        parameters["context"] = {{"triggerKind", 2}, {"triggerCharacter", " "}};
+        return ask("textDocument/completion", parameters)["items"].size();
+    };
+    EXPECT_EQ(count("Vertex \n"), 2U) << "flat.vert and shade.glsl";
+    EXPECT_GT(count("Texture2D wide 64 64 \n"), 20U);
+    EXPECT_EQ(count("Sphere \n"), 0U);
+    EXPECT_EQ(count("Use \n"), 0U);
+}
+
 TEST_F(CorrectionTest, RegistersTheFormattingOfScenesAlone) {
     beginAsEditor();
     const std::vector<json> told = tell("initialized", json::object());
