@@ -83,23 +83,10 @@ CodeContext LanguageServer::contextOf(const Document& document) const {
         addProgramNames(context, check.names.programs, document.file, textOf);
     }
     // What an #include brings.
-    std::set<std::filesystem::path> included;
-    std::vector<std::filesystem::path> next;
-    const auto addIncludes = [&](std::string_view text, const std::filesystem::path& file) {
-        constexpr std::size_t kMost = 64;
-        for (const NamedFile& each : includesIn(text))
-            if (const std::filesystem::path path = found(CodeLanguage::glsl, file, each.name);
-                !path.empty() && included.size() < kMost && included.insert(path).second)
-                next.push_back(path);
-    };
-    addIncludes(document.text, document.file);
-    while (!next.empty()) {
-        const std::filesystem::path file = std::move(next.back());
-        next.pop_back();
-        const std::string text = documents_.textOf(file);
-        addIncludes(text, file);
-        for (const DeclaredName& each : declaredNames(text))
-            if (each.isGlobal() && file != document.file)
+    for (const std::filesystem::path& file : withIncludes(document.file)) {
+        if (file == document.file) continue;
+        for (const DeclaredName& each : declaredNames(documents_.textOf(file)))
+            if (each.isGlobal())
                 context.names.push_back(
                     {each.name,
                      each.isFunction ? each.declaration : each.type,
@@ -167,6 +154,26 @@ std::filesystem::path LanguageServer::found(CodeLanguage language, const std::fi
             if (check.uses(from)) scene = each;
     }
     return scene::findInclude(name, from.generic_string(), scene.generic_string(), options, listings).path;
+}
+
+std::vector<std::filesystem::path> LanguageServer::includesOf(const std::filesystem::path& file) const {
+    std::vector<std::filesystem::path> files;
+    for (const NamedFile& each : includesIn(documents_.textOf(file)))
+        if (std::filesystem::path path = found(CodeLanguage::glsl, file, each.name); !path.empty())
+            files.push_back(std::move(path));
+    return files;
+}
+
+std::set<std::filesystem::path> LanguageServer::withIncludes(const std::filesystem::path& file) const {
+    std::set<std::filesystem::path> files{file};
+    std::vector<std::filesystem::path> next{file};
+    while (!next.empty() && files.size() < kMostTexts) {
+        const std::filesystem::path last = std::move(next.back());
+        next.pop_back();
+        for (const std::filesystem::path& each : includesOf(last))
+            if (files.insert(each).second) next.push_back(each);
+    }
+    return files;
 }
 
 json LanguageServer::linkTo(const std::filesystem::path& file, std::string_view text,

@@ -51,6 +51,7 @@ class LanguageServer {
     [[nodiscard]] std::optional<long long> clientProcess() const { return clientProcess_; }
 
   private:
+    static constexpr std::size_t kMostTexts = 256;  // that are looked at for one answer
     using json = nlohmann::json;
     using Answer = json (LanguageServer::*)(const json& parameters);
     struct Method;
@@ -88,6 +89,9 @@ class LanguageServer {
     /// The file that a scene or shader names.
     [[nodiscard]] std::filesystem::path found(CodeLanguage language, const std::filesystem::path& from,
                                               const std::string& name) const;
+    /// The files that it includes, and the same with what these include, and so on, and itself.
+    [[nodiscard]] std::vector<std::filesystem::path> includesOf(const std::filesystem::path& file) const;
+    [[nodiscard]] std::set<std::filesystem::path> withIncludes(const std::filesystem::path& file) const;
     /// The document first, then the texts in which a name of it may mean the same: the shaders of the
     /// programs that it belongs to, what they include, and their scenes.
     [[nodiscard]] std::vector<SourceText> textsAround(const Document& document,

@@ -90,44 +90,31 @@ json tokenLegend() {
 }
 
 std::vector<SourceText> LanguageServer::textsAround(const Document& document, const std::string& name) const {
-    constexpr std::size_t kMostTexts = 256;
     std::vector<SourceText> texts;
     std::map<std::filesystem::path, std::size_t> known;
-    const auto add = [&](auto& self, const std::filesystem::path& file, CodeLanguage language) -> void {
-        if (known.contains(file) || texts.size() >= kMostTexts) return;
-        known[file] = texts.size();
-        texts.push_back({file, documents_.textOf(file), language});
-        std::vector<std::filesystem::path> includes;
-        for (const NamedFile& each : includesIn(texts.back().text))
-            if (std::filesystem::path found = this->found(language, file, each.name); !found.empty())
-                includes.push_back(std::move(found));
-        texts[known[file]].includes = includes;
-        for (const std::filesystem::path& each : includes) self(self, each, CodeLanguage::glsl);
+    const auto add = [&](const std::filesystem::path& file, CodeLanguage language) {
+        for (const std::filesystem::path& each : withIncludes(file)) {
+            if (texts.size() >= kMostTexts || !known.try_emplace(each, texts.size()).second) continue;
+            texts.push_back({each, documents_.textOf(each), each == file ? language : CodeLanguage::glsl,
+                             includesOf(each)});
+        }
     };
-    add(add, document.file, document.language);
-    if (!texts.empty()) texts.front().text = document.text;
-    // The files of a program, with what they include.
+    // It has to be the first.
+    known[document.file] = 0;
+    texts.push_back({document.file, document.text, document.language, includesOf(document.file)});
+    add(document.file, document.language);
     const auto filesOf = [&](const SceneProgram& program) {
         std::set<std::filesystem::path> files;
-        std::vector<std::filesystem::path> next;
-        for (const SceneProgram::Stage& each : program.stages) next.push_back(each.file);
-        while (!next.empty() && files.size() < kMostTexts) {
-            const std::filesystem::path file = std::move(next.back());
-            next.pop_back();
-            if (!files.insert(file).second) continue;
-            for (const NamedFile& each : includesIn(documents_.textOf(file)))
-                next.push_back(found(CodeLanguage::glsl, file, each.name));
-        }
+        for (const SceneProgram::Stage& each : program.stages) files.merge(withIncludes(each.file));
         return files;
     };
     for (const auto& [scene, check] : checks_) {
         if (scene != document.file && !check.uses(document.file)) continue;
         if (document.language == CodeLanguage::glib) {
-            add(add, scene, CodeLanguage::glib);
+            add(scene, CodeLanguage::glib);
             for (const std::filesystem::path& each : check.files)
-                add(add, each,
-                    glib::sameWord(each.extension().generic_string(), ".glib") ? CodeLanguage::glib
-                                                                               : CodeLanguage::glsl);
+                add(each, glib::sameWord(each.extension().generic_string(), ".glib") ? CodeLanguage::glib
+                                                                                     : CodeLanguage::glsl);
             continue;
         }
         // The programs that share files that have the name with the shader, with each other, and so on.
@@ -145,8 +132,8 @@ std::vector<SourceText> LanguageServer::textsAround(const Document& document, co
                 isMore = true;
             }
         for (const std::filesystem::path& each : files)
-            if (each != scene) add(add, each, CodeLanguage::glsl);
-        add(add, scene, CodeLanguage::glib);
+            if (each != scene) add(each, CodeLanguage::glsl);
+        add(scene, CodeLanguage::glib);
         if (const auto at = known.find(scene); at != known.end()) texts[at->second].programs = programs;
     }
     return texts;
