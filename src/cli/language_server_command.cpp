@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -46,10 +50,13 @@ int serve() {
         for (const std::string& each : server.takeOutput()) bytes += editor::framed(each);
         return system::writeOutput(bytes) == 0;
     };
+    std::future<editor::ContainedCheck> checked;  // of the scene that is checked now
     std::optional<long long> client;  // a number of another machine or container names nobody here
     for (bool isOpen = true; isOpen && !server.exitStatus();) {
         constexpr int kLook = 2000;  // milliseconds after which the client is looked for
-        isOpen = takeInput(reader, client ? kLook : -1);
+        constexpr int kCheck = 20;   // while a scene is checked; keys are answered meanwhile
+        const bool isIdle = !checked.valid() && !server.hasWork();
+        isOpen = takeInput(reader, !isIdle ? kCheck : client ? kLook : -1);
         if (client && !system::isRunning(*client)) return kDiffers;
         while (const std::optional<std::string> message = reader.next())
             if (!server.receive(*message)) reader.refuse(*message);
@@ -64,8 +71,17 @@ int serve() {
                             editor::MessageReader::kLargestMessage));
             return kDiffers;
         }
-        while (server.hasWork() && isOpen && !server.exitStatus() && !isTyping(kPause)) {
-            server.work();
+        if (checked.valid() && checked.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+            server.endWork(checked.get());
+            if (!deliver()) return kDiffers;
+        }
+        if (!checked.valid() && server.hasWork() && isOpen && !server.exitStatus() && !isTyping(kPause)) {
+            if (editor::LanguageServer::Work work = server.beginWork()) {
+                // At the end of the server nobody waits for the thread.
+                std::packaged_task<editor::ContainedCheck()> task(std::move(work));
+                checked = task.get_future();
+                std::thread(std::move(task)).detach();
+            }
             if (!deliver()) return kDiffers;
         }
     }

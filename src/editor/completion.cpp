@@ -1,6 +1,7 @@
 #include "editor/completion.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "base/text.h"
 #include "editor/declared_names.h"
 #include "editor/glsl_reference.h"
+#include "editor/scene_places.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
 #include "glib/statement_table.h"
@@ -30,6 +32,10 @@ std::string_view firstWord(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const auto* const end = std::ranges::find_if_not(line, isOfName);
     return line.substr(0, static_cast<std::size_t>(end - line.begin()));
+}
+
+bool isShaderFile(const std::filesystem::path& file) {
+    return stageOfFile(file) || glib::sameWord(file.extension().generic_string(), ".glsl");
 }
 
 /// True if a comment or a quoted text is open at the byte.
@@ -59,6 +65,11 @@ class Collector {
         if (!seen_.insert(std::string(word)).second) return;
         group_.push_back({std::string(word), std::move(type), std::move(what)});
     }
+    /// A group of its own.
+    void addInOrder(std::string_view word, std::string type, std::string what) {
+        add(word, std::move(type), std::move(what));
+        nextGroup();
+    }
     /// What is added from now on comes after what was added before.
     void nextGroup() {
         std::ranges::stable_sort(group_, [&](const Completion& a, const Completion& b) {
@@ -81,6 +92,84 @@ class Collector {
     std::vector<Completion> group_, all_;
 };
 
+/// A folder of files that a text may name: those that `fits` accepts, and the folders in it.
+void addFiles(Collector& words, const std::vector<std::filesystem::path>& folders, std::string_view typed,
+              const std::function<bool(const std::filesystem::path&)>& fits) {
+    constexpr int kMostEntries = 5000;  // that are looked at
+    namespace fs = std::filesystem;
+    const std::string inside(typed.substr(0, typed.rfind('/') + 1));
+    int count = 0;
+    for (const fs::path& folder : folders) {
+        std::error_code failure;
+        for (fs::directory_iterator each(folder / inside, failure), end; each != end && !failure;
+             each.increment(failure)) {
+            if (++count > kMostEntries) return;
+            const std::string name = each->path().filename().generic_string();
+            std::error_code unknown;
+            const bool isFolder = each->is_directory(unknown);
+            if (name.starts_with('.') || (!isFolder && !fits(each->path()))) continue;
+            words.add(inside + name + (isFolder ? "/" : ""), isFolder ? "folder" : "file",
+                      folder.filename().generic_string());
+        }
+    }
+}
+
+/// What stands before the cursor in its line, from the last blank, quote or bracket on.
+std::string_view fileBefore(std::string_view line) {
+    const std::size_t at = line.find_last_of("\"' \t<");
+    return at == std::string_view::npos ? line : line.substr(at + 1);
+}
+
+/// A line of the preprocessor; `line` is what stands before the cursor. False if it is none.
+bool addDirective(Collector& words, std::string_view line, std::string_view text,
+                  const CodeContext& context) {
+    const std::size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string_view::npos || line[hash] != '#') return false;
+    const std::string_view rest = line.substr(hash + 1);
+    const std::size_t first = std::min(rest.find_first_not_of(" \t"), rest.size());
+    const std::string_view name = firstWord(rest);
+    if (first + name.size() == rest.size()) {
+        for (const std::string_view each : {"version", "include", "define", "undef", "if", "ifdef", "ifndef",
+                                            "elif", "else", "endif", "extension", "line", "pragma", "error"})
+            words.add(each, "directive");
+        return true;
+    }
+    if (name == "version") {
+        const bool hasNumber = rest.find_first_of("0123456789") < rest.size() - fileBefore(line).size();
+        if (hasNumber)
+            for (const std::string_view each : {"core", "compatibility", "es"}) words.add(each, "profile");
+        else
+            for (const std::string_view each :
+                 {"330", "410", "430", "450", "460", "120", "110", "130", "140", "150", "400", "420", "440",
+                  "330 core", "300 es", "310 es", "320 es"})
+                words.addInOrder(each, "version", {});
+        return true;
+    }
+    if (name == "include" && rest.find_first_of("\"<") != std::string_view::npos)
+        addFiles(words, context.folders, fileBefore(line),
+                 [](const std::filesystem::path& each) { return isShaderFile(each); });
+    static constexpr std::string_view kConditions[] = {"if", "ifdef", "ifndef", "elif", "undef"};
+    if (std::ranges::find(kConditions, name) != std::end(kConditions)) {
+        for (const DeclaredName& each : declaredNames(text))
+            if (each.type == "macro") words.add(each.name, "macro", each.declaration);
+        for (const std::string_view each : {"defined", "GL_ES", "__VERSION__"}) words.add(each, "macro");
+    }
+    return name != "define";
+}
+
+/// Where a name of a shader stands: what may be there.
+enum class Spot { any, type, newName };
+Spot spotOf(std::string_view before, const std::vector<DeclaredName>& names) {
+    std::size_t end = before.find_last_not_of(" \t\r\n");
+    if (end == std::string_view::npos || end + 1 == before.size()) return Spot::any;
+    const TextRange range = wordAt(before, ++end);
+    const std::string_view word = before.substr(range.begin, range.end - range.begin);
+    if (glsl::isQualifierWord(word)) return Spot::type;
+    const bool isStructure = std::ranges::any_of(
+        names, [&](const DeclaredName& each) { return each.type == "struct" && each.name == word; });
+    return glsl::isTypeWord(word) || isStructure || word == "struct" ? Spot::newName : Spot::any;
+}
+
 void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
              const std::optional<glsl::Stage>& stage, const std::vector<KnownName>& names) {
     const int version = std::max(versionOf(text), kDefaultVersion);
@@ -88,10 +177,28 @@ void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
     std::string rest(text);
     std::fill(rest.begin() + static_cast<std::ptrdiff_t>(typed.begin),
               rest.begin() + static_cast<std::ptrdiff_t>(typed.end), ' ');
-    for (const DeclaredName& each : declaredNames(rest))
+    std::vector<DeclaredName> declared = declaredNames(rest);
+    const Spot place = spotOf(text.substr(0, typed.begin), declared);
+    if (place == Spot::newName) return;
+    std::erase_if(declared, [&](const DeclaredName& each) {
+        const bool isSeen =
+            each.place.begin <= typed.begin && typed.begin <= each.scopeEnd.value_or(rest.size());
+        return each.isMember || (each.scopeEnd && !isSeen) ||
+               (place == Spot::type && each.type != "struct" && each.type != "macro");
+    });
+    std::ranges::stable_partition(declared,
+                                  [](const DeclaredName& each) { return each.scopeEnd.has_value(); });
+    for (const DeclaredName& each : declared)
         words.add(each.name, each.isFunction ? each.declaration : each.type,
                   "line " + std::to_string(each.line) + (each.isInterface ? ": " + each.declaration : ""));
     words.nextGroup();
+    if (place == Spot::type) {
+        for (const std::string_view each : glsl::keywords())
+            if (glsl::keywordSince(each) <= version &&
+                (glsl::isTypeWord(each) || glsl::isQualifierWord(each)))
+                words.add(each, glsl::isTypeWord(each) ? "type" : "keyword");
+        return;
+    }
     for (const KnownName& each : names)
         if (each.in == CodeLanguage::glsl) words.add(each.name, each.type, each.what);
     for (const scene::ShaderName& each : scene::shaderNames()) {
@@ -108,6 +215,30 @@ void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
             words.add(each, glsl::isTypeWord(each) ? "type" : "keyword");
 }
 
+/// True if nothing but a name and numbers stand between the statement and the word at the cursor, as the size
+/// of a texture.
+bool isAfterSize(std::string_view before) {
+    const std::string_view statement = firstWord(before);
+    before.remove_suffix(fileBefore(before).size());
+    const auto begin = static_cast<std::size_t>(statement.data() + statement.size() - before.data());
+    if (begin >= before.size()) return false;
+    const std::string_view rest = before.substr(begin);
+    const std::string_view name = firstWord(rest);
+    if (name.empty() || base::isDigit(name.front())) return false;
+    const auto end = static_cast<std::size_t>(name.data() + name.size() - rest.data());
+    const std::string_view size = rest.substr(end);
+    return size.find_first_of("0123456789") != std::string_view::npos &&
+           size.find_first_not_of("0123456789. \t") == std::string_view::npos;
+}
+
+bool hasFormat(std::string_view name) {
+    const glib::StatementRow* const statement =
+        glib::findCommand(name) ? glib::modernFormOf(name) : glib::findStatement(name);
+    return statement && hasNode(*statement, [](const glib::SyntaxNode& each) {
+               return each.type == glib::ValueType::word && each.text == "format";
+           });
+}
+
 void addStatementWords(Collector& words, std::string_view name) {
     const glib::StatementRow* command = glib::findCommand(name);
     const glib::StatementRow* statement = command ? glib::modernFormOf(name) : glib::findStatement(name);
@@ -116,10 +247,6 @@ void addStatementWords(Collector& words, std::string_view name) {
     if (statement)
         for (const std::string& each : glib::wordsOf(*statement))
             words.add(each, "word of " + std::string(statement->name));
-    if (statement && hasNode(*statement, [](const glib::SyntaxNode& each) {
-            return each.type == glib::ValueType::word && each.text == "format";
-        }))
-        for (const base::TexelFormatRow& each : base::texelFormats()) words.add(each.name, "format");
 }
 
 /// True for a classic command that takes numbers alone. A name stands only in the parentheses of an
@@ -151,8 +278,17 @@ void addDeclaredNames(Collector& words, std::string_view text, std::size_t curso
     }
 }
 
-void addGlib(Collector& words, std::string_view text, const TextRange& typed,
-             const std::vector<KnownName>& names) {
+/// The files that the statement may name: shaders of its stage, scenes after Include, else what is neither.
+bool fits(std::string_view statement, const std::filesystem::path& file) {
+    const std::optional<glsl::Stage> stage = source::stageOfEndWord("End" + std::string(statement));
+    if (stage) return isShaderFile(file) && stageOfFile(file).value_or(*stage) == *stage;
+    const bool isScene = glib::sameWord(file.extension().generic_string(), ".glib");
+    if (glib::sameWord(statement, "Include")) return isScene;
+    return !isScene && !isShaderFile(file);
+}
+
+void addGlib(Collector& words, std::string_view text, const TextRange& typed, const CodeContext& context) {
+    const std::vector<KnownName>& names = context.names;
     const std::string_view before = statementBefore(text, typed.begin);
     const std::string_view statement = firstWord(before);
     if (statement.empty()) {
@@ -166,6 +302,9 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed,
     const auto open = std::ranges::count(before, '(');
     const bool isExpression = open > std::ranges::count(before, ')');
     if (!isExpression) {
+        if (hasFormat(statement))
+            for (const base::TexelFormatRow& each : base::texelFormats()) words.add(each.name, "format");
+        if (hasFormat(statement) && isAfterSize(before)) return;
         addStatementWords(words, statement);
         words.nextGroup();
     }
@@ -202,86 +341,118 @@ std::optional<glsl::Stage> stageOfFile(const std::filesystem::path& file) {
     return std::nullopt;
 }
 
-TextRange wordAt(std::string_view text, std::size_t byte) {
-    byte = std::min(byte, text.size());
-    TextRange word{byte, byte};
-    while (word.begin > 0 && isOfName(text[word.begin - 1])) --word.begin;
-    while (word.end < text.size() && isOfName(text[word.end])) ++word.end;
-    return word;
-}
-
-TextRange nameNear(std::string_view text, std::size_t byte) {
-    byte = std::min(byte, text.size());
-    for (TextRange word = wordAt(text, byte);; word = wordAt(text, word.begin - 1)) {
-        const bool isName = word.begin < word.end && !base::isDigit(text[word.begin]);
-        if (isName) return word;
-        if (word.begin == 0 || text[word.begin - 1] == '\n') return {byte, byte};
-    }
-}
-
-TextRange wordBefore(std::string_view text, std::size_t byte) {
-    return {wordAt(text, byte).begin, std::min(byte, text.size())};
-}
-
-std::string_view lineBefore(std::string_view text, std::size_t byte) {
-    const std::size_t begin = byte == 0 ? 0 : text.rfind('\n', byte - 1) + 1;
-    return text.substr(begin, byte - begin);
-}
-
-std::string_view statementBefore(std::string_view text, std::size_t byte) {
-    std::size_t begin = byte - lineBefore(text, byte).size();
-    while (begin >= 2) {
-        const std::size_t last = text.find_last_not_of(" \t\r", begin - 2);
-        if (last == std::string_view::npos || text[last] != '\\') break;
-        begin = last - lineBefore(text, last).size();
-    }
-    return text.substr(begin, byte - begin);
-}
-
-LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext& context) {
-    const LanguageAt whole{context.language, context.stage, {0, text.size()}};
-    if (context.language == CodeLanguage::glsl) return whole;
+std::vector<LanguageAt> shadersIn(std::string_view scene) {
     source::InlineShaders shaders;
-    LanguageAt found = whole;
+    std::vector<LanguageAt> found;
     bool isInShader = false;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::optional<glsl::Stage> stage = shaders.next(text.substr(begin, end - begin));
-        if (stage) {
-            if (found.language == CodeLanguage::glib)
-                found = {CodeLanguage::glsl, stage, {begin, text.size()}};
-            isInShader = isInShader || byte <= end;
-        } else if (isInShader) {
-            found.part.end = begin;
-            return found;
-        } else {
-            found = whole;
-            if (byte <= end) return whole;
-        }
+    for (std::size_t begin = 0; begin <= scene.size();) {
+        const std::size_t end = std::min(scene.find('\n', begin), scene.size());
+        const std::optional<glsl::Stage> stage = shaders.next(scene.substr(begin, end - begin));
+        if (stage && !isInShader)
+            found.push_back({CodeLanguage::glsl, stage, {begin, scene.size()}});
+        else if (!stage && isInShader)
+            found.back().part.end = begin;
+        isInShader = stage.has_value();
         begin = end + 1;
     }
     return found;
 }
 
-std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor, const CodeContext& context) {
-    cursor = std::min(cursor, text.size());
+LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext& context) {
+    if (context.language == CodeLanguage::glib)
+        for (const LanguageAt& each : shadersIn(text)) {
+            const bool isLast = each.part.end == text.size();
+            if (each.part.begin <= byte && (byte < each.part.end || isLast)) return each;
+        }
+    return {context.language, context.stage, {0, text.size()}};
+}
+
+namespace {
+
+/// The file that is typed after a statement that takes one; nothing if there is none.
+std::optional<std::string_view> typedFile(std::string_view before) {
+    const std::string_view statement = firstWord(before);
+    const glib::StatementRow* const rows[] = {glib::modernFormOf(statement), glib::findCommand(statement),
+                                              glib::findStatement(statement)};
+    const bool takes =
+        std::ranges::any_of(rows, [](const glib::StatementRow* each) { return each && takesFile(*each); });
+    if (!takes || before.find('#') != std::string_view::npos || (hasFormat(statement) && isAfterSize(before)))
+        return std::nullopt;
+    const std::string_view file = fileBefore(before);
+    const bool isAfterStatement = file.data() > statement.data() + statement.size();
+    return isAfterStatement && !base::isDigit(file.empty() ? ' ' : file.front()) ? std::optional(file)
+                                                                                 : std::nullopt;
+}
+
+std::vector<Completion> wordsAt(std::string_view text, std::size_t cursor, const CodeContext& context) {
     const TextRange typed = wordBefore(text, cursor);
     const bool isNumber = typed.begin < typed.end && base::isDigit(text[typed.begin]);
     const LanguageAt at = languageAt(text, cursor, context);
-    if (isNumber || isInComment(text, cursor, at.language)) return {};
-    if (typed.begin > 0 && text[typed.begin - 1] == '.') return {};
-    Collector words(text.substr(typed.begin, typed.end - typed.begin));
+    const auto from = [](std::vector<Completion> words, std::size_t begin) {
+        for (Completion& each : words) each.begin = begin;
+        return words;
+    };
     if (at.language == CodeLanguage::glib) {
-        addGlib(words, text, typed, context.names);
-        return words.take();
+        const std::string_view statement = statementBefore(text, cursor);
+        const std::optional<std::string_view> file = typedFile(statement);
+        const std::size_t begin = cursor - file.value_or(std::string_view{}).size();
+        if (file) {
+            Collector files(*file);
+            addFiles(files, context.folders, *file,
+                     [&](const std::filesystem::path& each) { return fits(firstWord(statement), each); });
+            std::vector<Completion> found = from(files.take(), begin);
+            if (begin < typed.begin || isInComment(text, cursor, at.language)) return found;
+            Collector words(text.substr(typed.begin, typed.end - typed.begin));
+            const glib::StatementRow* const command = glib::findCommand(firstWord(statement));
+            if (command && formOf(*command) == glib::ArgumentForm::file)
+                addStatementWords(words, firstWord(statement));
+            else
+                addGlib(words, text, typed, context);
+            std::vector<Completion> others = from(words.take(), typed.begin);
+            std::ranges::move(others, std::back_inserter(found));
+            return found;
+        }
+        if (isNumber || isInComment(text, cursor, at.language)) return {};
+        if (typed.begin > 0 && text[typed.begin - 1] == '.') return {};
+        Collector words(text.substr(typed.begin, typed.end - typed.begin));
+        addGlib(words, text, typed, context);
+        return from(words.take(), typed.begin);
+    }
+    const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);
+    const std::string_view line = lineBefore(text, cursor);
+    if (const std::string_view file = fileBefore(line); !isInComment(text, cursor, at.language)) {
+        const bool isInclude = line.find("include") != std::string_view::npos;
+        Collector words(isInclude ? file : text.substr(typed.begin, typed.end - typed.begin));
+        if (addDirective(words, line, part, context))
+            return from(words.take(), isInclude ? cursor - file.size() : typed.begin);
+    }
+    if (isNumber || isInComment(text, cursor, at.language)) return {};
+    Collector words(text.substr(typed.begin, typed.end - typed.begin));
+    if (typed.begin > at.part.begin && text[typed.begin - 1] == '.') {
+        // Names that other files declare are declared here.
+        std::string whole;
+        for (const KnownName& each : context.names)
+            if (each.in == CodeLanguage::glsl && glsl::isTypeWord(each.type))
+                whole += each.type + " " + each.name + ";";
+        const std::size_t before = whole.size();
+        whole += part;
+        for (const DeclaredName& each :
+             membersAt(whole, before + typed.begin - 1 - at.part.begin, before + typed.end - at.part.begin))
+            words.addInOrder(each.name, each.type, each.declaration);
+        return from(words.take(), typed.begin);
     }
     if (context.language == CodeLanguage::glib && at.stage) {
         words.add(source::endWordOf(*at.stage), "statement", "ends the shader");
         words.nextGroup();
     }
-    const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);
     addGlsl(words, part, {typed.begin - at.part.begin, typed.end - at.part.begin}, at.stage, context.names);
-    return words.take();
+    return from(words.take(), typed.begin);
+}
+
+}  // namespace
+
+std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor, const CodeContext& context) {
+    return wordsAt(text, std::min(cursor, text.size()), context);
 }
 
 }  // namespace glibra::editor

@@ -30,6 +30,8 @@ struct CodeContext {
     CodeLanguage language = CodeLanguage::glsl;  ///< of the file
     std::optional<glsl::Stage> stage;            ///< of a shader; nothing: not known
     std::vector<KnownName> names;
+    /// The folders that names of files begin in (scene::searchFolders).
+    std::vector<std::filesystem::path> folders{};
 };
 
 /// The stage that the suffix of a file says: ".frag", ".fs" and ".frag.glsl" are fragment shaders. Nothing if
@@ -38,21 +40,10 @@ std::optional<glsl::Stage> stageOfFile(const std::filesystem::path& file);
 
 struct Completion {
     std::string word;
-    std::string type;  ///< "vec3", "T sin(T angle)", "keyword", "command"
-    std::string what;  ///< one line; may be empty
+    std::string type;       ///< "vec3", "T sin(T angle)", "keyword", "command"
+    std::string what;       ///< one line; may be empty
+    std::size_t begin = 0;  ///< the byte of the text from which on the word replaces what is typed
 };
-
-/// The word that touches the byte; empty if there is none.
-TextRange wordAt(std::string_view text, std::size_t byte);
-/// The same, or else the last name before the byte in its line; empty if there is none. Numbers are no names.
-TextRange nameNear(std::string_view text, std::size_t byte);
-/// The part of that word before the byte.
-TextRange wordBefore(std::string_view text, std::size_t byte);
-
-/// The part of the line before the byte.
-std::string_view lineBefore(std::string_view text, std::size_t byte);
-/// The part of a scene's statement before the byte. It begins lines earlier if they end with '\'.
-std::string_view statementBefore(std::string_view text, std::size_t byte);
 
 /// The language at a byte: scenes may contain shaders (InlineShaders). `stage` is that shader's.
 struct LanguageAt {
@@ -60,12 +51,15 @@ struct LanguageAt {
     std::optional<glsl::Stage> stage;
     TextRange part;  ///< the shader's text, or the whole text
 };
+/// The shaders in the text of a scene.
+std::vector<LanguageAt> shadersIn(std::string_view scene);
 LanguageAt languageAt(std::string_view text, std::size_t byte, const CodeContext& context);
 
 /// The words that may stand at the cursor and begin with what stands before it, in any case: names that the
 /// text declares first, then those of the scene, then what the language has. Words of a shader are those of
-/// its version and stage. Empty in comments, in numbers and after a '.', and if the only one stands there
-/// already.
+/// its version and stage; names are those that the scope shows, after a '.' members and swizzles, after
+/// `#include` and in statements that take a file the files of CodeContext::folders. Empty in comments, in
+/// numbers, where a new name is declared, and if the only word stands there already.
 std::vector<Completion> completionsAt(std::string_view text, std::size_t cursor, const CodeContext& context);
 
 }  // namespace glibra::editor

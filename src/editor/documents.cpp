@@ -165,9 +165,13 @@ std::size_t unitsOf(const base::Character& character) {
 
 }  // namespace
 
-TextLines::TextLines(std::string_view text) : text_(text), begins_{0} {
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n")) begins_.push_back(i + 1);
+TextLines::TextLines(std::string_view text) : text_(text), begins_{0}, isPlain_{true} {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (static_cast<unsigned char>(text[i]) >= 0x80) isPlain_.back() = false;
+        if (text[i] != '\n' && (text[i] != '\r' || text.substr(i + 1, 1) == "\n")) continue;
+        begins_.push_back(i + 1);
+        isPlain_.push_back(true);
+    }
 }
 
 TextRange TextLines::line(std::size_t index) const {
@@ -180,6 +184,7 @@ TextPosition TextLines::position(std::size_t byte) const {
     byte = std::min(byte, text_.size());
     const auto after = std::ranges::upper_bound(begins_, byte);
     TextPosition found{static_cast<std::size_t>(after - begins_.begin()) - 1, 0};
+    if (isPlain_[found.line]) return {found.line, byte - *(after - 1)};
     for (std::size_t at = *(after - 1); at < byte;) {
         const base::Character character = base::firstCharacter(text_.substr(at));
         at += character.bytes;
@@ -190,6 +195,8 @@ TextPosition TextLines::position(std::size_t byte) const {
 
 std::size_t TextLines::byte(TextPosition position) const {
     const TextRange range = line(position.line);
+    if (position.line < begins_.size() && isPlain_[position.line])
+        return range.begin + std::min(position.unit, range.end - range.begin);
     std::size_t at = range.begin;
     for (std::size_t unit = 0; at < range.end && unit < position.unit;) {
         const base::Character character = base::firstCharacter(text_.substr(at));

@@ -36,6 +36,7 @@ class TextLines {
   private:
     std::string_view text_;
     std::vector<std::size_t> begins_;
+    std::vector<bool> isPlain_;  ///< for each line: all characters are one byte and one unit
 };
 
 /// The file of a URI: "file:///a%20b.glib" is /a b.glib. Another URI, as of a text without a name, is a file

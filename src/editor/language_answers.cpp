@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -22,18 +23,28 @@ namespace {
 using nlohmann::json;
 
 // Kinds of LSP 3.17.
-enum class ItemKind { function = 3, field = 5, variable = 6, keyword = 14, word = 12 };
-enum class Symbol { function = 12, variable = 13, structure = 23, object = 19, space = 3, key = 20 };
+enum class ItemKind {
+    function = 3,
+    field = 5,
+    variable = 6,
+    keyword = 14,
+    word = 12,
+    file = 17,
+    folder = 19
+};
+enum class SymbolKind { function = 12, variable = 13, structure = 23, object = 19, space = 3, key = 20 };
 
 ItemKind kindOf(const Completion& each) {
     if (each.type == "command" || each.type == "statement" || each.type == "keyword" || each.type == "type")
         return ItemKind::keyword;
+    if (each.type == "file") return ItemKind::file;
+    if (each.type == "folder") return ItemKind::folder;
     if (each.type.find('(') != std::string::npos) return ItemKind::function;
     return each.type.starts_with("word") ? ItemKind::word : ItemKind::variable;
 }
 
-json symbol(const std::string& name, const std::string& detail, Symbol kind, const json& whole,
-            const json& place) {
+json symbolItem(const std::string& name, const std::string& detail, SymbolKind kind, const json& whole,
+                const json& place) {
     // Clients refuse symbols without a name.
     return {{"name", name.empty() ? "?" : name},
             {"detail", detail},
@@ -44,16 +55,6 @@ json symbol(const std::string& name, const std::string& detail, Symbol kind, con
 
 std::string_view textAt(std::string_view text, const TextRange& range) {
     return text.substr(range.begin, range.end - range.begin);
-}
-
-/// The place of a declared name, found in its line.
-TextRange placeOf(const DeclaredName& name, std::string_view text, const TextLines& lines,
-                  std::size_t linesBefore) {
-    const TextRange line = lines.line(static_cast<std::size_t>(std::max(name.line, 1)) - 1 + linesBefore);
-    for (std::size_t at = line.begin + static_cast<std::size_t>(std::max(name.column, 1)) - 1;
-         (at = text.find(name.name, at)) < line.end; ++at)
-        if (const TextRange word = wordAt(text, at); textAt(text, word) == name.name) return word;
-    return {line.begin, line.begin};
 }
 
 std::vector<NamedFile> namedFiles(const Document& document) {
@@ -81,6 +82,22 @@ CodeContext LanguageServer::contextOf(const Document& document) const {
         context.names.insert(context.names.end(), check.names.values.begin(), check.names.values.end());
         addProgramNames(context, check.names.programs, document.file, textOf);
     }
+    // What an #include brings.
+    for (const std::filesystem::path& file : withIncludes(document.file)) {
+        if (file == document.file) continue;
+        for (const DeclaredName& each : declaredNames(documents_.textOf(file)))
+            if (each.isGlobal())
+                context.names.push_back(
+                    {each.name,
+                     each.isFunction ? each.declaration : each.type,
+                     fmt::format("{} in {}", each.declaration, file.filename().generic_string()),
+                     {},
+                     CodeLanguage::glsl});
+    }
+    const scene::SearchFolders folders =
+        scene::searchFolders(document.file, {.libraryRoots = options_.libraryRoots});
+    context.folders = folders.beside;
+    context.folders.insert(context.folders.end(), folders.library.begin(), folders.library.end());
     return context;
 }
 
@@ -88,9 +105,13 @@ json LanguageServer::complete(const json& parameters) {
     const Document& document = documentOf(parameters);
     const TextLines lines(document.text);
     const std::size_t cursor = lines.byte(positionIn(parameters.at("position")));
-    const json typed = toJson(lines, wordBefore(document.text, cursor));
     json items = json::array();
+    // A blank begins a word, but only where few words may stand.
+    const json trigger = parameters.value("context", json::object()).value("triggerCharacter", json());
     for (const Completion& each : completionsAt(document.text, cursor, contextOf(document))) {
+        static const std::set<std::string_view> kAfterBlanks{"file", "folder", "version", "format"};
+        if (trigger == " " && !kAfterBlanks.contains(each.type)) continue;
+        const json typed = toJson(lines, TextRange{each.begin, cursor});
         // The order of the list is that of importance.
         json item = {{"label", each.word},
                      {"kind", static_cast<int>(kindOf(each))},
@@ -118,27 +139,41 @@ json LanguageServer::hover(const json& parameters) {
     return {{"contents", {{"kind", "markdown"}, {"value", text}}}, {"range", toJson(lines, word)}};
 }
 
-std::filesystem::path LanguageServer::found(const Document& from, const std::string& name) const {
+std::filesystem::path LanguageServer::found(CodeLanguage language, const std::filesystem::path& from,
+                                            const std::string& name) const {
     const scene::InterpretOptions options{.libraryRoots = options_.libraryRoots};
     scene::FolderListings listings;
-    if (from.language == CodeLanguage::glsl) {
-        for (const auto& [scene, check] : checks_)
-            if (check.uses(from.file))
-                return scene::findInclude(name, from.file.generic_string(), scene.generic_string(), options,
-                                          listings)
-                    .path;
-        return scene::findInclude(name, from.file.generic_string(), from.file.generic_string(), options,
-                                  listings)
-            .path;
+    std::filesystem::path scene = from;
+    if (language == CodeLanguage::glib) {
+        const scene::SearchFolders folders = scene::searchFolders(from, options);
+        std::filesystem::path path =
+            scene::findFile(name, {from.generic_string(), 1, 1}, folders, listings).path;
+        if (!path.empty()) return path;  // else perhaps of a shader in the scene
+    } else {
+        for (const auto& [each, check] : checks_)
+            if (check.uses(from)) scene = each;
     }
-    const scene::SearchFolders folders = scene::searchFolders(from.file, options);
-    std::filesystem::path path =
-        scene::findFile(name, {from.file.generic_string(), 1, 1}, folders, listings).path;
-    if (path.empty())  // perhaps of a shader in the scene
-        path = scene::findInclude(name, from.file.generic_string(), from.file.generic_string(), options,
-                                  listings)
-                   .path;
-    return path;
+    return scene::findInclude(name, from.generic_string(), scene.generic_string(), options, listings).path;
+}
+
+std::vector<std::filesystem::path> LanguageServer::includesOf(const std::filesystem::path& file) const {
+    std::vector<std::filesystem::path> files;
+    for (const NamedFile& each : includesIn(documents_.textOf(file)))
+        if (std::filesystem::path path = found(CodeLanguage::glsl, file, each.name); !path.empty())
+            files.push_back(std::move(path));
+    return files;
+}
+
+std::set<std::filesystem::path> LanguageServer::withIncludes(const std::filesystem::path& file) const {
+    std::set<std::filesystem::path> files{file};
+    std::vector<std::filesystem::path> next{file};
+    while (!next.empty() && files.size() < kMostTexts) {
+        const std::filesystem::path last = std::move(next.back());
+        next.pop_back();
+        for (const std::filesystem::path& each : includesOf(last))
+            if (files.insert(each).second) next.push_back(each);
+    }
+    return files;
 }
 
 json LanguageServer::linkTo(const std::filesystem::path& file, std::string_view text,
@@ -155,46 +190,13 @@ json LanguageServer::definition(const json& parameters) {
     const std::vector<NamedFile> named = namedFiles(document);
     for (const NamedFile& each : named)
         if (isAt(each.place)) {
-            const std::filesystem::path file = found(document, each.name);
+            const std::filesystem::path file = found(document.language, document.file, each.name);
             return file.empty() ? json() : linkTo(file, {}, {});
         }
-    const std::string name(textAt(text, wordAt(text, byte)));
-    if (name.empty()) return nullptr;
-    const LanguageAt at = languageAt(text, byte, {document.language, std::nullopt, {}});
-    if (at.language == CodeLanguage::glsl) {
-        const std::size_t before = lines.position(at.part.begin).line;
-        const std::size_t begin = wordAt(text, byte).begin, row = lines.position(byte).line;
-        const CodePlace place{static_cast<int>(row - before) + 1,
-                              static_cast<int>(begin - lines.line(row).begin) + 1};
-        const bool isMember = begin > 0 && text[begin - 1] == '.';
-        const std::vector<DeclaredName> own = declaredNames(textAt(text, at.part));
-        if (const DeclaredName* each = declarationOf(own, name, place, isMember))
-            return linkTo(document.file, text, placeOf(*each, text, lines, before));
-    } else {
-        for (const Declaration& each : declarationsOf(text))
-            if (each.name == name && !isAt(each.place)) return linkTo(document.file, text, each.place);
-    }
-    // In what the text includes, and in the shaders of the scene.
-    std::vector<std::filesystem::path> others;
-    for (const NamedFile& each : named)
-        if (std::filesystem::path file = found(document, each.name); !file.empty())
-            others.push_back(std::move(file));
-    for (const auto& [scene, check] : checks_)
-        if (scene == document.file || check.uses(document.file))
-            others.insert(others.end(), check.files.begin(), check.files.end());
-    for (const std::filesystem::path& file : others) {
-        if (file == document.file || glib::sameWord(file.extension().generic_string(), ".glib")) continue;
-        const std::string other = documents_.textOf(file);
-        const std::vector<DeclaredName> all = declaredNames(other);
-        const auto declared = std::ranges::find_if(all, [&](const DeclaredName& each) {
-            return each.name == name &&
-                   (each.isFunction || each.isInterface || each.type == "macro" || each.type == "struct");
-        });
-        if (declared == all.end()) continue;
-        const TextLines otherLines(other);
-        return linkTo(file, other, placeOf(*declared, other, otherLines, 0));
-    }
-    return nullptr;
+    const Symbol symbol = symbolOf(parameters);
+    if (!symbol.declaration) return nullptr;
+    const Occurrence& place = *symbol.declaration;
+    return linkTo(place.file, documents_.textOf(place.file), place.place);
 }
 
 json LanguageServer::links(const json& parameters) {
@@ -202,7 +204,8 @@ json LanguageServer::links(const json& parameters) {
     const TextLines lines(document.text);
     json links = json::array();
     for (const NamedFile& each : namedFiles(document))
-        if (const std::filesystem::path file = found(document, each.name); !file.empty())
+        if (const std::filesystem::path file = found(document.language, document.file, each.name);
+            !file.empty())
             links.push_back({{"range", toJson(lines, each.place)}, {"target", documents_.uriOf(file)}});
     return links;
 }
@@ -212,25 +215,26 @@ json LanguageServer::symbols(const json& parameters) {
     const TextLines lines(document.text);
     json symbols = json::array();
     if (document.language == CodeLanguage::glsl) {
+        // Constants and shared variables, too: everything but members, parameters and local variables.
         for (const DeclaredName& each : declaredNames(document.text)) {
             const bool isStructure = each.type == "struct" || each.type == "block";
-            if (!each.isFunction && !each.isInterface && !isStructure && each.type != "macro") continue;
-            const json place = toJson(lines, placeOf(each, document.text, lines, 0));
-            symbols.push_back(symbol(each.name, each.declaration,
-                                     each.isFunction ? Symbol::function
-                                     : isStructure   ? Symbol::structure
-                                                     : Symbol::variable,
-                                     place, place));
+            if (!each.isGlobal()) continue;
+            const json place = toJson(lines, each.place);
+            symbols.push_back(symbolItem(each.name, each.declaration,
+                                         each.isFunction ? SymbolKind::function
+                                         : isStructure   ? SymbolKind::structure
+                                                         : SymbolKind::variable,
+                                         place, place));
         }
         return symbols;
     }
     for (const Declaration& each : declarationsOf(document.text)) {
         const bool isVariable = each.word == "Let" || each.word == "Bound";
-        symbols.push_back(symbol(each.name, each.word,
-                                 each.isBlock ? Symbol::space
-                                 : isVariable ? Symbol::variable
-                                              : Symbol::object,
-                                 toJson(lines, each.whole), toJson(lines, each.place)));
+        symbols.push_back(symbolItem(each.name, each.word,
+                                     each.isBlock ? SymbolKind::space
+                                     : isVariable ? SymbolKind::variable
+                                                  : SymbolKind::object,
+                                     toJson(lines, each.whole), toJson(lines, each.place)));
     }
     return symbols;
 }

@@ -70,6 +70,16 @@ const LanguageServer::Method* LanguageServer::findMethod(std::string_view name) 
         Method{"textDocument/colorPresentation", &LanguageServer::colorPresentations},
         Method{"textDocument/documentLink", &LanguageServer::links},
         Method{"textDocument/formatting", &LanguageServer::format},
+        Method{"textDocument/references", &LanguageServer::references},
+        Method{"textDocument/documentHighlight", &LanguageServer::highlights},
+        Method{"textDocument/prepareRename", &LanguageServer::prepareRename},
+        Method{"textDocument/rename", &LanguageServer::rename},
+        Method{"textDocument/signatureHelp", &LanguageServer::signatures},
+        Method{"textDocument/codeAction", &LanguageServer::actions},
+        Method{"textDocument/foldingRange", &LanguageServer::folds},
+        Method{"textDocument/semanticTokens/full", &LanguageServer::tokens},
+        Method{"textDocument/inlayHint", &LanguageServer::hints},
+        Method{"workspace/symbol", &LanguageServer::findSymbols},
     };
     const auto* const found = std::ranges::find(kMethods, name, &Method::name);
     return found == kMethods.end() ? nullptr : found;
@@ -161,7 +171,17 @@ void LanguageServer::notify(const std::string& method, const json& parameters) {
         return;
     }
     if (!isInitialized_ || isShutDown_) return;
-    if (method == "textDocument/didOpen") {
+    if (method == "initialized" && formatsByLanguage_) {
+        const json scenes = json::array({{{"language", "glib"}}});
+        send({{"jsonrpc", "2.0"},
+              {"id", "formatting"},
+              {"method", "client/registerCapability"},
+              {"params",
+               {{"registrations",
+                 {{{"id", "formatting"},
+                   {"method", "textDocument/formatting"},
+                   {"registerOptions", {{"documentSelector", scenes}}}}}}}}});
+    } else if (method == "textDocument/didOpen") {
         changed(documents_.open(parameters));
     } else if (method == "textDocument/didChange") {
         if (const Document* document = documents_.change(parameters)) changed(*document);
@@ -191,17 +211,34 @@ json LanguageServer::initialize(const json& parameters) {
     if (const json process = parameters.is_object() ? parameters.value("processId", json()) : json();
         process.is_number_integer())
         clientProcess_ = process.get<long long>();
+    const auto client = [&](const char* path) {
+        const json::json_pointer at(std::string("/capabilities/") + path);
+        return parameters.contains(at) ? parameters.at(at) : json();
+    };
+    const json operations = client("workspace/workspaceEdit/resourceOperations");
+    createsFiles_ = operations.is_array() && std::ranges::find(operations, "create") != operations.end();
+    formatsByLanguage_ = client("textDocument/formatting/dynamicRegistration") == true;
     json capabilities = {
         {"positionEncoding", "utf-16"},
         {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
-        {"completionProvider", json::object()},
+        {"completionProvider", {{"triggerCharacters", {".", "#", "\"", "/", "<", " "}}}},
+        {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
         {"hoverProvider", true},
         {"definitionProvider", true},
         {"declarationProvider", true},
+        {"referencesProvider", true},
+        {"documentHighlightProvider", true},
+        {"renameProvider", {{"prepareProvider", true}}},
+        {"codeActionProvider", {{"codeActionKinds", {"quickfix", "refactor.rewrite"}}}},
+        {"foldingRangeProvider", true},
+        {"semanticTokensProvider", {{"legend", tokenLegend()}, {"full", true}}},
+        {"inlayHintProvider", true},
         {"documentSymbolProvider", true},
+        {"workspaceSymbolProvider", true},
         {"documentLinkProvider", json::object()},
         {"colorProvider", true},
-        {"documentFormattingProvider", true},
+        // Shaders are not formatted. Only clients that register can be told so.
+        {"documentFormattingProvider", !formatsByLanguage_},
     };
     return {{"capabilities", std::move(capabilities)},
             {"serverInfo", {{"name", "glibra"}, {"version", options_.version}}}};
@@ -270,17 +307,28 @@ void LanguageServer::findScenesOf(const Document& shader) {
     }
 }
 
-void LanguageServer::work() {
-    if (due_.empty()) return;
-    // A shader is checked by itself if none of the scenes turns out to use it.
-    const auto next = std::ranges::find_if_not(due_, [this](const auto& each) { return isShader(each); });
-    const std::filesystem::path scene = next != due_.end() ? *next : *due_.begin();
-    due_.erase(scene);
-    if (isShader(scene) && isInScene(scene)) return forget(scene);
-    RenderOptions options;
-    options.libraryRoots = options_.libraryRoots;
-    for (const auto& [uri, each] : documents_.all()) options.texts[each.file] = each.text;
-    ContainedCheck checked = options_.check(scene, options);
+LanguageServer::Work LanguageServer::beginWork() {
+    while (!due_.empty()) {
+        // A shader is checked by itself if none of the scenes turns out to use it.
+        const auto next = std::ranges::find_if_not(due_, [this](const auto& each) { return isShader(each); });
+        working_ = next != due_.end() ? *next : *due_.begin();
+        due_.erase(working_);
+        if (isShader(working_) && isInScene(working_)) {
+            forget(working_);
+            continue;
+        }
+        RenderOptions options;
+        options.libraryRoots = options_.libraryRoots;
+        for (const auto& [uri, each] : documents_.all()) options.texts[each.file] = each.text;
+        return [check = options_.check, file = working_, options] { return check(file, options); };
+    }
+    return {};
+}
+
+void LanguageServer::endWork(ContainedCheck checked) {
+    const std::filesystem::path scene = std::exchange(working_, {});
+    // The text has changed meanwhile, so its lines are others.
+    if (due_.contains(scene) || isShutDown_) return;
     if (!checked.failure.empty()) {
         // Its last messages and names are better than none.
         if (const auto last = checks_.find(scene); last != checks_.end()) checked.check = last->second;
@@ -290,6 +338,10 @@ void LanguageServer::work() {
                {{"type", 2}, {"message", fmt::format("{}: {}", scene.generic_string(), checked.failure)}}}});
     }
     report(scene, checked.check);
+}
+
+void LanguageServer::work() {
+    if (const Work check = beginWork()) endWork(check());
 }
 
 void LanguageServer::report(const std::filesystem::path& scene, const SceneCheck& check) {

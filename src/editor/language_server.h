@@ -14,6 +14,7 @@
 
 #include "editor/documents.h"
 #include "editor/scene_check.h"
+#include "editor/symbol.h"
 
 namespace glibra::editor {
 
@@ -37,6 +38,11 @@ class LanguageServer {
     [[nodiscard]] bool hasWork() const { return !due_.empty(); }
     /// Checks one of them, and reports what is wrong with it and its shaders.
     void work();
+    /// The same in two parts. What is returned by the first one may be called in another thread; the second
+    /// one takes its result. Null if there is nothing to check.
+    using Work = std::function<ContainedCheck()>;
+    Work beginWork();
+    void endWork(ContainedCheck checked);
     /// The answers and notifications made since the last call, a JSON text each.
     std::vector<std::string> takeOutput();
     /// The exit status, once the client has said `exit`: 0 after `shutdown`, otherwise 1.
@@ -45,6 +51,7 @@ class LanguageServer {
     [[nodiscard]] std::optional<long long> clientProcess() const { return clientProcess_; }
 
   private:
+    static constexpr std::size_t kMostTexts = 256;  // that are looked at for one answer
     using json = nlohmann::json;
     using Answer = json (LanguageServer::*)(const json& parameters);
     struct Method;
@@ -66,10 +73,30 @@ class LanguageServer {
     json colorPresentations(const json& parameters);
     json format(const json& parameters);
     json links(const json& parameters);
+    json references(const json& parameters);
+    json highlights(const json& parameters);
+    json prepareRename(const json& parameters);
+    json rename(const json& parameters);
+    json signatures(const json& parameters);
+    json actions(const json& parameters);
+    json folds(const json& parameters);
+    json tokens(const json& parameters);
+    json hints(const json& parameters);
+    json findSymbols(const json& parameters);
 
     [[nodiscard]] const Document& documentOf(const json& parameters) const;
     [[nodiscard]] CodeContext contextOf(const Document& document) const;
-    [[nodiscard]] std::filesystem::path found(const Document& from, const std::string& name) const;
+    /// The file that a scene or shader names.
+    [[nodiscard]] std::filesystem::path found(CodeLanguage language, const std::filesystem::path& from,
+                                              const std::string& name) const;
+    /// The files that it includes, and the same with what these include, and so on, and itself.
+    [[nodiscard]] std::vector<std::filesystem::path> includesOf(const std::filesystem::path& file) const;
+    [[nodiscard]] std::set<std::filesystem::path> withIncludes(const std::filesystem::path& file) const;
+    /// The document first, then the texts in which a name of it may mean the same: the shaders of the
+    /// programs that it belongs to, what they include, and their scenes.
+    [[nodiscard]] std::vector<SourceText> textsAround(const Document& document,
+                                                      const std::string& name) const;
+    [[nodiscard]] Symbol symbolOf(const json& parameters) const;
     [[nodiscard]] json linkTo(const std::filesystem::path& file, std::string_view text,
                               const TextRange& place) const;
     /// True if the editor has opened the scene or a file of it.
@@ -92,10 +119,16 @@ class LanguageServer {
     std::set<std::filesystem::path> due_;                 ///< scenes to check, and shaders that may have none
     std::map<std::filesystem::path, SceneCheck> checks_;  ///< of these
     std::set<std::filesystem::path> published_;           ///< files with messages
+    std::filesystem::path working_;                       ///< what beginWork() has begun
+    bool formatsByLanguage_ = false;  ///< the client can be told which files are formatted
+    bool createsFiles_ = false;       ///< the client can create files
     bool isInitialized_ = false;
     bool isShutDown_ = false;
     std::optional<int> exitStatus_;
     std::optional<long long> clientProcess_;
 };
+
+/// The kinds of semantic tokens, as the client is told.
+nlohmann::json tokenLegend();
 
 }  // namespace glibra::editor

@@ -119,7 +119,8 @@ ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const C
         if (each.name != word || each.in != language) continue;
         if (entry.word.empty()) {
             entry.word = each.name;
-            entry.code.push_back(fmt::format("{} {}", each.type, each.name));
+            const bool isFunction = each.type.find('(') != std::string::npos;
+            entry.code.push_back(isFunction ? each.type : fmt::format("{} {}", each.type, each.name));
             entry.text = each.what;
         }
         if (entry.value.empty()) entry.value = each.value;
@@ -136,20 +137,15 @@ ReferenceEntry referenceAt(std::string_view text, std::size_t byte, const CodeCo
     ReferenceEntry entry = referenceOf(word, at.language, context);
     if (at.language == CodeLanguage::glib || word.empty()) return entry;
     const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);
-    const auto line =
-        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(range.begin), '\n');
     const auto firstLine =
         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at.part.begin), '\n');
-    // The last declaration up to the line; without one the first after it.
-    std::vector<DeclaredName> all = declaredNames(part);
-    std::erase_if(all, [&](const DeclaredName& each) { return each.name != word; });
-    if (all.empty()) return entry;
-    const DeclaredName* declared = &all.front();
-    for (const DeclaredName& each : all)
-        if (each.line + firstLine <= line) declared = &each;
+    const ShaderNames names = namesOfShader(part);
+    const NameUse* use = names.useAt(range.begin - at.part.begin);
+    if (use == nullptr || use->target == kNoName) return entry;
+    const DeclaredName& declared = names.names[use->target];
     entry.word = word;
-    entry.code = {declared->declaration};
-    entry.text = fmt::format("declared in line {}", declared->line + firstLine);
+    entry.code = {declared.declaration};
+    entry.text = fmt::format("declared in line {}", declared.line + firstLine);
     entry.chapter.clear();
     return entry;
 }

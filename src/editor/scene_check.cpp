@@ -21,6 +21,7 @@
 #include "base/contained_call.h"
 #include "base/text.h"
 #include "editor/declared_names.h"
+#include "editor/front_end.h"
 #include "glib/limits.h"
 #include "glsl/emit/log.h"
 #include "glsl/read/token.h"
@@ -131,8 +132,8 @@ std::vector<plan::ProgramVariant> variantsOf(const scene::Scene& scene) {
 }
 
 /// Translates the programs as for a driver that can do all that GLSL 4.50 and its extensions have.
-void translateAll(const scene::Scene& scene, const RenderOptions& options, render::Stats& stats,
-                  SceneCheck& check) {
+void translateAll(const scene::Scene& scene, const RenderOptions& options, bool asksFrontEnd,
+                  render::Stats& stats, SceneCheck& check) {
     render::ProgramSources sources(scene, options, stats);
     for (const plan::ProgramVariant& each : variantsOf(scene)) {
         const scene::Program& program = scene.programs[each.program];
@@ -146,6 +147,11 @@ void translateAll(const scene::Scene& scene, const RenderOptions& options, rende
             const glsl::TranslatedProgram translated = glsl::translate(request);
             append(found, translated.diagnostics);
             append(found, errorDirectivesOf(translated));
+            for (const glsl::TranslatedStage& one : translated.stages)
+                if (const std::string log =
+                        asksFrontEnd && !hasError(found) ? frontEndLog(one.stage, one.source) : "";
+                    !log.empty())
+                    append(found, glsl::explainCompileLog(translated, one, log));
         }
         sources.hideTexts(each.program, found);
         append(check.diagnostics, std::move(found));
@@ -278,7 +284,8 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
 
 namespace {
 
-SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions& options) {
+SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions& options,
+                         bool asksFrontEnd) {
     SceneCheck check;
     const auto text = options.texts.find(scene);
     if (text != options.texts.end() && text->second.size() > glib::kLargestFile) {
@@ -302,7 +309,7 @@ SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions
             append(check.diagnostics, each.remarks);
         for (const scene::Buffer& each : interpreted->scene.buffers)
             append(check.diagnostics, each.values.takeProblems());
-        translateAll(interpreted->scene, options, stats, check);
+        translateAll(interpreted->scene, options, asksFrontEnd, stats, check);
     }
     removeEqual(check.diagnostics);
     render::applyStrict(check.diagnostics, options.strict);
@@ -320,38 +327,31 @@ std::optional<Diagnostics> askDriver(const std::filesystem::path& scene, const R
 
 /// A scene with the shader in its simplest program.
 std::string sceneAround(const std::filesystem::path& shader, glsl::Stage stage) {
-    const std::string version = "#version 410\n";
-    const std::string vertex =
-        "Vertex inline\n" + version + "void main() { gl_Position = vec4(0.); }\nEndVertex\n";
-    const std::string fragment =
-        "Fragment inline\n" + version + "out vec4 fColor;\nvoid main() { fColor = vec4(1.); }\nEndFragment\n";
-    const std::string evaluation =
-        "TessEvaluation inline\n" + version +
-        "layout(triangles) in;\nvoid main() { gl_Position = vec4(0.); }\nEndTessEvaluation\n";
-    const auto own = [&](const char* word) {
-        return fmt::format("{} \"{}\"\n", word, shader.filename().generic_string());
-    };
-    const std::string end = "Let glibra_alone 1\nProgram Alone\n";  // a modern scene, which has buffers
-    switch (stage) {
-        case glsl::Stage::vertex:
-            return own("Vertex") + fragment + end;
-        case glsl::Stage::tessControl:
-            return vertex + own("TessControl") + evaluation + fragment + end;
-        case glsl::Stage::tessEvaluation:
-            return vertex + own("TessEvaluation") + fragment + end;
-        case glsl::Stage::geometry:
-            return vertex + own("Geometry") + fragment + end;
-        case glsl::Stage::compute:
-            return own("Compute") + end;
-        case glsl::Stage::fragment:
-            break;
+    using glsl::Stage;
+    static constexpr std::pair<Stage, std::string_view> kWords[] = {{Stage::vertex, "Vertex"},
+                                                                    {Stage::tessControl, "TessControl"},
+                                                                    {Stage::tessEvaluation, "TessEvaluation"},
+                                                                    {Stage::geometry, "Geometry"},
+                                                                    {Stage::fragment, "Fragment"},
+                                                                    {Stage::compute, "Compute"}};
+    std::string scene;
+    for (const auto& [each, word] : kWords) {
+        const bool isNeeded = stage != Stage::compute && stage != Stage::fragment &&
+                              (each == Stage::vertex || each == Stage::fragment ||
+                               (each == Stage::tessEvaluation && stage == Stage::tessControl));
+        if (each == stage)
+            scene += fmt::format("{} \"{}\"\n", word, shader.filename().generic_string());
+        else if (isNeeded)
+            scene += fmt::format("{0} inline\n{1}End{0}\n", word, simplestShader(each));
     }
-    return own("Fragment") + end;
+    return scene + "Let glibra_alone 1\nProgram Alone\n";  // a modern scene, which has buffers
 }
 
-/// Checks a scene, or a shader that has none. Delivers what is known without a driver, then, if a driver is
-/// asked and there is one, all.
-void checkFile(const std::filesystem::path& file, const RenderOptions& options, bool asksDriver,
+enum class Asked { nobody, frontEnd, driver };
+
+/// Checks a scene, or a shader that has none. Delivers what is known at once, then, if somebody is asked,
+/// all: without a driver, what the front end says.
+void checkFile(const std::filesystem::path& file, const RenderOptions& options, Asked asked,
                const std::function<void(const SceneCheck&)>& deliver) {
     const std::optional<glsl::Stage> stage = stageOfFile(file);
     std::filesystem::path scene = file;
@@ -360,33 +360,68 @@ void checkFile(const std::filesystem::path& file, const RenderOptions& options, 
         scene += ".glib";
         with.texts[scene] = sceneAround(file, *stage);
     }
-    SceneCheck check = withoutDriver(scene, with);
-    if (stage) {
+    SceneCheck check;
+    const auto checkText = [&](bool asksFrontEnd) {
+        check = withoutDriver(scene, with, asksFrontEnd);
+        if (!stage) return;
         check.names = {};
         std::erase(check.files, scene);
         if (!check.uses(file)) check.files.push_back(file);
-    }
+    };
     const auto deliverOwn = [&] {
         if (stage)
             std::erase_if(check.diagnostics, [&](const Diagnostic& each) {
-                return each.severity != Severity::error || each.place.file == scene ||
-                       !check.uses(each.place.file);
+                // Its own program feeds none of its inputs, and sets none of its uniforms.
+                const bool isOfProgram = each.severity != Severity::error &&
+                                         (each.id == "glsl-W11" || !each.id.starts_with("glsl-"));
+                return isOfProgram || each.place.file == scene || !check.uses(each.place.file);
             });
         deliver(check);
     };
+    checkText(false);
     deliverOwn();
-    if (!asksDriver) return;
-    std::optional<Diagnostics> found = askDriver(scene, with);
-    if (!found) return;
-    check.diagnostics = *std::move(found);
+    if (asked == Asked::nobody) return;
+    std::optional<Diagnostics> found;
+    if (asked == Asked::driver) found = askDriver(scene, with);
+    if (found)
+        check.diagnostics = *std::move(found);
+    else
+        checkText(true);
     deliverOwn();
 }
 
 }  // namespace
 
-SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& options) {
+std::string simplestShader(glsl::Stage stage) {
+    switch (stage) {
+        case glsl::Stage::vertex:
+            return "#version 410\n\nvoid main() {\n"
+                   "    gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n";
+        case glsl::Stage::tessControl:
+            return "#version 410\nlayout(vertices = 3) out;\n\nvoid main() {\n"
+                   "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+                   "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = 4.;\n"
+                   "    gl_TessLevelInner[0] = 4.;\n}\n";
+        case glsl::Stage::tessEvaluation:
+            return "#version 410\nlayout(triangles) in;\n\nvoid main() {\n"
+                   "    gl_Position = gl_TessCoord.x * gl_in[0].gl_Position + gl_TessCoord.y * "
+                   "gl_in[1].gl_Position +\n                  gl_TessCoord.z * gl_in[2].gl_Position;\n}\n";
+        case glsl::Stage::geometry:
+            return "#version 410\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\n\n"
+                   "void main() {\n    for (int i = 0; i < 3; ++i) {\n"
+                   "        gl_Position = gl_in[i].gl_Position;\n        EmitVertex();\n    }\n}\n";
+        case glsl::Stage::compute:
+            return "#version 430\nlayout(local_size_x = 64) in;\n\nvoid main() {\n}\n";
+        case glsl::Stage::fragment:
+            break;
+    }
+    return "#version 410\nout vec4 fColor;\n\nvoid main() {\n    fColor = vec4(1.);\n}\n";
+}
+
+SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& options, bool asksFrontEnd) {
     SceneCheck found;
-    checkFile(file, options, false, [&](const SceneCheck& check) { found = check; });
+    checkFile(file, options, asksFrontEnd ? Asked::frontEnd : Asked::nobody,
+              [&](const SceneCheck& check) { found = check; });
     return found;
 }
 
@@ -403,7 +438,7 @@ ContainedCheck checkContained(const std::filesystem::path& file, const RenderOpt
     const std::size_t half = bytes.size() / 2;
     const base::CallEnd end = base::runContained({.seconds = kSeconds}, [&] {
         std::byte* to = bytes.data();
-        checkFile(file, options, true, [&](const SceneCheck& check) {
+        checkFile(file, options, Asked::driver, [&](const SceneCheck& check) {
             const std::string answer = toJson(check).dump(-1, ' ', false, json::error_handler_t::replace);
             const std::size_t length = answer.size();
             if (length + sizeof length <= half) {

@@ -41,6 +41,9 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
                      const std::filesystem::path& file,
                      const std::function<std::string(const std::filesystem::path&)>& textOf);
 
+/// The text of a shader of the stage that does as little as possible, and is right in a program of its own.
+std::string simplestShader(glsl::Stage stage);
+
 struct SceneCheck {
     Diagnostics diagnostics;
     std::vector<std::filesystem::path> files;  ///< shaders, what they include, and included scenes
@@ -53,13 +56,14 @@ struct SceneCheck {
 
 /// Checks a scene without a graphics driver: its text, its files and the translation of its shaders. A file
 /// with the suffix of a shader is checked in a program with the simplest stages that it needs: the errors in
-/// its own text and in what it includes. RenderOptions::texts has the texts that are not saved. Does not
-/// throw.
-SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& options);
+/// its own text and in what it includes. RenderOptions::texts has the texts that are not saved.
+/// `asksFrontEnd`: with what glslang's front end says of the shaders, where it is installed. Does not throw.
+SceneCheck checkScene(const std::filesystem::path& file, const RenderOptions& options,
+                      bool asksFrontEnd = false);
 
-/// The same in a process of its own, which asks a graphics driver, too, if there is one. A text
-/// that takes too long, or all memory, affects nothing else: what is known without the driver counts. Without
-/// that there are no diagnostics, and `failure` says why.
+/// The same in a process of its own, which asks a graphics driver, too, or the front end where there is none.
+/// A text that takes too long, or all memory, affects nothing else: what is known without the driver counts.
+/// Without that there are no diagnostics, and `failure` says why.
 struct ContainedCheck {
     SceneCheck check;
     std::string failure;

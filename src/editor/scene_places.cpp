@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
+#include "base/text.h"
 #include "glib/number.h"
 #include "glib/parse/arguments.h"
 #include "glib/parse/statement.h"
@@ -54,15 +56,9 @@ bool statesColor(const glib::Statement& statement) {
     return id == CommandId::color || id == CommandId::background || id == CommandId::glColor;
 }
 
-/// True for statements whose quoted or last words are names of files.
 bool namesFiles(const glib::Statement& statement) {
-    if (statement.modern)
-        return hasNode(*statement.modern,
-                       [](const glib::SyntaxNode& each) { return each.type == glib::ValueType::file; });
-    if (!statement.row) return false;
-    const glib::ArgumentForm form = formOf(*statement.row);
-    return form == glib::ArgumentForm::file || form == glib::ArgumentForm::texture ||
-           form == glib::ArgumentForm::cubeMap;
+    const glib::StatementRow* row = statement.modern ? statement.modern : statement.row;
+    return row && takesFile(*row);
 }
 
 }  // namespace
@@ -89,6 +85,47 @@ std::vector<Declaration> declarationsOf(std::string_view scene) {
                          {statement.word.begin, std::max(statement.end, name->end)},
                          {name->begin, name->end},
                          isBlock});
+    }
+    return found;
+}
+
+std::vector<SceneWord> namesIn(std::string_view scene) {
+    std::vector<SceneWord> found;
+    std::set<std::size_t> declared;
+    for (const Declaration& each : declarationsOf(scene)) declared.insert(each.place.begin);
+    for (const glib::Statement& statement : glib::statementsOf(scene)) {
+        const glib::StatementRow* row = statement.modern ? statement.modern : statement.row;
+        if (!row || statement.body.data() != nullptr) continue;
+        const bool isProgram = glib::sameWord(row->name, "Program");
+        const std::vector<std::string>& keys = glib::syntaxOf(*row).keys;
+        std::string program;
+        int depth = 0;
+        bool isValue = false;  // what follows a tag
+        for (std::size_t i = 0; i < statement.arguments.size(); ++i) {
+            const Token& token = statement.arguments[i];
+            if (token.kind == TokenKind::open) ++depth;
+            if (token.kind == TokenKind::close) --depth;
+            const bool isWord = token.kind == TokenKind::word;
+            const bool isName = isProgram && i == 0 && token.isWord();
+            const bool isTag = isProgram && isWord && depth == 0 && i > 0 && !isValue;
+            if (isName) program = token.text;
+            isValue = isTag || (isValue && depth > 0);
+            const bool isFile = isWord && namesFiles(statement) && token.text.find('.') != token.text.npos;
+            const bool isKey =
+                isWord && depth == 0 && !isTag && !declared.contains(token.begin) &&
+                std::ranges::any_of(keys, [&](const auto& each) { return glib::sameWord(each, token.text); });
+            if (isFile || isKey || (token.kind != TokenKind::expression && !isWord)) continue;
+            for (std::size_t at = token.begin; at < token.end; ++at) {
+                if (!base::isOfName(scene[at])) continue;
+                const TextRange place = wordAt(scene, at);
+                at = place.end;
+                const bool isMember = place.begin > token.begin && scene[place.begin - 1] == '.';
+                if (isMember || base::isDigit(scene[place.begin])) continue;
+                found.push_back({std::string(scene.substr(place.begin, place.end - place.begin)), place,
+                                 declared.contains(place.begin), isTag && place.begin == token.begin,
+                                 isTag ? program : std::string()});
+            }
+        }
     }
     return found;
 }
@@ -135,6 +172,13 @@ std::string colorText(const std::array<double, 4>& components, std::string_view 
         text += (i == 0 ? "" : " ") + number;
     }
     return written.starts_with('{') ? "{" + text + "}" : text;
+}
+
+bool takesFile(const glib::StatementRow& row) {
+    const glib::ArgumentForm form = formOf(row);
+    return form == glib::ArgumentForm::file || form == glib::ArgumentForm::texture ||
+           form == glib::ArgumentForm::cubeMap ||
+           hasNode(row, [](const glib::SyntaxNode& each) { return each.type == glib::ValueType::file; });
 }
 
 std::vector<NamedFile> filesIn(std::string_view scene) {

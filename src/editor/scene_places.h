@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "editor/text_range.h"
+#include "glib/statement_table.h"
 
 namespace glibra::editor {
 
@@ -21,6 +22,17 @@ struct Declaration {
 };
 std::vector<Declaration> declarationsOf(std::string_view scene);
 
+/// A name in the statements of a scene: of a variable, program, texture, group or uniform.
+struct SceneWord {
+    std::string name;
+    TextRange place;
+    bool isDeclaration = false;
+    bool isTag = false;   ///< a uniform that a Program statement sets
+    std::string program;  ///< of a tag
+};
+/// All words that may be names, in the order of the text. Keys, files and texts in quotes are none.
+std::vector<SceneWord> namesIn(std::string_view scene);
+
 /// Three or four components that are written as plain numbers.
 struct WrittenColor {
     TextRange place;  ///< with its braces, if it has them
@@ -31,6 +43,9 @@ std::vector<WrittenColor> colorsOf(std::string_view scene);
 /// A colour as a scene writes it in place of `written`: "{.5 .25 0}", ".5 .25 0". Alpha is left out if it is
 /// 1 and `written` has three components.
 std::string colorText(const std::array<double, 4>& components, std::string_view written);
+
+/// True for a statement whose quoted or last words are names of files.
+bool takesFile(const glib::StatementRow& row);
 
 /// A word of a scene that names a file: an argument of Vertex, Texture, Obj, Include and so on.
 struct NamedFile {

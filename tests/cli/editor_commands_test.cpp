@@ -114,6 +114,54 @@ sys.exit(process.wait())
     EXPECT_EQ(converse(folder, "send('exit')\nsys.exit(process.wait())\n").status, 1);
 }
 
+TEST(LanguageServerCommand, AnswersWhileASceneIsChecked) {
+    const Folder folder;
+    folder.write("a.vert", kVertexShader);
+    folder.write("a.glib", "Vertex a.vert\nFragment a.frag\nProgram A uTint {1 0 0 1}\nBox\n");
+    folder.write("a.frag",
+                 "#version 330\nuniform vec4 uTint;\nout vec4 c;\nvoid main() {\n    c = uTint.;\n}\n");
+    const Finished session = converse(folder, R"(
+import os
+base = 'file://' + os.path.realpath('.')
+shader = base + '/a.frag'
+def ask(method, params, id):
+    send(method, params, id)
+    told = []
+    while True:
+        message = receive()
+        if message.get('id') == id: return message.get('result', message), told
+        told.append(message)
+def at(line, character, **more): return {'textDocument': {'uri': shader}, 'position': {'line': line, 'character': character}, **more}
+ask('initialize', {'capabilities': {}}, 1)
+for name, language in (('a.glib', 'glib'), ('a.frag', 'glsl')):
+    send('textDocument/didOpen', {'textDocument': {'uri': base + '/' + name, 'languageId': language, 'version': 1, 'text': open(name).read()}})
+# Before the driver has said anything.
+items, told = ask('textDocument/completion', at(4, 14), 2)
+assert [each['label'] for each in items['items']][:2] == ['xyzw', 'xyz'], items
+wrong = []
+while not wrong:
+    message = receive()
+    if message['method'] == 'textDocument/publishDiagnostics' and message['params']['uri'] == shader: wrong = message['params']['diagnostics']
+assert wrong[0]['code'] == 'glsl-E01' and wrong[0]['range']['start']['line'] == 4, wrong
+send('textDocument/didChange', {'textDocument': {'uri': shader, 'version': 2}, 'contentChanges': [{'range': {'start': {'line': 4, 'character': 13}, 'end': {'line': 4, 'character': 14}}, 'text': ''}]})
+edit, told = ask('textDocument/rename', at(1, 14, newName='uColor'), 3)
+assert len(edit['changes']) == 2, edit
+right = None
+while right is None:
+    message = told.pop(0) if told else receive()
+    if message.get('method') == 'textDocument/publishDiagnostics' and message['params']['uri'] == shader: right = message['params']['diagnostics']
+assert right == [], right
+# Places and documents that do not exist.
+assert ask('textDocument/completion', at(2 ** 40, -7), 4)[0]['items'] is not None
+assert 'error' in ask('textDocument/rename', {'textDocument': {'uri': 'file:///none'}, 'newName': 7}, 5)[0]
+# The client goes while a scene is checked.
+send('textDocument/didChange', {'textDocument': {'uri': shader, 'version': 3}, 'contentChanges': [{'text': open('a.frag').read()}]})
+process.stdin.close()
+sys.exit(process.wait(5))
+)");
+    EXPECT_EQ(session.status, 1) << session.err;
+}
+
 TEST(LanguageServerCommand, SaysWhyItEndsAfterAnAbsurdLength) {
     const Folder folder;
     const Finished ended =

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <fstream>
 #include <string>
 
 #include "editor/declared_names.h"
@@ -157,7 +160,7 @@ TEST(DeclaredNames, ReadsIncompleteCode) {
         "uniform Block { mat4 m; } inst;\nvoid main( { vec3 n = vec3(1., 2., 3.), k; for (int i = 0");
     std::string all;
     for (const editor::DeclaredName& each : names) all += each.type + " " + each.name + "; ";
-    EXPECT_EQ(all, "block Block; mat4 m; void main; vec3 n; vec3 k; int i; ");
+    EXPECT_EQ(all, "block Block; mat4 m; Block inst; void main; vec3 n; vec3 k; int i; ");
 }
 
 TEST(DeclaredNames, KnowsWhatIsAnInterface) {
@@ -223,6 +226,79 @@ TEST(NameNear, IsTheWordAtTheCursorOrTheLastNameBeforeItInTheLine) {
     EXPECT_EQ(near("a;\n  |b"), "b");
     EXPECT_EQ(near("a;\n |"), "") << "the line above is not looked at";
     EXPECT_EQ(near("|"), "");
+}
+
+TEST(Completion, ProposesMembersAndSwizzlesAfterAPoint) {
+    const std::string shader =
+        "#version 330\nstruct Light { vec3 color; float power; };\nuniform Light uSun;\nin vec2 vPlace;\n"
+        "void main() {\n    vec3 n = vec3(1.);\n    ";
+    const auto labels = [&](const std::string& rest) {
+        std::string all;
+        for (const Completion& each : at(shader + rest)) all += each.word + " ";
+        return all;
+    };
+    EXPECT_EQ(labels("uSun.|\n    n = n;\n}\n"), "color power ");
+    EXPECT_EQ(labels("max(vPlace.|, 1.);\n}\n"), "xy x y rg r g st s t ");
+    EXPECT_EQ(labels("n.xy|"), "xyz xy ") << "in the order of use";
+    EXPECT_EQ(labels("uSun.color.r|;"), "rgb rg r ");
+    EXPECT_EQ(labels("gl_in[0].gl_Po|"), "gl_Position gl_PointSize ");
+    EXPECT_EQ(labels("1.|"), "");
+    EXPECT_EQ(labels("noSuch.|"), "");
+}
+
+TEST(Completion, ShowsTheNamesOfTheScopeAlone) {
+    const std::string shader =
+        "#version 330\nfloat f(float first) { float inner = 1.; return inner; }\nvoid main() { float outer = "
+        "1.; ";
+    EXPECT_FALSE(find(at(shader + "x = inn|"), "inner"));
+    EXPECT_FALSE(find(at(shader + "x = fir|"), "first"));
+    EXPECT_TRUE(find(at(shader + "x = out|"), "outer"));
+    EXPECT_TRUE(find(at(shader + "for (int count = 0; cou|"), "count"));
+    EXPECT_TRUE(at(shader + "float ou|").empty()) << "a new name";
+    EXPECT_TRUE(at("#version 330\nuniform vec3 |").empty());
+    EXPECT_TRUE(find(at("#version 330\nuniform v|"), "vec3"));
+    EXPECT_FALSE(find(at("#version 330\nuniform mi|"), "mix")) << "a type is wanted";
+}
+
+TEST(Completion, KnowsTheLinesOfThePreprocessor) {
+    EXPECT_TRUE(find(at("#ver|"), "version"));
+    EXPECT_EQ(at("#version |").front().word, "330");
+    EXPECT_TRUE(find(at("#version 3|"), "300 es"));
+    EXPECT_TRUE(find(at("#version 330 |"), "core"));
+    EXPECT_TRUE(find(at("#define FAST\n#ifdef FA|"), "FAST"));
+    EXPECT_FALSE(find(at("float FASTER;\n#ifdef FA|"), "FASTER")) << "no macro";
+}
+
+TEST(Completion, ProposesFilesBesideTheScene) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / ("glibra-files-" + std::to_string(::getpid()));
+    fs::create_directories(folder / "sub");
+    for (const char* each :
+         {"lit.vert", "lit.frag", "shade.glsl", "glow.png", "b.glib", "sub/deep.frag", ".lit.vert"})
+        std::ofstream(folder / each) << "x";
+    CodeContext context = scene();
+    context.folders = {folder};
+    const auto labels = [&](const std::string& text) {
+        std::string all;
+        for (const Completion& each : at(text, context)) all += each.word + " ";
+        return all;
+    };
+    EXPECT_EQ(labels("Vertex |"), "lit.vert shade.glsl sub/ inline ");
+    EXPECT_EQ(labels("Fragment lit.f|"), "lit.frag ");
+    EXPECT_EQ(at("Fragment lit.f|", context).front().begin, 9U);
+    EXPECT_EQ(labels("Fragment \"sub/|"), "sub/deep.frag ");
+    EXPECT_EQ(labels("Obj gl|"), "glow.png ");
+    EXPECT_EQ(labels("Include b|"), "b.glib ");
+    EXPECT_TRUE(labels("Texture2D wide g|").starts_with("glow.png "));
+    EXPECT_TRUE(labels("Texture2D wide 64 64 rgba8|").starts_with("rgba8"));
+    EXPECT_EQ(labels("Texture2D wide 64 64 glo|"), "") << "after a size stands a format";
+    EXPECT_TRUE(labels("Texture2D wide 64 64 rgba8 levels 3 ne|").starts_with("nearest "));
+    EXPECT_EQ(labels("Texture2D 5 gl|"), "glow.png ") << "after a unit stands a file";
+    CodeContext shader;
+    shader.folders = {folder};
+    EXPECT_EQ(at("#include \"sh|", shader).front().word, "shade.glsl");
+    EXPECT_TRUE(at("#include \"../../../../../../../../proc/|", shader).size() <= 200U);
+    fs::remove_all(folder);
 }
 
 }  // namespace

@@ -52,6 +52,10 @@ constexpr std::array kStageWords = std::to_array<StageWord>({
 constexpr std::array<std::string_view, kStageCount> kStageNames{
     "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
 
+std::string_view nameOf(Stage stage) {
+    return kStageNames.at(static_cast<std::size_t>(stage));
+}
+
 /// The place of the word in the text; npos if it is not there.
 std::size_t findWord(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
@@ -79,7 +83,6 @@ std::optional<OtherStage> findOtherStage(const TranslatedStage& stage) {
     const std::string_view before = source.substr(0, at);
     const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
     const std::size_t start = before.rfind('\n') + 1;
-    const auto nameOf = [](Stage of) { return kStageNames.at(static_cast<std::size_t>(of)); };
     return OtherStage{
         fmt::format("'{}' belongs to a {} stage, but this is a {} stage; if the whole text is one, "
                     "write '{}' before it",
@@ -346,6 +349,15 @@ Diagnostics explainLinkLog(const TranslatedProgram& program, std::string_view lo
         std::string_view text = line ? std::string_view(line->text) : each;
         const bool isWarning = stripSeverity(text);
         const std::string told = inUserNames(program, text);
+        const auto lacking = std::ranges::find_if(program.stages, [&](const TranslatedStage& one) {
+            return told.starts_with(fmt::format("{} shader lacks `main'", nameOf(one.stage)));
+        });
+        if (lacking != program.stages.end()) {
+            result.push_back(diagnose(
+                "glsl-E02", fmt::format("the {} shader has no function 'main'", nameOf(lacking->stage)),
+                {lacking->path, lacking->firstLine, 1}));
+            continue;
+        }
         const std::string whole = told + places(told);
         if (!isWarning) result.push_back(diagnose("glsl-E02", whole, programPlace));
     }

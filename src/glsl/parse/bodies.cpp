@@ -35,6 +35,7 @@ class BodyParser {
           names_(view, bodies) {
         bodies_.roles.assign(view.size(), WordRole::none);
         bodies_.nodeOf.assign(view.size(), kNone);
+        bodies_.meanings.assign(view.size(), kNone);
         bodies_.nodes.reserve(view.size());
     }
 
@@ -89,7 +90,13 @@ class BodyParser {
             else if (isType(view_[i]) && !names_.isKnown(view_[i].text))
                 role = WordRole::other;
             bodies_.roles[i] = role;
+            if (role != WordRole::member) bodies_.meanings[i] = names_.meaningOf(view_[i].text);
         }
+    }
+    void markType(const TypeUse& type) {
+        if (type.isStruct || type.tokens.empty()) return;
+        bodies_.meanings[type.tokens.first] = names_.meaningOf(type.name);
+        markSizes(type.dimensions);
     }
     void markSizes(const std::vector<Range>& dimensions) {
         for (const Range& each : dimensions) markUses(each);
@@ -98,10 +105,12 @@ class BodyParser {
     void fileScope(Declaration& declaration) {
         markOther(declaration.tokens);
         for (const LayoutItem& item : declaration.qualifiers.layout) markUses(item.value);
-        markSizes(declaration.type.dimensions);
+        markType(declaration.type);
         if (declaration.kind == DeclarationKind::requalify) {
-            for (const Declarator& each : declaration.declarators)
+            for (const Declarator& each : declaration.declarators) {
                 bodies_.roles[each.name] = WordRole::global;
+                bodies_.meanings[each.name] = names_.meaningOf(text(each.name));
+            }
             return;
         }
         if (declaration.kind == DeclarationKind::function || declaration.kind == DeclarationKind::prototype)
@@ -111,7 +120,7 @@ class BodyParser {
         for (Declarator& each : declaration.declarators) {
             markSizes(each.dimensions);
             if (!each.initializer.empty()) each.value = expression(each.initializer);
-            names_.declareGlobal(view_[each.name].text, declaration, type, each.dimensions.size());
+            names_.declareGlobal(each.name, declaration, type, each.dimensions.size());
         }
         if (declaration.kind == DeclarationKind::block) names_.declareBlockMembers(declaration);
     }
@@ -120,7 +129,7 @@ class BodyParser {
     void structure(const Declaration& declaration) {
         names_.addStructure(declaration);
         for (const Declaration& member : declaration.members) {
-            markSizes(member.type.dimensions);
+            markType(member.type);
             for (const Declarator& each : member.declarators) {
                 markSizes(each.dimensions);
                 bodies_.memberNames.emplace(view_[each.name].text, each.name);
@@ -133,12 +142,12 @@ class BodyParser {
         names_.addFunction(declaration);
         names_.push(kNone);
         for (const Parameter& parameter : declaration.parameters) {
-            markSizes(parameter.type.dimensions);
+            markType(parameter.type);
             markSizes(parameter.dimensions);
             if (parameter.name == kNone) continue;
             const Type type = arrayOf(names_.typeOf(parameter.type), parameter.dimensions.size());
             bodies_.locals.push_back({parameter.name, type, parameter.type.name, true, kNone, {}});
-            names_.declareLocal(parameter.name, type);
+            names_.declareLocal();
         }
         returns_ = names_.typeOf(declaration.type);
         const Range body = declaration.body;
@@ -149,7 +158,7 @@ class BodyParser {
             while (!open_.empty()) abandon(body.end);
             declaration.code = root_;
         }
-        names_.popAll();
+        names_.popAll(declaration.tokens.end);
     }
 
     // ---- Statements. Each function gets the index to begin at and gives the one to go on at.
@@ -209,7 +218,7 @@ class BodyParser {
     /// The index after the ';' at `at`, if there is one.
     std::uint32_t pastEnd(std::uint32_t at) {
         if (text(at) != ";") return at;
-        names_.popStatement();
+        names_.popStatement(at);
         return at + 1;
     }
 
@@ -235,7 +244,7 @@ class BodyParser {
             const std::uint32_t node = declaration(at, end);
             const std::uint32_t next = bodies_.nodes[node].end;
             // The ';' also ends the body of a `for` without braces.
-            if (next > at && text(next - 1) == ";") names_.popStatement();
+            if (next > at && text(next - 1) == ";") names_.popStatement(next - 1);
             return finish(node, std::max(next, at + 1), end);
         }
         const std::uint32_t stop = statementEnd(at, end);
@@ -262,10 +271,10 @@ class BodyParser {
         return end;
     }
 
-    /// True for `for (...)`, `if (...)` and their kin.
+    /// True for `for (...)`, `if (...)` and their kin, also where the text ends before the ')'.
     [[nodiscard]] bool isHead(std::uint32_t at, std::uint32_t end) const {
         return at < end && isKeyword(at) && headKind(text(at)) != NodeKind::unknown && text(at + 1) == "(" &&
-               matches_[at + 1] < end;
+               (matches_[at + 1] < end || matches_[at + 1] == view_.size());
     }
     static NodeKind headKind(std::string_view word) {
         return word == "if"       ? NodeKind::branch
@@ -338,7 +347,7 @@ class BodyParser {
         std::uint32_t parent = node;
         if (!isFor && parts.size() > 1) append(node, parent = make(NodeKind::sequence, {at + 2, close}, at));
         for (const std::uint32_t each : parts) append(parent, each);
-        return close + 1;
+        return std::min(close + 1, static_cast<std::uint32_t>(view_.size()));
     }
 
     /// True for `type name`, `const type name` and `struct ...`: an expression cannot begin with two words.
@@ -360,7 +369,7 @@ class BodyParser {
             structure(parsed);
             if (parsed.name != kNone) bodies_.localNames.emplace(text(parsed.name), parsed.name);
         }
-        markSizes(parsed.type.dimensions);
+        markType(parsed.type);
         const Type type = names_.typeOf(parsed.type);
         for (Declarator& each : parsed.declarators) {
             markSizes(each.dimensions);
@@ -372,7 +381,7 @@ class BodyParser {
             bodies_.locals.push_back({each.name, shaped, parsed.type.name, false,
                                       constant ? parsed.qualifiers.storageToken : kNone, each.initializer,
                                       each.value});
-            names_.declareLocal(each.name, shaped);
+            names_.declareLocal();
         }
         return node;
     }
@@ -531,7 +540,7 @@ class BodyParser {
             } else if (peek() == "." && at_ + 1 < end_) {
                 const std::string_view member = peek(1);
                 at_ += 2;
-                const Type own = names_.memberType(type, member);
+                const Type own = names_.memberType(type, op + 1);
                 if (type.scalar() && own.known())
                     bodies_.scalarSwizzles.push_back({{first, op}, op + 1, type});
                 if (peek() == "(") {
@@ -643,6 +652,7 @@ class BodyParser {
             type = callType(function, result.types);
         bodies_.nodes[node].end = at_;
         bodies_.nodes[node].type = type;
+        result.function = names_.overloadOf(function, result.types);
         if (!isType(view_[name])) bodies_.calls.push_back(std::move(result));
         return node;
     }

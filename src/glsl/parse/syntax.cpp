@@ -281,8 +281,12 @@ class Parser {
 
     void function(Declaration& declaration) {
         declaration.name = at_++;
-        const std::uint32_t end = close(at_);
-        declaration.parameterTokens = {at_, std::min(end + 1, end_)};
+        std::uint32_t end = close(at_);
+        // Where the ')' is missing, the body ends the parameters.
+        for (std::uint32_t i = at_; i < end; ++i)
+            if (view_[i].text == "{") end = i;
+        const bool isClosed = end < end_ && view_[end].text != "{";
+        declaration.parameterTokens = {at_, isClosed ? end + 1 : end};
         ++at_;
         while (at_ < end) {
             const std::uint32_t outer = std::exchange(end_, end);

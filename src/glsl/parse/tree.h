@@ -71,7 +71,8 @@ struct LocalVariable {
     bool isParameter = false;
     std::uint32_t constToken = kNone;  ///< the `const` of its declaration, or kNone
     Range initializer;
-    std::uint32_t value = kNone;  ///< the node of the initialiser
+    std::uint32_t value = kNone;     ///< the node of the initialiser
+    std::uint32_t scopeEnd = kNone;  ///< the token before which its scope ends; kNone: that of the file
 };
 
 /// A call of a function, not of a constructor, and the types of its arguments.
@@ -79,6 +80,7 @@ struct Call {
     std::uint32_t name = 0;
     std::vector<Range> arguments;
     std::vector<Type> types;
+    std::uint32_t function = kNone;  ///< the name in the declaration of the overload that is called
 };
 
 /// A `return expression;` in a function that returns `wanted`.
@@ -159,7 +161,12 @@ struct Bodies {
     std::vector<std::uint32_t> nodeOf;     ///< by view index: the node of a name in an expression, or kNone
     std::deque<Declaration> declarations;  ///< of local variables
 
-    std::vector<WordRole> roles;         ///< by view index
+    std::vector<WordRole> roles;  ///< by view index
+    /// By view index: the first declaration of the stage that a name means, which of functions is that of all
+    /// of its overloads; its own index in its declaration. kNone if there is none.
+    std::vector<std::uint32_t> meanings;
+    /// Of the structures and blocks, by Type::structure: the view indices of their members.
+    std::vector<std::vector<std::uint32_t>> structures;
     std::vector<std::uint32_t> matches;  ///< of a bracket: the index of its partner; the number of all tokens
                                          ///< if it has none, and for other tokens
     std::vector<LocalVariable> locals;

@@ -21,8 +21,6 @@ using editor::CallHint;
 using editor::CodeContext;
 using editor::Completion;
 using editor::completionsAt;
-using editor::DeclaredName;
-using editor::declaredNames;
 using editor::KnownName;
 using editor::LanguageAt;
 using editor::languageAt;

@@ -50,6 +50,7 @@ void updateWords(CodeAssist& state, const Ui& ui, const EditedFile& file, const 
     const auto cursor = static_cast<std::size_t>(view.cursor);
     state.words = completionsAt(file.text(), cursor, contextOf(ui, file));
     state.typed = wordBefore(file.text(), cursor);
+    if (!state.words.empty()) state.typed.begin = state.words.front().begin;
     state.cursor = view.cursor;
     state.chosen = 0;
     state.hasMoved = false;

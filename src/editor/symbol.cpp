@@ -1,0 +1,188 @@
+#include "editor/symbol.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "editor/declared_names.h"
+#include "editor/scene_places.h"
+
+namespace glibra::editor {
+namespace {
+
+/// A shader: a file, or a part of a scene.
+struct Part {
+    std::size_t source = 0;  ///< the index of its text
+    std::size_t begin = 0;
+    std::string_view text;
+    ShaderNames names;
+
+    [[nodiscard]] std::string_view textOf(const TextRange& place) const {
+        return text.substr(place.begin, place.end - place.begin);
+    }
+    /// The declaration of a global name, or null.
+    [[nodiscard]] const DeclaredName* global(std::string_view name) const {
+        const auto found = std::ranges::find_if(
+            names.names, [&](const DeclaredName& each) { return each.name == name && each.isGlobal(); });
+        return found == names.names.end() ? nullptr : &*found;
+    }
+};
+
+class Search {
+  public:
+    explicit Search(std::span<const SourceText> texts) : texts_(texts) {}
+
+    Symbol at(std::size_t byte) {
+        const SourceText& own = texts_.front();
+        const LanguageAt at = languageAt(own.text, byte, {own.language, std::nullopt, {}});
+        symbol_.language = at.language;
+        if (at.language == CodeLanguage::glib) {
+            for (const SceneWord& each : namesIn(own.text))
+                if (each.place.begin <= byte && byte <= each.place.end) {
+                    symbol_.name = each.name;
+                    symbol_.place = each.place;
+                    if (each.isTag)
+                        findUniform();
+                    else
+                        findSceneName();
+                }
+            return std::move(symbol_);
+        }
+        const Part part = partOf(0, at.part);
+        const NameUse* use = part.names.useAt(byte - std::min(byte, part.begin));
+        if (use == nullptr) return {};
+        symbol_.name = part.textOf(use->place);
+        symbol_.place = {use->place.begin + part.begin, use->place.end + part.begin};
+        const DeclaredName* declared = use->name == kNoName ? nullptr : &part.names.names[use->name];
+        if (use->isMember || (declared != nullptr && !declared->isGlobal())) {
+            for (const NameUse& each : part.names.uses)
+                if (use->name != kNoName && each.name == use->name) add(part, each);
+            if (use->target != kNoName) declare(part, part.names.names[use->target]);
+            return std::move(symbol_);
+        }
+        if (use->target != kNoName) declare(part, part.names.names[use->target]);
+        findGlobal(declared != nullptr && declared->isInterface, declared != nullptr);
+        return std::move(symbol_);
+    }
+
+  private:
+    [[nodiscard]] Part partOf(std::size_t source, const TextRange& range) const {
+        const std::string_view text =
+            std::string_view(texts_[source].text).substr(range.begin, range.end - range.begin);
+        // What does not have the name at all need not be read.
+        const bool isRead = symbol_.name.empty() || text.find(symbol_.name) != std::string_view::npos;
+        return {source, range.begin, text, isRead ? namesOfShader(text) : ShaderNames{}};
+    }
+    void readParts() {
+        for (std::size_t i = 0; i < texts_.size(); ++i)
+            if (texts_[i].language == CodeLanguage::glsl)
+                parts_.push_back(partOf(i, {0, texts_[i].text.size()}));
+            else
+                for (const LanguageAt& each : shadersIn(texts_[i].text))
+                    parts_.push_back(partOf(i, each.part));
+    }
+
+    void add(const Part& part, const NameUse& use) {
+        const auto declared = std::ranges::lower_bound(
+            part.names.names, use.place.begin, {}, [](const DeclaredName& each) { return each.place.begin; });
+        const bool isDeclaration = declared != part.names.names.end() && declared->place == use.place;
+        symbol_.all.push_back({texts_[part.source].file,
+                               {use.place.begin + part.begin, use.place.end + part.begin},
+                               isDeclaration});
+    }
+    void declare(const Part& part, const DeclaredName& name) {
+        symbol_.declaration = {
+            texts_[part.source].file, {name.place.begin + part.begin, name.place.end + part.begin}, true};
+    }
+    /// The uses of the global name in all shaders of the set.
+    void addGlobals(const std::set<std::size_t>& sources) {
+        for (const Part& part : parts_) {
+            if (!sources.contains(part.source)) continue;
+            const DeclaredName* declared = part.global(symbol_.name);
+            if (declared != nullptr && !symbol_.declaration) declare(part, *declared);
+            for (const NameUse& use : part.names.uses) {
+                if (use.isMember || part.textOf(use.place) != symbol_.name) continue;
+                if (use.name == kNoName || part.names.names[use.name].isGlobal()) add(part, use);
+            }
+        }
+    }
+
+    /// The texts that the files of the set include, or that include them, and so on.
+    [[nodiscard]] std::set<std::size_t> along(std::set<std::size_t> sources, bool upward) const {
+        for (std::size_t before = 0; before != sources.size();) {
+            before = sources.size();
+            for (std::size_t i = 0; i < texts_.size(); ++i)
+                for (const std::filesystem::path& each : texts_[i].includes)
+                    for (std::size_t k = 0; k < texts_.size(); ++k) {
+                        if (texts_[k].file != each) continue;
+                        if (upward && sources.contains(k)) sources.insert(i);
+                        if (!upward && sources.contains(i)) sources.insert(k);
+                    }
+        }
+        return sources;
+    }
+    [[nodiscard]] std::set<std::size_t> declaring(const std::set<std::size_t>& sources) const {
+        std::set<std::size_t> found;
+        for (const Part& each : parts_)
+            if (sources.contains(each.source) && each.global(symbol_.name) != nullptr)
+                found.insert(each.source);
+        return found;
+    }
+
+    void findGlobal(bool isInterface, bool isDeclared) {
+        readParts();
+        if (!isDeclared)
+            isInterface = std::ranges::any_of(parts_, [&](const Part& each) {
+                const DeclaredName* name = each.global(symbol_.name);
+                return name != nullptr && name->isInterface;
+            });
+        if (isInterface) return findUniform();
+        std::set<std::size_t> declares{0};
+        if (!isDeclared) declares = declaring(along({0}, false));
+        if (declares.empty()) declares = declaring(along({0}, true));
+        if (declares.empty()) return;
+        std::set<std::size_t> all = along(declares, true);
+        for (const std::size_t each : along(declares, false))
+            if (declaring({each}).empty()) all.insert(each);
+        addGlobals(all);
+    }
+
+    /// A uniform, input or output, in all shaders and scenes.
+    void findUniform() {
+        if (parts_.empty()) readParts();
+        std::set<std::size_t> sources;
+        for (const Part& each : parts_) {
+            const DeclaredName* name = each.global(symbol_.name);
+            if (name == nullptr || name->isInterface) sources.insert(each.source);
+        }
+        addGlobals(sources);
+        for (const SourceText& text : texts_)
+            if (text.language == CodeLanguage::glib)
+                for (const SceneWord& each : namesIn(text.text))
+                    if (each.isTag && each.name == symbol_.name &&
+                        (!text.programs || text.programs->contains(each.program)))
+                        symbol_.all.push_back({text.file, each.place, false});
+    }
+
+    void findSceneName() {
+        for (const SourceText& text : texts_)
+            if (text.language == CodeLanguage::glib)
+                for (const SceneWord& each : namesIn(text.text)) {
+                    if (each.isTag || each.name != symbol_.name) continue;
+                    symbol_.all.push_back({text.file, each.place, each.isDeclaration});
+                    if (each.isDeclaration && !symbol_.declaration) symbol_.declaration = symbol_.all.back();
+                }
+    }
+
+    std::span<const SourceText> texts_;
+    std::vector<Part> parts_;
+    Symbol symbol_;
+};
+
+}  // namespace
+
+Symbol symbolAt(std::span<const SourceText> texts, std::size_t byte) {
+    return Search(texts).at(byte);
+}
+
+}  // namespace glibra::editor
