@@ -214,8 +214,7 @@ class FrameDrawer {
     void submitPatches(const plan::PlannedDraw& planned, const BuiltProgram& built,
                        const Elements& elements) const;
     /// What OpenGL ES draws otherwise than the scene states, as a text; null: nothing.
-    const char* lackOfEs(const base::RasterState& raster, const plan::PlannedDraw& planned,
-                         const BuiltProgram& built) const;
+    const char* lackOfEs(const base::RasterState& raster) const;
     /// The driver fills triangles only, and the draw shows their edges.
     [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.

@@ -126,7 +126,7 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
             diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
                      plan_.drawOf(planned).place));
     }
-    if (const char* lack = capabilities.isEs ? lackOfEs(raster, planned, built) : nullptr;
+    if (const char* lack = capabilities.isEs ? lackOfEs(raster) : nullptr;
         lack != nullptr && lacks_.insert(lack).second)
         diagnostics.push_back(diagnose("draw-W20", fmt::format("{} in a browser (OpenGL ES)", lack),
                                        plan_.drawOf(planned).place));
@@ -153,8 +153,7 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
     return raster;
 }
 
-const char* FrameDrawer::lackOfEs(const base::RasterState& raster, const plan::PlannedDraw& planned,
-                                  const BuiltProgram& built) const {
+const char* FrameDrawer::lackOfEs(const base::RasterState& raster) const {
     if (raster.polygon == base::PolygonMode::line && raster.cull != base::Cull::off)
         return "the edges of triangles are not culled";
     if (raster.polygon == base::PolygonMode::point) return "triangles are filled, not drawn as points";
