@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <set>
@@ -186,6 +187,10 @@ glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex progr
             const scene::Shape& shape = scene.shapes[draw.shape];
             forms.areStrips = forms.areStrips || shape.strip;
             forms.haveIndexBuffers = forms.haveIndexBuffers || draw.indices.buffer;
+            if (draw.attributes)
+                forms.haveInstanceData = forms.haveInstanceData ||
+                                         std::ranges::any_of(scene.attributeSets[draw.attributes].bindings,
+                                                             &scene::AttributeBinding::isPerInstance);
             sizes.insert(patchVerticesOf(shape, draw));
         });
     };

@@ -249,13 +249,133 @@ TEST(Es, GeometryStagesPassBlocksPointsAndNumbers) {
     EXPECT_EQ(written.es.expanded.vertices, 1);
 }
 
-TEST(Es, GeometryStagesThatNeedTooMuchAreReported) {
+TEST(Es, TooManyInputsOfAGeometryStageAreFetched) {
     const WithGeometry written(
-        "in vec4 a, b, d; out vec4 v; void main() { v = a + b + d; gl_Position = aVertex; }",
+        "in vec4 a, b, d; in ivec2 e; out vec4 v; void main() { v = a + b + d + vec4(e, 0, 0); gl_Position = "
+        "aVertex; }",
         "layout(triangles_adjacency) in; layout(points, max_vertices = 1) out; in vec4 v[];\n"
         "void main() { gl_Position = v[0]; EmitVertex(); }",
         "out vec4 c; void main() { c = vec4(1.); }");
-    EXPECT_EQ(ids(written.es.diagnostics), "web-E01");
+    EXPECT_EQ(ids(written.es.diagnostics), "");
+    EXPECT_EQ(written.errors(), "");
+    ASSERT_EQ(written.es.expanded.fetched.size(), 5U);
+}
+
+// So do tessellation stages.
+
+struct WithTessellation : Written {
+    WithTessellation(const std::string& vertex, const std::string& control, const std::string& evaluation,
+                     const std::string& fragment, const std::string& geometry = {})
+        : Written(stages(vertex, control, evaluation, fragment, geometry)) {}
+    static Stages stages(const std::string& vertex, const std::string& control, const std::string& evaluation,
+                         const std::string& fragment, const std::string& geometry) {
+        Stages all{{Stage::vertex, "#version 410\n" + vertex}};
+        if (!control.empty()) all.push_back({Stage::tessControl, "#version 410\n" + control});
+        all.push_back({Stage::tessEvaluation, "#version 410\n" + evaluation});
+        if (!geometry.empty()) all.push_back({Stage::geometry, "#version 410\n" + geometry});
+        all.push_back({Stage::fragment, "#version 410\n" + fragment});
+        return all;
+    }
+};
+
+TEST(Es, TessellationStagesRunInTheVertexStage) {
+    const WithTessellation written(
+        "out vec3 vColor; uniform float uSize; float twice(float x) { return 2. * x; }\n"
+        "void main() { vColor = vec3(twice(uSize)); gl_Position = aVertex; }",
+        "layout(vertices = 4) out; in vec3 vColor[]; out vec3 tColor[]; patch out vec4 tPatch; uniform float "
+        "uSize;\n"
+        "float twice(float x) { return x + x; }\n"
+        "void main() { tColor[gl_InvocationID] = vColor[gl_InvocationID] * twice(1.);\n"
+        "gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+        "barrier(); if (gl_InvocationID == 0) tPatch = vec4(tColor[0], float(gl_PatchVerticesIn + "
+        "gl_PrimitiveID));\n"
+        "for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = uSize; gl_TessLevelInner[0] = "
+        "gl_TessLevelInner[1] = "
+        "uSize; }",
+        "layout(quads, fractional_odd_spacing, cw) in; in vec3 tColor[]; patch in vec4 tPatch; out vec3 "
+        "eColor;\n"
+        "float twice(float x) { return 3. * x; }\n"
+        "void main() { eColor = tColor[3] * tPatch.xyz * twice(gl_TessLevelOuter[1]); gl_Position = "
+        "mix(gl_in[0].gl_Position, gl_in[3].gl_Position, gl_TessCoord.x); }",
+        "in vec3 eColor; out vec4 c; void main() { c = vec4(eColor, float(gl_PrimitiveID)); }");
+    EXPECT_EQ(ids(written.es.diagnostics), "");
+    EXPECT_EQ(written.errors(), "");
+    ASSERT_EQ(written.es.stages.size(), 2U);
+    const ExpandedGeometry& expanded = written.es.expanded;
+    EXPECT_EQ(expanded.ofPrimitive, 3);
+    EXPECT_TRUE(expanded.measuresLevels);
+    ASSERT_TRUE(expanded.tessellation);
+    EXPECT_EQ(expanded.tessellation->domain, base::TessellationLayout::Domain::quads);
+    EXPECT_EQ(expanded.tessellation->spacing, base::TessellationLayout::Spacing::fractionalOdd);
+    EXPECT_TRUE(expanded.tessellation->isClockwise);
+    // A barrier makes all invocations run twice.
+    EXPECT_TRUE(hasTokens(written.source(Stage::vertex), "for (int run = 0; run < 2; ++run)"));
+}
+
+TEST(Es, TessellationStagesPassBlocksAndPrimitives) {
+    const WithTessellation written(
+        "out Data { vec3 color; } to; void main() { to.color = vec3(gl_VertexID); gl_Position = vec4(0.); }",
+        "layout(vertices = 3) out; in Data { vec3 color; } from[]; out Next { vec3 color; float size; } "
+        "to[];\n"
+        "patch out Whole { vec2 all; } whole; void main() { to[gl_InvocationID].color = "
+        "from[gl_InvocationID].color;\n"
+        "to[gl_InvocationID].size = 1.; whole.all = vec2(2.);\n"
+        "gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = 3.; }",
+        "layout(triangles) in; in Next { vec3 color; float size; } from[]; patch in Whole { vec2 all; } "
+        "whole;\n"
+        "out Last { vec3 color; } last; void main() { last.color = from[1].color * from[2].size * "
+        "whole.all.x; "
+        "gl_Position = vec4(gl_TessCoord, 1.); }",
+        "in vec3 gColor; out vec4 c; void main() { c = vec4(gColor, 1.); }",
+        "layout(triangles) in; layout(line_strip, max_vertices = 4) out; in Last { vec3 color; } last[]; out "
+        "vec3 "
+        "gColor;\n"
+        "void main() { for (int i = 0; i < 4; ++i) { gColor = last[i % 3].color; gl_Position = gl_in[i % "
+        "3].gl_Position; EmitVertex(); } EndPrimitive(); }");
+    EXPECT_EQ(ids(written.es.diagnostics), "");
+    EXPECT_EQ(written.errors(), "");
+    EXPECT_EQ(written.es.expanded.vertices, 6);
+    EXPECT_EQ(written.es.expanded.ofPrimitive, 2);
+}
+
+TEST(Es, PatchesWithoutAControlStageAndPoints) {
+    const WithTessellation written("void main() { gl_Position = aVertex; }", "",
+                                   "layout(isolines, point_mode) in; void main() { gl_Position = "
+                                   "mix(gl_in[0].gl_Position, gl_in[1].gl_Position, "
+                                   "gl_TessCoord.x) + float(gl_PatchVerticesIn); }",
+                                   "out vec4 c; void main() { c = vec4(1.); }");
+    EXPECT_EQ(ids(written.es.diagnostics), "");
+    EXPECT_EQ(written.errors(), "");
+    EXPECT_FALSE(written.es.expanded.measuresLevels);
+    EXPECT_EQ(written.es.expanded.ofPrimitive, 1);
+}
+
+TEST(Es, WhatCannotBeDrawnRightIsRefused) {
+    const WithGeometry written("void main() { gl_Position = aVertex; }",
+                               "layout(triangles) in; layout(points, max_vertices = 1) out;\n"
+                               "void main() { gl_Position = gl_in[0].gl_Position; EmitVertex(); }",
+                               "out vec4 c; void main() { c = vec4(1.); }");
+    EXPECT_EQ(ids(toEs(written.core, {.draws = {.areStrips = true}}).diagnostics), "web-E01");
+    EXPECT_EQ(ids(toEs(written.core, {.draws = {.haveIndexBuffers = true}}).diagnostics), "web-E01");
+    const Written numbered = Written::fragment("", "c.x = float(gl_PrimitiveID);");
+    EXPECT_EQ(ids(numbered.es.diagnostics), "");
+    EXPECT_EQ(numbered.errors(), "");
+    EXPECT_TRUE(numbered.es.expanded.numbersPrimitives);
+    EXPECT_EQ(ids(toEs(numbered.core, {.draws = {.haveIndexBuffers = true}}).diagnostics), "web-E02");
+}
+
+TEST(Es, ClipDistancesNeedAnExtension) {
+    const TranslatedProgram core =
+        translateStages({{Stage::vertex,
+                          "#version 410\nout float gl_ClipDistance[1];\nvoid main() { gl_Position = aVertex; "
+                          "gl_ClipDistance[0] = aVertex.x; }\n"},
+                         {Stage::fragment, "#version 410\nout vec4 c;\nvoid main() { c = vec4(1); }\n"}});
+    EXPECT_EQ(ids(toEs(core).diagnostics), "web-E02");
+    TranslatedProgram program;
+    const EsProgram es = toEs(core, {.hasClipDistances = true});
+    EXPECT_EQ(ids(es.diagnostics), "");
+    program.stages = es.stages;
+    EXPECT_EQ(glslangErrors(program), "");
 }
 
 TEST(Es, BordersAreReadByTheShader) {

@@ -302,7 +302,10 @@ class EsStage {
             unit_.syntax.declarations[each.declaration].declarators[each.declarator];
         if (declarator.initializer.empty() || each.dropInitializer) return;
         if (each.storage == Storage::uniform) return uniformValue(each, declarator, initialValues);
-        if (each.storage != Storage::none || isConstant(declarator.initializer)) return;
+        // A part runs several times.
+        const bool keepsValue =
+            isConstant(declarator.initializer) && !(isPart_ && unit_.isWritten(each.name));
+        if (each.storage != Storage::none || keepsValue) return;
         const std::string function = "glibra_begin_" + each.name;
         unit_.declare("void " + function + "();");
         each.initializer = "; void " + function + "() { " + spelled(unit_, each.name);
@@ -603,6 +606,7 @@ class MergedStages {
     void lacks(const Unit& unit, const char* what, std::string problem) {
         if (problem.empty() && draws_.areStrips) problem = "strips, fans and loops";
         if (problem.empty() && draws_.haveIndexBuffers) problem = "indices of a buffer";
+        if (problem.empty() && draws_.haveInstanceData) problem = "attributes of instances";
         if (problem.empty() && corners_ == 0) problem = "patches of several sizes";
         if (problem.empty()) return;
         of(unit).lacks("web-E01",

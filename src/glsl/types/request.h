@@ -50,6 +50,7 @@ struct DrawForms {
     int patchVertices = 3;          ///< 0: patches of several sizes
     bool areStrips = false;         ///< some are strips, fans or loops
     bool haveIndexBuffers = false;  ///< some take their indices from a buffer of the scene
+    bool haveInstanceData = false;  ///< some have attributes that advance with instances
 };
 
 struct ProgramRequest {

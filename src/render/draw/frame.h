@@ -215,6 +215,8 @@ class FrameDrawer {
                        const Elements& elements) const;
     /// What OpenGL ES draws otherwise than the scene states, as a text; null: nothing.
     const char* lackOfEs(const base::RasterState& raster) const;
+    /// True, once for each draw, if it reads borders that OpenGL ES lacks (glsl/es/borders.h).
+    bool lacksBorders(const plan::PlannedDraw& planned, const BuiltProgram& built);
     /// The driver fills triangles only, and the draw shows their edges.
     [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.
@@ -300,6 +302,7 @@ class FrameDrawer {
     mutable PatchDivider patches_;
     FetchedInputs fetched_;
     bool lineWidthReported_ = false;
+    std::set<const plan::PlannedDraw*> bordersChecked_;
     std::set<std::string> lacks_;  ///< that were reported (lackOfEs)
 };
 

@@ -126,8 +126,10 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
             diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
                      plan_.drawOf(planned).place));
     }
-    if (const char* lack = capabilities.isEs ? lackOfEs(raster) : nullptr;
-        lack != nullptr && lacks_.insert(lack).second)
+    const char* lack = capabilities.isEs ? lackOfEs(raster) : nullptr;
+    if (capabilities.isEs && lack == nullptr && lacksBorders(planned, built))
+        lack = "borders of textures that are not of two dimensions, and of arrays of samplers, are edges";
+    if (lack != nullptr && lacks_.insert(lack).second)
         diagnostics.push_back(diagnose("draw-W20", fmt::format("{} in a browser (OpenGL ES)", lack),
                                        plan_.drawOf(planned).place));
     raster.pointSizeFromShader = raster.pointSizeFromShader && built.interface.facts.writesPointSize;

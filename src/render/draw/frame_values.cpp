@@ -147,6 +147,16 @@ static void setBorder(const plan::TextureUse& use, const BuiltProgram& built) {
     gpu::setUniform(*built.program, *border, values);
 }
 
+bool FrameDrawer::lacksBorders(const plan::PlannedDraw& planned, const BuiltProgram& built) {
+    if (!bordersChecked_.insert(&planned).second) return false;
+    return std::ranges::any_of(planned.textures, [&](const plan::TextureUse& use) {
+        const std::string name = glsl::kBorderOf + at(built.interface.uniforms, use.uniform).emittedName;
+        return std::ranges::find(use.sampler.wrap, base::Wrap::clampToBorder) != use.sampler.wrap.end() &&
+               std::ranges::find(built.interface.uniforms, name, &base::ActiveUniform::emittedName) ==
+                   built.interface.uniforms.end();
+    });
+}
+
 void FrameDrawer::bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built) {
     // The units are in rising order. Below GL 4.3 binding a part of a texture may replace what is on unit 0,
     // so that one comes last.
