@@ -162,7 +162,7 @@ TEST(Es, WhatItLacksIsSaidAtTheUsersPlace) {
     };
     const std::vector<Case> cases{
         {"uniform sampler2D s;", "c = textureGather(s, c.xy);", "web-E02", 4},
-        {"", "c.x = float(gl_PrimitiveID);", "web-E02", 4},
+        {"", "c.x = float(gl_SampleID);", "web-E02", 4},
         {"uniform samplerBuffer s;", "c = texelFetch(s, 1);", "web-E03", 3},
         {"uniform sampler2DMS s;", "c = texelFetch(s, ivec2(1), 1);", "web-E03", 3},
         {"uniform double d;", "c.x = float(d);", "web-E03", 3},
@@ -187,8 +187,9 @@ TEST(Es, WhatItLacksIsSaidAtTheUsersPlace) {
                             "#version 400\nlayout(triangles) in;\nvoid main() { gl_Position = "
                             "gl_in[0].gl_Position; }\n"},
                            {Stage::fragment, kPlainFragment}});
-    EXPECT_EQ(ids(patches.es.diagnostics), "web-E01");
-    EXPECT_EQ(placeOf(patches.es.diagnostics, "web-E01").file, "a.tese");
+    const Diagnostics refused = toEs(patches.core, {.draws = {.patchVertices = 0}}).diagnostics;
+    EXPECT_EQ(ids(refused), "web-E01");
+    EXPECT_EQ(placeOf(refused, "web-E01").file, "a.tese");
 }
 
 TEST(Es, LinesAreThoseOfTheUser) {
@@ -364,6 +365,26 @@ TEST(Es, WhatCannotBeDrawnRightIsRefused) {
     EXPECT_EQ(ids(toEs(numbered.core, {.draws = {.haveIndexBuffers = true}}).diagnostics), "web-E02");
 }
 
+TEST(Es, VariablesOfAFileBeginAnewForEachCorner) {
+    const WithGeometry written(
+        "int count = 3; vec4 shift = vec4(1.); out vec4 v; void main() { count += 2; v = float(count) * "
+        "shift; "
+        "gl_Position = aVertex; }",
+        "layout(triangles) in; layout(points, max_vertices = 1) out; in vec4 v[];\n"
+        "void main() { gl_Position = v[0] + v[2]; EmitVertex(); }",
+        "out vec4 c; void main() { c = vec4(1.); }");
+    EXPECT_EQ(ids(written.es.diagnostics), "");
+    EXPECT_EQ(written.errors(), "");
+    const std::string source = written.source(Stage::vertex);
+    EXPECT_TRUE(hasTokens(source, "{ glibra_v_count = 3; }")) << source;
+    EXPECT_FALSE(hasTokens(source, "{ glibra_v_shift = vec4(1.); }")) << "it does not change";
+    EXPECT_EQ(ids(toEs(written.core, {.draws = {.haveInstanceData = true}}).diagnostics), "web-E01");
+    const WithTessellation sized("void main() { gl_Position = aVertex; }", "",
+                                 "layout(triangles) in; void main() { gl_Position = gl_in[0].gl_Position; }",
+                                 "out vec4 c; void main() { c = vec4(1.); }");
+    EXPECT_EQ(ids(toEs(sized.core, {.draws = {.patchVertices = 0}}).diagnostics), "web-E01");
+}
+
 TEST(Es, ClipDistancesNeedAnExtension) {
     const TranslatedProgram core =
         translateStages({{Stage::vertex,
@@ -371,11 +392,12 @@ TEST(Es, ClipDistancesNeedAnExtension) {
                           "gl_ClipDistance[0] = aVertex.x; }\n"},
                          {Stage::fragment, "#version 410\nout vec4 c;\nvoid main() { c = vec4(1); }\n"}});
     EXPECT_EQ(ids(toEs(core).diagnostics), "web-E02");
-    TranslatedProgram program;
-    const EsProgram es = toEs(core, {.hasClipDistances = true});
+    const EsProgram es = toEs(core, {.hasClipDistances = true});  // glslang does not know the extension
     EXPECT_EQ(ids(es.diagnostics), "");
-    program.stages = es.stages;
-    EXPECT_EQ(glslangErrors(program), "");
+    ASSERT_FALSE(es.stages.empty());
+    EXPECT_NE(es.stages[0].source.find("#extension GL_EXT_clip_cull_distance : require\nprecision"),
+              std::string::npos);
+    EXPECT_TRUE(hasTokens(es.stages[0].source, "out float gl_ClipDistance[1];"));
 }
 
 TEST(Es, BordersAreReadByTheShader) {

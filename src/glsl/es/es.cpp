@@ -279,6 +279,7 @@ class EsStage {
     void variable(Variable& each, std::vector<InitialValue>& initialValues) {
         if (isClipDistance(each.name)) return;
         if (each.name.starts_with("gl_")) {
+            if (listed(kMissingNames, each.name)) missing(each.name, each.nameToken);
             each.removed = true;
             return;
         }
@@ -362,9 +363,7 @@ class EsStage {
         if (unit_.renames.contains(text) || isClipDistance(text)) return;
         if (listed(kMissingNames, text) || (text.starts_with("gl_Max") && !listed(kLimits, text)) ||
             text.starts_with("atomic") || text.starts_with("imageAtomic"))
-            lacks("web-E02",
-                  "'" + std::string(text) + "' is not in GLSL ES 3.00, which browsers compile for WebGL 2",
-                  at);
+            missing(text, at);
         for (const Renamed& each : kRenamed)
             if (each.name == text) unit_.edits.replace(unit_.view[at].raw, std::string(each.written));
         for (const Written& each : kWritten) {
@@ -429,6 +428,11 @@ class EsStage {
                   "'" + std::string(name) + "' of a sampler1D has no counterpart in GLSL ES 3.00 (WebGL 2)",
                   each.name);
         }
+    }
+
+    void missing(std::string_view name, std::uint32_t at) {
+        lacks("web-E02",
+              "'" + std::string(name) + "' is not in GLSL ES 3.00, which browsers compile for WebGL 2", at);
     }
 
     [[nodiscard]] bool isClipDistance(std::string_view name) const {
