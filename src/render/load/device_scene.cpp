@@ -78,13 +78,20 @@ ObjectState& DeviceScene::state(const plan::Object& object) {
 Diagnostics DeviceScene::noteWritten(const plan::Object& object, gpu::BindingTracker& bindings) {
     state(object).noteWritten();
     const auto* texture = std::get_if<scene::TextureIndex>(&object);
-    return texture != nullptr ? textures_.keepDeclared(*texture, bindings) : Diagnostics();
+    if (texture == nullptr) return buffers_.keepGiven(std::get<scene::BufferIndex>(object));
+    return textures_.keepDeclared(*texture, bindings);
 }
 
 Diagnostics DeviceScene::reset(const plan::Object& object) {
     state(object).noteReset();
     if (const auto* buffer = std::get_if<scene::BufferIndex>(&object)) return buffers_.reset(*buffer);
     return textures_.reset(std::get<scene::TextureIndex>(object));
+}
+
+Diagnostics DeviceScene::giveWritten(DeviceScene& copy) const {
+    Diagnostics diagnostics = textures_.giveWritten(copy.textures_);
+    append(diagnostics, buffers_.giveWritten(copy.buffers_));
+    return diagnostics;
 }
 
 void DeviceScene::takeOver(DeviceScene& previous, const plan::Object& object) {
