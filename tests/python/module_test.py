@@ -380,6 +380,8 @@ if __name__ == "__main__":
             self.assertEqual(str(again), str(error))
             self.assertEqual(again.diagnostics, error.diagnostics)
             self.assertEqual((again.diagnostics[0].line, again.diagnostics[0].id), (2, "glib-E01"))
+            self.assertEqual((again.id, again.file, again.line, again.column), ("glib-E01", "mine.glib", 2, 1))
+        self.assertEqual((glibra.SceneError("text").id, glibra.SceneError("text").line), ("", 0))
 
 
 class Contents(unittest.TestCase):
@@ -440,7 +442,13 @@ class Contents(unittest.TestCase):
                              files={pathlib.Path("square.vert"): bytearray(FILES["square.vert"].encode()),
                                     "square.frag": memoryview(FILES["square.frag"].encode())})
         self.assertEqual(scene.draw()[0, 0].tolist(), [51, 102, 153])
-        with self.assertRaisesRegex(TypeError, "the content of 'square.vert' is a text or bytes, found int"):
+        with tempfile.TemporaryDirectory() as folder:
+            kept = pathlib.Path(folder) / "kept.txt"
+            kept.write_text(FILES["square.frag"])
+            content = numpy.frombuffer(FILES["square.vert"].encode(), "uint8")
+            same = glibra.Scene(text=SQUARE, files={"square.vert": content, "square.frag": kept})
+        self.assertTrue((same.draw() == square().draw()).all())
+        with self.assertRaisesRegex(TypeError, "the content of 'square.vert' is a text, bytes or a path, found int"):
             glibra.Scene(text=SQUARE, files={"square.vert": 5})
         with self.assertRaises(TypeError):
             glibra.Scene(TEAPOT, files=FILES)

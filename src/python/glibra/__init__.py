@@ -26,11 +26,15 @@ __all__ = ["Comparison", "Diagnostic", "Scene", "SceneError", "Value", "compare"
 
 
 class SceneError(RuntimeError):
-    """What prevented a picture; ``diagnostics`` are the single messages."""
+    """What prevented a picture; ``diagnostics`` are the single messages. ``id``, ``file``, ``line`` and ``column`` are those of the
+    first error."""
 
     def __init__(self, message="", diagnostics=()):
         super().__init__(message)
         self.diagnostics = list(diagnostics)
+        first = next((each for each in self.diagnostics if each.severity == "error"), None)
+        self.id, self.file = (first.id, first.file) if first else ("", "")
+        self.line, self.column = (first.line, first.column) if first else (0, 0)
 
     def __reduce__(self):
         return type(self), (str(self), self.diagnostics)
@@ -100,10 +104,13 @@ def _content_of(file, content):
     """The content of a file in memory, as a text or bytes."""
     if isinstance(content, (str, bytes)):
         return content
+    if isinstance(content, os.PathLike):
+        with open(content, "rb") as other:
+            return other.read()
     try:
         return bytes(memoryview(content))
     except TypeError:
-        raise TypeError(f"the content of '{file}' is a text or bytes, found {type(content).__name__}") from None
+        raise TypeError(f"the content of '{file}' is a text, bytes or a path, found {type(content).__name__}") from None
 
 
 def _shape_of(type):
@@ -210,7 +217,7 @@ class Scene:
 
     def __init__(self, path=None, *, text=None, name="scene.glib", files=None, within="", library=(), strict=False):
         """Reads a scene file, or with ``text`` a scene in memory; ``files`` are then the contents of the files that it reads,
-        by their names, as texts or bytes. With ``within``, it may read only files below that folder and the ``library``
+        by their names, as texts, bytes, or paths of files that have it. With ``within``, it may read only files below that folder and the ``library``
         folders, which are searched besides its own. With ``strict``, warnings are errors."""
         if (path is None) == (text is None):
             raise TypeError("Scene takes a path or a text")
