@@ -260,8 +260,10 @@ Result<T> Scene::State::drawnFor(std::string_view name, const Use& use) {
     Result<render::SceneRenderer> loaded =
         render::SceneRenderer::load(*renderer->context, path, wanted, stats);
     if (!loaded) return std::move(loaded.diagnostics);
-    if (Diagnostics failed = device.live->giveWritten(loaded->state().conductor.device); hasError(failed))
-        return failed;
+    render::DeviceScene& copy = loaded->state().conductor.device;
+    Diagnostics failed = device.live->device().textures().giveWritten(copy.textures());
+    append(failed, device.live->device().buffers().giveWritten(copy.buffers()));
+    if (hasError(failed)) return failed;
     Result<image::Image> drawn = loaded->draw(drawnTime, stats);
     if (!drawn) return std::move(drawn.diagnostics);
     return use(*loaded);

@@ -5,9 +5,9 @@
 #include <glibra/scene.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -28,24 +28,9 @@ using Column = BufferContent::Column;
 using Shape = std::vector<std::size_t>;
 
 std::string_view wordOf(gpu::TexelType type) {
-    using enum gpu::TexelType;
-    switch (type) {
-        case u8:
-            return "uint8";
-        case u16:
-            return "uint16";
-        case u32:
-            return "uint32";
-        case i8:
-            return "int8";
-        case i16:
-            return "int16";
-        case i32:
-            return "int32";
-        case f32:
-            break;
-    }
-    return "float32";
+    constexpr std::array<std::string_view, 7> kWords{"uint8", "uint16", "uint32", "int8",
+                                                     "int16", "int32",  "float32"};
+    return kWords.at(static_cast<std::size_t>(type));
 }
 
 std::string_view wordOf(const Column& column) {
@@ -87,28 +72,14 @@ std::string foundText(const DataView& data) {
 
 /// The sizes of the array that fills a texture, without the components.
 Shape shapeOf(const gpu::Texture& texture) {
-    using enum gpu::TextureShape;
-    const auto side = [](int size) { return static_cast<std::size_t>(size); };
     const auto [width, height, depth] = texture.size();
-    switch (texture.shape()) {
-        case texture1D:
-            return {side(width)};
-        case array1D:
-            return {side(depth), side(width)};
-        case texture2D:
-        case rectangle:
-            return {side(height), side(width)};
-        case cube:
-            return {6, side(height), side(width)};
-        default:
-            return {side(depth), side(height), side(width)};
-    }
-}
-
-/// True if the texture has the rows of pictures from the bottom up.
-bool isUpsideDown(gpu::TextureShape shape) {
-    using enum gpu::TextureShape;
-    return shape == texture2D || shape == rectangle || shape == array2D;
+    Shape shape;
+    if (texture.shape() == gpu::TextureShape::texture3D || texture.layers() > 1 || isArray(texture.shape()))
+        shape.push_back(static_cast<std::size_t>(texture.layers()));
+    if (gpu::shapeOfLayer(texture.shape()) != gpu::TextureShape::texture1D)
+        shape.push_back(static_cast<std::size_t>(height));
+    shape.push_back(static_cast<std::size_t>(width));
+    return shape;
 }
 
 /// The fields of records or numbers for these members, in their order; empty if they do not fit.
@@ -119,7 +90,8 @@ std::vector<DataView::Field> fieldsFor(const std::vector<Column>& columns, const
         if (!data.fields.empty()) {
             const auto found = std::ranges::find(data.fields, column.name, &DataView::Field::name);
             if (found == data.fields.end() || found->type != wordOf(column) || found->count != column.count ||
-                data.fields.size() != columns.size())
+                data.fields.size() != columns.size() ||
+                found->offset + found->count * sizeOf(column) > data.record)
                 return {};
             fields.push_back(*found);
         } else if (data.type == wordOf(column)) {
@@ -190,14 +162,18 @@ Result<void> Scene::State::writeTexture(const scene::TextureView& view, std::str
     if (!isTypeRight || !isShapeRight || data.bytes.size() != bytes)
         return wrong(fmt::format("({}) takes {} of shape {}, found {}", row.name, wordOf(type),
                                  shapeText(components == 1 ? plain : whole), foundText(data)));
-    const gpu::Texels given{data.bytes, components, type};
-    const std::size_t height = plain.size() < 2 ? 1 : plain[plain.size() - 2];
-    if (!isUpsideDown(texture->shape()) || height < 2) return device.live->write(view.texture, given);
+    Result<render::DeviceScene*> to = device.live->beginWrite(view.texture);
+    if (!to) return std::move(to.diagnostics);
+    // Volumes and cube maps have the rows of GL, all others those of pictures.
+    const auto height = static_cast<std::size_t>(texture->size().height);
+    const bool isTurned =
+        height > 1 && !gpu::isCube(texture->shape()) && texture->shape() != gpu::TextureShape::texture3D;
+    if (!isTurned) return (*to)->textures().write(view.texture, {data.bytes, components, type});
     std::vector<std::byte> rows(data.bytes.begin(), data.bytes.end());
     const std::size_t layer = plain.size() == 3 ? bytes / plain.front() : bytes;
     for (std::size_t at = 0; at < bytes; at += layer)
         gpu::flipRows(std::span(rows).subspan(at, layer), layer / height);
-    return device.live->write(view.texture, {rows, components, type});
+    return (*to)->textures().write(view.texture, {rows, components, type});
 }
 
 Result<void> Scene::State::writeBuffer(const scene::BufferView& view, std::string_view name,
@@ -224,7 +200,9 @@ Result<void> Scene::State::writeBuffer(const scene::BufferView& view, std::strin
     }
     const std::size_t stride = isOfHead ? end : content.stride;
     const bool isRaw = data.type.empty() && data.fields.empty();
-    const std::size_t record = isRaw ? stride : data.fields.empty() ? packed : data.record;
+    const std::size_t record = isRaw                 ? stride
+                               : data.fields.empty() ? packed
+                                                     : std::max<std::size_t>(1, data.record);
     const std::vector<DataView::Field> fields =
         isRaw ? std::vector<DataView::Field>() : fieldsFor(columns, data);
     const std::uint64_t count = data.bytes.size() / record, first = data.first.value_or(0);
@@ -247,21 +225,21 @@ Result<void> Scene::State::writeBuffer(const scene::BufferView& view, std::strin
         isAsOnDevice = isAsOnDevice && fields[i].offset == columns[i].offset &&
                        (columns[i].count == 1 || columns[i].stride == sizeOf(columns[i]));
     const std::size_t at = isOfHead ? 0 : content.headBytes + static_cast<std::size_t>(first) * stride;
-    if (isAsOnDevice) return device.live->write(view.buffer, at, data.bytes);
-    return device.live->write(view.buffer, at, laidOut(columns, fields, record, stride, data.bytes));
+    Result<render::DeviceScene*> to = device.live->beginWrite(view.buffer);
+    if (!to) return std::move(to.diagnostics);
+    if (isAsOnDevice) return (*to)->buffers().write(view.buffer, at, data.bytes);
+    return (*to)->buffers().write(view.buffer, at, laidOut(columns, fields, record, stride, data.bytes));
 }
 
 void Scene::State::applyStrict(Diagnostics& found) const {
+    render::applyStrict(found, options.strict);
     const auto isUnwritten = [](const Diagnostic& each) {
         return each.id == "draw-W11" && !each.subject.empty();
     };
     std::erase_if(
         found, [&](const Diagnostic& each) { return isUnwritten(each) && written.contains(each.subject); });
-    const auto first = std::stable_partition(found.begin(), found.end(), std::not_fn(isUnwritten));
-    Diagnostics unwritten(std::make_move_iterator(first), std::make_move_iterator(found.end()));
-    found.erase(first, found.end());
-    render::applyStrict(found, options.strict);
-    append(found, std::move(unwritten));
+    for (Diagnostic& each : found)
+        if (isUnwritten(each)) each.severity = Severity::warning;
 }
 
 Result<void> Scene::State::write(std::string_view name, const DataView& data) {

@@ -167,6 +167,46 @@ TEST(LibraryWrite, TakesTheNumbersOfTheFormatAndNoOthers) {
     expectKept<std::uint32_t>(renderer, "r32ui", "usampler2D", 1);
 }
 
+/// Each layer or face, as target() gives it, is that part of what was written.
+TEST(LibraryWrite, HasTheLayersAndFacesOneAfterTheOther) {
+    Renderer renderer = opened();
+    struct Case {
+        const char *declared, *sampler, *read, *part;
+        std::size_t layers, height, width;
+    };
+    for (const Case& each :
+         {Case{"Texture1D made 4", "sampler1D", "at.x", "", 1, 1, 4},
+          {"Texture1DArray made 4 3", "sampler1DArray", "at", ".layer", 3, 1, 4},
+          {"Texture2DArray made 4 3 2", "sampler2DArray", "ivec3(at, 0)", ".layer", 2, 3, 4},
+          {"CubeMap made 4", "samplerCube", "", ".face", 6, 4, 4},
+          {"TextureRect made 4 3", "sampler2DRect", "at", "", 1, 3, 4}}) {
+        const bool isRect = std::string_view(each.sampler) == "sampler2DRect";
+        const std::string fetched =
+            *each.read == 0 ? std::string("texture(made, vec3(1, at))")
+                            : fmt::format("texelFetch(made, {}{})", each.read, isRect ? "" : ", 0");
+        Result<Scene> scene = renderer.loadText(
+            showing(fmt::format("{} rg16ui", each.declared), fmt::format("uniform u{} made;", each.sampler),
+                    fmt::format("vec4({})", fetched)),
+            "made.glib");
+        ASSERT_TRUE(scene) << each.declared << scene.message();
+        const auto numbers = ramp<std::uint16_t>(each.layers * each.height * each.width * 2, 1);
+        const Result<void> done = scene->write("made", numbers);
+        ASSERT_TRUE(done) << done.message();
+        ASSERT_TRUE(scene->draw());
+        for (std::size_t i = 0; i < each.layers; ++i) {
+            const Result<Picture> part =
+                scene->target(*each.part == 0 ? "made" : fmt::format("made{}({})", each.part, i));
+            ASSERT_TRUE(part) << part.message();
+            const std::size_t size = each.height * each.width * 4;
+            ASSERT_EQ(part->data.size(), size) << each.declared;
+            EXPECT_EQ(std::memcmp(part->data.data(),
+                                  reinterpret_cast<const std::byte*>(numbers.data()) + i * size, size),
+                      0)
+                << each.declared << i;
+        }
+    }
+}
+
 TEST(LibraryWrite, KeepsNumbersThatAreNone) {
     Renderer renderer = opened();
     Result<Scene> scene = renderer.loadText(

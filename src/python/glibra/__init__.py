@@ -321,18 +321,11 @@ class Scene:
         return self._scene.target(name)
 
     def write(self, name, data, *, first=None, head=False):
-        """Replaces the content of a texture or buffer for the pictures that follow, until the scene is read again.
-
-        A texture takes what `target` gives: an array of height x width x components (without the last, if there is one) in
-        the type of its format, uint8 or uint16 for 0..1, integers of its bits, otherwise float32; top row first. A volume is
-        depth x height x width, with the texel (0, 0, 0) first; layers, and the six faces of a cube map, come first, too.
-
-        A buffer takes what `buffer` gives: a structured array with a record for each element, whose fields are found by their
-        names; or, if its members have one type, an array of elements x numbers, matrices by columns. With ``first``, the array
-        replaces elements from that one on. With ``head``, one record replaces the members before the array.
-
-        Arrays that are contiguous and in the byte order of the machine are not copied, if they lie as on the device.
-        Another name, type or shape raises SceneError and changes nothing."""
+        """Replaces the content of a texture or buffer for the pictures that follow, until the scene is read again. A texture
+        takes what `target` gives, in the shape and type of its format; a volume is depth x height x width, with the texel (0, 0,
+        0) first. A buffer takes what `buffer` gives, or an array of elements x numbers. With ``first``, the array replaces
+        elements from that one on; with ``head``, one record the members before the array. Another name, type or shape raises
+        SceneError and changes nothing."""
         if first is not None and operator.index(first) < 0:
             raise ValueError(f"first counts elements from 0, found {first}")
         array = numpy.asarray(data)

@@ -257,25 +257,12 @@ const DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
 const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
     return state_->conductor.device.textures().completed({.texture = index, .isPrevious = isPrevious});
 }
-Diagnostics LiveScene::beginWrite(const plan::Object& object) {
+Result<DeviceScene*> LiveScene::beginWrite(const plan::Object& object) {
     Conductor& conductor = state_->conductor;
     conductor.forgetDrawn();
-    const bool comesFirst =
-        conductor.simulation && conductor.simulation->lasts(object) && !conductor.simulation->hasRun();
-    return comesFirst ? conductor.simulate() : Diagnostics();
-}
-Diagnostics LiveScene::write(scene::TextureIndex texture, const gpu::Texels& texels) {
-    Diagnostics diagnostics = beginWrite(texture);
-    if (!hasError(diagnostics))
-        append(diagnostics, state_->conductor.device.textures().write(texture, texels));
-    return diagnostics;
-}
-Diagnostics LiveScene::write(scene::BufferIndex buffer, std::size_t offset,
-                             std::span<const std::byte> bytes) {
-    Diagnostics diagnostics = beginWrite(buffer);
-    if (!hasError(diagnostics))
-        append(diagnostics, state_->conductor.device.buffers().write(buffer, offset, bytes));
-    return diagnostics;
+    if (conductor.simulation && conductor.simulation->lasts(object) && !conductor.simulation->hasRun())
+        if (Diagnostics failed = conductor.simulate(); hasError(failed)) return failed;
+    return &conductor.device;
 }
 const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
     for (const plan::FramePlan* each : state_->conductor.plans())

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "glsl/emit/emitted_lines.h"
@@ -140,14 +139,9 @@ class LiveScene {
     /// What samplers read of the texture: with its samples resolved and its mipmaps made. Null if it is not
     /// on the device. `isPrevious`: the other copy of a texture with history.
     const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
-    /// DeviceTextures::write and DeviceBuffers::write. The next frame is drawn whole; Once and Step blocks
-    /// that write the object, too, go on from it.
-    Diagnostics write(scene::TextureIndex texture, const gpu::Texels& texels);
-    Diagnostics write(scene::BufferIndex buffer, std::size_t offset, std::span<const std::byte> bytes);
-    /// Writes the same into the objects of a copy of the scene that has drawn nothing yet.
-    [[nodiscard]] Diagnostics giveWritten(DeviceScene& copy) {
-        return state_->conductor.device.giveWritten(copy);
-    }
+    /// What DeviceTextures::write and DeviceBuffers::write, for that object, come after: a Once block that
+    /// has yet to run must not replace what they give. The next frame is drawn whole.
+    Result<DeviceScene*> beginWrite(const plan::Object& object);
     /// DeviceTextures::numbersOf.
     Result<TexelNumbers> numbersOf(const scene::TextureView& view) {
         return state_->conductor.device.textures().numbersOf(view);
@@ -159,8 +153,6 @@ class LiveScene {
     [[nodiscard]] const base::StorageBlock* blockOf(scene::BufferIndex buffer) const;
 
   private:
-    /// Comes before what the program writes: a Once block that has yet to run must not replace it.
-    Diagnostics beginWrite(const plan::Object& object);
     explicit LiveScene(std::unique_ptr<LiveState> state);
     std::unique_ptr<LiveState> state_;
 };

@@ -57,7 +57,7 @@ class DeviceBuffers {
     /// Replaces bytes of a buffer that has been made: in both copies of one with history, and in what reset()
     /// gives back. Other values that the scene declares later do not replace them.
     Diagnostics write(scene::BufferIndex buffer, std::size_t offset, std::span<const std::byte> bytes);
-    /// DeviceScene::giveWritten.
+    /// DeviceTextures::giveWritten.
     Diagnostics giveWritten(DeviceBuffers& copy) const;
     /// Keeps what write() has given before a node writes the buffer for the first time.
     Diagnostics keepGiven(scene::BufferIndex buffer);

@@ -88,12 +88,6 @@ Diagnostics DeviceScene::reset(const plan::Object& object) {
     return textures_.reset(std::get<scene::TextureIndex>(object));
 }
 
-Diagnostics DeviceScene::giveWritten(DeviceScene& copy) const {
-    Diagnostics diagnostics = textures_.giveWritten(copy.textures_);
-    append(diagnostics, buffers_.giveWritten(copy.buffers_));
-    return diagnostics;
-}
-
 void DeviceScene::takeOver(DeviceScene& previous, const plan::Object& object) {
     state(object).isWritten = true;
     if (const auto* buffer = std::get_if<scene::BufferIndex>(&object))

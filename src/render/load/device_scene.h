@@ -74,8 +74,6 @@ class DeviceScene {
     /// Takes an object that nodes write to, with its content, from the device scene before the scene was
     /// read again. Both scenes declare it equally.
     void takeOver(DeviceScene& previous, const plan::Object& object);
-    /// Gives the objects of a copy of the scene what was written into the same ones here.
-    Diagnostics giveWritten(DeviceScene& copy) const;
     /// Binds the texture and sampler, the image, or the buffer to the unit of the use.
     void bind(const plan::TextureUse& use, gpu::BindingTracker& bindings);
     /// The render target of a pass into textures; cached. Error draw-E10 if a part does not

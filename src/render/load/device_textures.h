@@ -93,7 +93,7 @@ class DeviceTextures {
     /// Replaces level 0 of a texture that has been made, which is then no other one's: in both copies of one
     /// with history, and what reset() gives back. Not for samples.
     Diagnostics write(scene::TextureIndex texture, const gpu::Texels& texels);
-    /// DeviceScene::giveWritten.
+    /// Writes into the textures of a copy of the scene what was written into the same ones here.
     Diagnostics giveWritten(DeviceTextures& copy) const;
     /// Keeps the content of a texture from a file, or from write(), before a node writes it for the first
     /// time; reset() gives it back.
