@@ -16,9 +16,12 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -90,6 +93,40 @@ struct BufferContent {
     }
 };
 
+/// Numbers in memory, for Scene::write(). What is left empty is not checked.
+struct DataView {
+    /// A member of a record; its numbers follow each other, those of a matrix by columns.
+    struct Field {
+        std::string name;        ///< as BufferContent::Column has it
+        std::string type;        ///< as DataView::type
+        std::size_t offset = 0;  ///< bytes from the begin of a record
+        std::size_t count = 1;   ///< numbers
+    };
+    std::span<const std::byte> bytes;  ///< all of it, without gaps
+    /// Of each number: "float32", "float64", "int8" to "int32", "uint8" to "uint32". Empty: records, which
+    /// without `fields` lie as the elements on the device.
+    std::string type{};
+    std::vector<std::size_t> shape{};      ///< sizes of the array, that of neighbouring numbers last
+    std::vector<Field> fields{};           ///< of a record
+    std::size_t record = 1;                ///< bytes of a record
+    std::optional<std::uint64_t> first{};  ///< the first element that is replaced; nothing: all are
+    bool isOfHead = false;                 ///< replaces the members before the array of a buffer
+};
+
+/// The word of DataView::type for a C++ type; empty for what is no such number.
+template <class T>
+constexpr std::string_view numberWord() {
+    constexpr bool isNumber = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+    if constexpr (!isNumber)
+        return {};
+    else if constexpr (std::is_floating_point_v<T>)
+        return sizeof(T) == 4 ? "float32" : sizeof(T) == 8 ? "float64" : "long double";
+    else if constexpr (std::is_signed_v<T>)
+        return sizeof(T) == 1 ? "int8" : sizeof(T) == 2 ? "int16" : sizeof(T) == 4 ? "int32" : "int64";
+    else
+        return sizeof(T) == 1 ? "uint8" : sizeof(T) == 2 ? "uint16" : sizeof(T) == 4 ? "uint32" : "uint64";
+}
+
 /// A loaded scene. Use it on the thread of its Renderer, which it keeps alive; it may be destroyed on any
 /// thread, and in a forked process. Calls of a scene that has been moved from return library-E05.
 class GLIBRA_API Scene {
@@ -138,6 +175,41 @@ class GLIBRA_API Scene {
     /// is then drawn once more. Errors: library-E04 if nothing has been drawn, library-E02 if there is no
     /// such buffer, and those of drawing.
     Result<BufferContent> buffer(std::string_view name);
+
+    /// Replaces level 0 of a texture, or elements of a buffer, for the pictures that follow. What was written
+    /// takes the place of what the scene declares, in both copies of an object with history, until the scene
+    /// is read again: Step blocks go on from it, what begins anew begins with it, and mipmaps are made if the
+    /// scene asks for them. An empty texture whose size follows the picture's is empty again when that
+    /// changes. check() does not see it: it draws with the data that the scene declares.
+    ///
+    /// A texture takes the numbers that target() gives for it: components of the format, bytes or 16 bits for
+    /// 0..1, integers of its bits, otherwise floats, which may be NaN. Their shape is (height, width) with
+    /// the components last, (width) in one dimension, with the layers or the six faces first. Rows are those
+    /// of picture files: the top row first, t = 0 last. A volume (depth, height, width) has its texel (0, 0,
+    /// 0) first, as raw texture files have.
+    ///
+    /// The elements of a buffer are records with the members of BufferContent::columns by name, whatever
+    /// their order; numbers of one type, as many for each element as its members have together, without
+    /// padding; or structures that lie as the elements on the device. All layouts are filled right.
+    ///
+    /// Errors: library-E02 for a name that the scene does not have, library-E03 for another type, shape or
+    /// count, library-E07 for what the picture does not use, those of draw(), and draw-E05 without memory.
+    /// Nothing is written then.
+    Result<void> write(std::string_view name, const DataView& data);
+    /// The same for a contiguous range: of numbers in the order of the shape, or of structures or bytes. With
+    /// `first`, elements of a buffer from that one on.
+    template <std::ranges::contiguous_range Range>
+    Result<void> write(std::string_view name, const Range& data, std::optional<std::uint64_t> first = {}) {
+        using Element = std::ranges::range_value_t<Range>;
+        static_assert(std::is_trivially_copyable_v<Element>);
+        const std::span<const Element> all(std::ranges::data(data), std::ranges::size(data));
+        DataView view;
+        view.bytes = std::as_bytes(all);
+        view.type = numberWord<Element>();
+        view.record = sizeof(Element);
+        view.first = first;
+        return write(name, view);
+    }
 
     /// What was reported when the scene was read.
     [[nodiscard]] const Diagnostics& diagnostics() const;

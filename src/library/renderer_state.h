@@ -4,11 +4,13 @@
 #include <glibra/render.h>
 #include <glibra/scene.h>
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -95,6 +97,12 @@ struct GLIBRA_INSIDE Scene::State {
     [[nodiscard]] std::vector<std::string> settings() const;
     Result<Picture> textureNamed(std::string_view name);
     Result<BufferContent> bufferNamed(std::string_view name);
+    Result<void> write(std::string_view name, const DataView& data);
+    Result<void> writeTexture(const scene::TextureView& view, std::string_view name, const DataView& data);
+    Result<void> writeBuffer(const scene::BufferView& view, std::string_view name, const DataView& data);
+    /// Warnings become errors if the options say so: but for textures without content, which the program may
+    /// write. What it has written has some.
+    void applyStrict(Diagnostics& found) const;
     template <class T, class Use>
     Result<T> drawnFor(std::string_view name, const Use& use);
     void keepFolder();
@@ -107,7 +115,8 @@ struct GLIBRA_INSIDE Scene::State {
     Diagnostics diagnostics;
     std::uint64_t frames = 0;
     double drawnTime = 0;
-    std::vector<render::Knob> changed;  ///< what has been set
+    std::vector<render::Knob> changed;           ///< what has been set
+    std::set<std::string, std::less<>> written;  ///< textures and buffers, by name
     ViewState drawnView;
     bool isDrawn = false;
 };
@@ -123,6 +132,9 @@ Result<T> Scene::State::guarded(State* scene, const Work& work) {
         return base::diagnosticOf(lost, scene->path.generic_string());
     }
 }
+
+/// The members of a buffer, without its bytes.
+BufferContent describedContent(const plan::BufferLayout& layout, const plan::BufferTable& table);
 
 /// library-E01.
 Diagnostic wrongOption(std::string text);

@@ -53,14 +53,8 @@ BufferContent::Column columnOf(const plan::BufferField& from) {
 }
 
 BufferContent contentOf(render::BufferContent from) {
-    BufferContent to;
-    const plan::MemoryPattern& pattern = from.layout.pattern;
-    for (const plan::BufferField& each : plan::fieldsOf(from.table, pattern))
-        (each.isOfElement ? to.columns : to.head).push_back(columnOf(each));
+    BufferContent to = describedContent(from.layout, from.table);
     to.bytes = std::move(from.bytes);
-    to.headBytes = static_cast<std::size_t>(pattern.elementsAt);
-    to.stride = static_cast<std::size_t>(pattern.stride);
-    to.elements = from.layout.elements;
     return to;
 }
 
@@ -88,6 +82,16 @@ void moveInto(const std::filesystem::path& folder, std::filesystem::path& path) 
 }
 
 }  // namespace
+
+BufferContent describedContent(const plan::BufferLayout& layout, const plan::BufferTable& table) {
+    BufferContent to;
+    for (const plan::BufferField& each : plan::fieldsOf(table, layout.pattern))
+        (each.isOfElement ? to.columns : to.head).push_back(columnOf(each));
+    to.headBytes = static_cast<std::size_t>(layout.pattern.elementsAt);
+    to.stride = static_cast<std::size_t>(layout.pattern.stride);
+    to.elements = layout.elements;
+    return to;
+}
 
 Scene::Scene(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Scene::Scene(Scene&&) noexcept = default;
@@ -118,8 +122,12 @@ Result<void> Scene::State::load() {
     keepFolder();
     // Nothing moves from the scene as it is into one that may turn out to be faulty.
     render::LiveScene::Loading loading = render::LiveScene::load(*renderer->context, path, options, nullptr);
-    render::applyStrict(loading.diagnostics, options.strict);
-    if (!loading.scene || hasError(loading.diagnostics)) return std::move(loading.diagnostics);
+    std::set<std::string, std::less<>> before = std::exchange(written, {});
+    applyStrict(loading.diagnostics);
+    if (!loading.scene || hasError(loading.diagnostics)) {
+        written = std::move(before);
+        return std::move(loading.diagnostics);
+    }
     device = OnDevice{std::move(loading.scene), {}};
     {
         const std::lock_guard<std::mutex> lock(renderer->mutex);
@@ -193,7 +201,7 @@ Result<Picture> Scene::State::draw(const DrawOptions& wanted) {
     Diagnostics found = device.live->draw(**target, wanted.view, wanted.time, wanted.axes);
     Result<Picture> picture = readWindow(wanted.alpha ? 4 : 3, wanted.floatPixels);
     append(found, std::move(picture.diagnostics));
-    render::applyStrict(found, options.strict);
+    applyStrict(found);
     isDrawn = picture && !hasError(found);
     drawnTime = wanted.time;
     drawnView = wanted.view;
@@ -252,6 +260,10 @@ Result<T> Scene::State::drawnFor(std::string_view name, const Use& use) {
     Result<render::SceneRenderer> loaded =
         render::SceneRenderer::load(*renderer->context, path, wanted, stats);
     if (!loaded) return std::move(loaded.diagnostics);
+    render::DeviceScene& copy = loaded->state().conductor.device;
+    Diagnostics failed = device.live->device().textures().giveWritten(copy.textures());
+    append(failed, device.live->device().buffers().giveWritten(copy.buffers()));
+    if (hasError(failed)) return failed;
     Result<image::Image> drawn = loaded->draw(drawnTime, stats);
     if (!drawn) return std::move(drawn.diagnostics);
     return use(*loaded);

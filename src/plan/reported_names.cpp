@@ -329,12 +329,13 @@ Diagnostics reportUnwritten(const scene::Scene& scene, std::span<const FramePlan
             if (texture.name.empty() || !std::holds_alternative<scene::EmptySource>(texture.source) ||
                 !written.insert(each.view.texture).second)
                 continue;
-            diagnostics.push_back(diagnose(
-                "draw-W11",
-                fmt::format("texture '{}' (line {}) is read here, but nothing draws or writes into it, so it "
-                            "is zero",
-                            texture.name, texture.place.line),
-                statement.place));
+            diagnostics.push_back(
+                about(diagnose("draw-W11",
+                               fmt::format("texture '{}' (line {}) is read here, but nothing draws or writes "
+                                           "into it, so it is zero",
+                                           texture.name, texture.place.line),
+                               statement.place),
+                      texture.name));
         }
     };
     for (const FramePlan* plan : plans) plan->visitStatements(check);

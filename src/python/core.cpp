@@ -115,6 +115,29 @@ py::array arrayOf(const BufferContent& content, bool isOfHead) {
     return to;
 }
 
+/// A C-contiguous array, which must outlive the result.
+glibra::DataView dataOf(const py::array& array) {
+    glibra::DataView data;
+    data.bytes = {static_cast<const std::byte*>(array.data()), static_cast<std::size_t>(array.nbytes())};
+    data.shape.assign(array.shape(), array.shape() + array.ndim());
+    data.record = static_cast<std::size_t>(array.itemsize());
+    const py::dtype type = array.dtype();
+    const py::object names = type.attr("names");
+    if (names.is_none()) {
+        data.type = type.attr("name").cast<std::string>();
+        return data;
+    }
+    for (const py::handle name : names) {
+        const py::tuple field = type.attr("fields")[name];
+        std::size_t count = 1;
+        for (const py::handle side : field[0].attr("shape")) count *= side.cast<std::size_t>();
+        data.fields.push_back({name.cast<std::string>(),
+                               field[0].attr("base").attr("name").cast<std::string>(),
+                               field[1].cast<std::size_t>(), count});
+    }
+    return data;
+}
+
 py::list listOf(const Diagnostics& diagnostics) {
     py::list all;
     for (const Diagnostic& each : diagnostics) all.append(each);
@@ -382,6 +405,19 @@ PYBIND11_MODULE(_core, module) {
              [](glibra::Scene& scene, const std::string& name, bool isOfHead) {
                  const BufferContent content = taken(scene.buffer(name));
                  return arrayOf(content, isOfHead || content.stride == 0);
+             })
+        .def("write",
+             [](glibra::Scene& scene, const std::string& name, const py::array& array,
+                std::optional<std::uint64_t> first, bool isOfHead) {
+                 glibra::DataView data = dataOf(array);
+                 data.first = first;
+                 data.isOfHead = isOfHead;
+                 Result<void> written;
+                 {
+                     const py::gil_scoped_release others;
+                     written = scene.write(name, data);
+                 }
+                 taken(std::move(written));
              })
         .def("diagnostics", [](const glibra::Scene& scene) { return listOf(scene.diagnostics()); })
         .def("files", &glibra::Scene::files)

@@ -36,6 +36,7 @@ TEST(LibraryFork, EveryCallOfTheChildIsRefused) {
             [&] { return scene->set("uLevel", "1").message(); },
             [&] { return scene->target("window").message(); },
             [&] { return scene->buffer("all").message(); },
+            [&] { return scene->write("all", std::vector<float>(4)).message(); },
             [&] { return scene->reload().message(); },
             [&] { return toString(scene->check()); },
             [&] { return toString(scene->problems()); },

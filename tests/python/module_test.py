@@ -329,7 +329,8 @@ def child(work):
     print(os.waitpid(process, 0)[1], text.splitlines()[0], flush=True)
 def assign(): scene.uShininess = 5
 for work in (lambda: scene.draw(16, 12), lambda: glibra.Scene(%r).draw(16, 12), lambda: scene.uShininess, assign,
-             lambda: scene.values, lambda: scene.target(), lambda: scene.reload(), lambda: scene.check()):
+             lambda: scene.values, lambda: scene.target(), lambda: scene.reload(), lambda: scene.check(),
+             lambda: scene.write("all", numpy.zeros(4, "f4"))):
     child(work)
 child(lambda: glibra.compare(numpy.zeros((2, 2, 3), "uint8"), numpy.zeros((2, 2, 3), "uint8")))
 print(scene.draw(16, 12).shape)
@@ -339,9 +340,9 @@ print(scene.draw(16, 12).shape)
                                  text=True, timeout=300)
             self.assertEqual(ran.returncode, 0, ran.stderr)
             lines = ran.stdout.splitlines()
-            for line in lines[:8]:
+            for line in lines[:9]:
                 self.assertRegex(line, r"^0 SceneError: .*forked.*\[gpu-E08\]")
-            self.assertEqual(lines[8:], ["0 <same: equal>", "(12, 16, 3)"])
+            self.assertEqual(lines[9:], ["0 <same: equal>", "(12, 16, 3)"])
 
     def test_of_pools_give_pictures_or_errors(self):
         code = """
@@ -379,6 +380,8 @@ if __name__ == "__main__":
             self.assertEqual(str(again), str(error))
             self.assertEqual(again.diagnostics, error.diagnostics)
             self.assertEqual((again.diagnostics[0].line, again.diagnostics[0].id), (2, "glib-E01"))
+            self.assertEqual((again.id, again.file, again.line, again.column), ("glib-E01", "mine.glib", 2, 1))
+        self.assertEqual((glibra.SceneError("text").id, glibra.SceneError("text").line), ("", 0))
 
 
 class Contents(unittest.TestCase):
@@ -439,7 +442,13 @@ class Contents(unittest.TestCase):
                              files={pathlib.Path("square.vert"): bytearray(FILES["square.vert"].encode()),
                                     "square.frag": memoryview(FILES["square.frag"].encode())})
         self.assertEqual(scene.draw()[0, 0].tolist(), [51, 102, 153])
-        with self.assertRaisesRegex(TypeError, "the content of 'square.vert' is a text or bytes, found int"):
+        with tempfile.TemporaryDirectory() as folder:
+            kept = pathlib.Path(folder) / "kept.txt"
+            kept.write_text(FILES["square.frag"])
+            content = numpy.frombuffer(FILES["square.vert"].encode(), "uint8")
+            same = glibra.Scene(text=SQUARE, files={"square.vert": content, "square.frag": kept})
+        self.assertTrue((same.draw() == square().draw()).all())
+        with self.assertRaisesRegex(TypeError, "the content of 'square.vert' is a text, bytes or a path, found int"):
             glibra.Scene(text=SQUARE, files={"square.vert": 5})
         with self.assertRaises(TypeError):
             glibra.Scene(TEAPOT, files=FILES)
@@ -461,6 +470,111 @@ class Contents(unittest.TestCase):
         self.assertEqual(scene.warnings, [])
         scene.draw()
         self.assertEqual([each.id for each in scene.warnings], ["draw-N01"])
+
+
+def showing(statements, declarations, color):
+    return glibra.Scene(text=f"WindowSize 4 3\n{statements}\nFragment inline\n#version 430\n{declarations}\nout vec4 fColor;\n"
+                        f"void main() {{ ivec2 at = ivec2(gl_FragCoord.xy); fColor = {color}; }}\nEndFragment\nProgram Show\n"
+                        "Fill window with Show\n", name="show.glib")
+
+
+def copying(layout, structure, statements, count):
+    """The scene of a buffer `all` of two elements, and the numbers of it that a compute shader copies."""
+    return showing(f"Buffer all 2\nBuffer copied double {count}\nCompute inline\n#version 430\nlayout(local_size_x = 1) in;\n"
+                   f"struct E {{ {structure} }};\nlayout({layout}) readonly buffer all {{ E e[]; }};\nlayout(std430) buffer copied "
+                   f"{{ double to[]; }};\nvoid main() {{ {statements} }}\nEndCompute\nProgram Copy\nDispatch Copy 1 1 1",
+                   "layout(std430) readonly buffer copied { double to[]; };", "vec4(to[0])")
+
+
+def copied(scene):
+    scene.draw()
+    numbers = scene.buffer("copied")
+    return numbers[numbers.dtype.names[0]].tolist()
+
+
+class Writing(unittest.TestCase):
+    def test_of_time_steps_gives_the_pictures_of_the_expression(self):
+        scene = showing("Texture3D volume 4 3 2 r32f", "uniform sampler3D volume;", "texelFetch(volume, ivec3(at, 1), 0).rrrr")
+        same = showing("", "uniform float uTime;", "vec4(uTime + .01 * at.x + .1 * at.y + .5)")
+        z, y, x = numpy.mgrid[:2, :3, :4]
+        for step in range(20):
+            volume = (.02 * step + .01 * x + .1 * y + .5 * z).astype("float32")
+            scene.write("volume", volume if step % 2 else volume[..., numpy.newaxis])
+            same.uTime = .02 * step
+            self.assertLess(abs(scene.draw(dtype="float32") - same.draw(dtype="float32")).max(), 1e-6, step)
+            self.assertEqual(scene.warnings, [])
+        self.assertTrue((scene.target("volume.layer(1)")[::-1, :, 0] == volume[1]).all())
+
+    def test_takes_arrays_of_any_layout_and_byte_order(self):
+        scene = showing("Texture2D field 4 3 rg32f", "uniform sampler2D field;", "texelFetch(field, at, 0)")
+        field = numpy.arange(24, dtype="float32").reshape(3, 4, 2)
+        padded = numpy.zeros((6, 8, 2), "float32")
+        padded[::2, ::2] = field
+        for array in (field, field.astype(">f4"), numpy.asfortranarray(field), padded[::2, ::2], field[::-1][::-1], memoryview(field)):
+            scene.write("field", numpy.zeros((3, 4, 2), "float32"))
+            scene.write("field", array)
+            scene.draw()
+            self.assertTrue((scene.target("field") == field).all())
+        scene.write("field", scene.target("field"))
+        self.assertTrue((scene.target("field") == field).all())
+
+    def test_takes_what_reading_gives(self):
+        for format, sampler, kind in (("rgba8", "sampler2D", "uint8"), ("r16", "sampler2D", "uint16"), ("rg16i", "isampler2D", "int16"),
+                                      ("r32ui", "usampler2D", "uint32"), ("rgba16f", "sampler2D", "float32")):
+            scene = showing(f"Texture2D made 4 3 {format}", f"uniform {sampler} made;", "vec4(texelFetch(made, at, 0))")
+            scene.draw()
+            array = scene.target("made") + numpy.arange(4, dtype=kind).reshape(1, 4, 1)
+            self.assertEqual(array.dtype, kind)
+            scene.write("made", array)
+            self.assertTrue((scene.target("made") == array).all(), format)
+            for wrong in (array.astype("float64"), array.astype("complex64"), array[:2], array.swapaxes(0, 1), array.ravel(),
+                          array.astype("O"), numpy.zeros((3, 4), "i4,f4"), 1.5):
+                with self.assertRaisesRegex(glibra.SceneError, f"'made' .*takes {kind} of shape .3, 4.*library-E03") as raised:
+                    scene.write("made", wrong)
+                self.assertEqual([(each.id, each.line) for each in raised.exception.diagnostics], [("library-E03", 2)])
+            self.assertTrue((scene.target("made") == array).all(), format)
+        with self.assertRaisesRegex(glibra.SceneError, "did you mean 'made'.*library-E02"):
+            scene.write("mad", array)
+
+    def test_fills_padded_structures(self):
+        statements = "".join(f"to[{13 * i}] = e[{i}].before; to[{13 * i + 10}] = e[{i}].p.x; to[{13 * i + 11}] = e[{i}].p.y; "
+                             f"to[{13 * i + 12}] = e[{i}].p.z; " +
+                             "".join(f"to[{13 * i + 1 + n}] = e[{i}].m[{n // 3}][{n % 3}]; " for n in range(9)) for i in (0, 1))
+        for layout in "std430", "std140", "std140, row_major":
+            scene = copying(layout, "float before; mat3 m; vec3 p;", statements, 26)
+            records = numpy.zeros(2, [("before", "f4"), ("m", "f4", 9), ("p", "f4", 3)])
+            records["before"] = 1, 2
+            records["m"] = numpy.arange(18).reshape(2, 9)
+            records["p"] = [[5, 6, 7], [8, 9, 10]]
+            expected = [1., *range(9), 5, 6, 7, 2, *range(9, 18), 8, 9, 10]
+            turned = numpy.zeros(2, [("p", ">f4", 3), ("m", "f4", (3, 3)), ("before", ">f4")])
+            for name in records.dtype.names:
+                turned[name] = records[name].reshape(turned[name].shape)
+            for array in records, turned, numpy.array(expected, "f4").reshape(2, 13):
+                scene.write("all", numpy.zeros(2, records.dtype))
+                scene.write("all", array)
+                self.assertEqual(copied(scene), expected, layout)
+                self.assertEqual(scene.buffer("all").tolist()[1][0], 2)
+            scene.write("all", records[:1], first=1)
+            self.assertEqual(copied(scene)[13:], expected[:13])
+            scene.write("all", scene.buffer("all"))
+            self.assertEqual(copied(scene), expected[:13] * 2)
+            for wrong, first in ((records[:1], None), (records, 1), (records["m"], None), (numpy.zeros((2, 13)), None),
+                                 (numpy.zeros((13, 2), "f4"), None), (records[["before", "m"]], None)):
+                with self.assertRaisesRegex(glibra.SceneError, "has 2 elements of before .float32., m .9 float32., p .*library-E03"):
+                    scene.write("all", wrong, first=first)
+            with self.assertRaises(ValueError):
+                scene.write("all", records, first=-1)
+
+    def test_replaces_the_members_before_the_array(self):
+        scene = showing("Buffer all 4", "layout(std430) readonly buffer all { uint count; mat3 turn; float e[]; };",
+                        "vec4(count, turn[1][2], e[0], 1)")
+        scene.write("all", numpy.array([.5, 0, 0, 0], "f4"))
+        head = numpy.zeros(1, [("count", "u4"), ("turn", "f4", 9)])
+        head["count"], head["turn"][0, 5] = 7, .25
+        scene.write("all", head[0], head=True)
+        self.assertEqual(scene.draw(dtype="float32")[0, 0].tolist(), [7, .25, .5])
+        self.assertEqual(scene.buffer("all", head=True)["turn"][0].tolist(), head["turn"][0].tolist())
 
 
 class Control:

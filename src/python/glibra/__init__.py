@@ -9,6 +9,7 @@ A scene belongs to the thread that made it, and to its process: a process that i
 """
 import base64
 import math
+import operator
 import os
 import re
 import subprocess
@@ -25,11 +26,15 @@ __all__ = ["Comparison", "Diagnostic", "Scene", "SceneError", "Value", "compare"
 
 
 class SceneError(RuntimeError):
-    """What prevented a picture; ``diagnostics`` are the single messages."""
+    """What prevented a picture; ``diagnostics`` are the single messages. ``id``, ``file``, ``line`` and ``column`` are those of the
+    first error."""
 
     def __init__(self, message="", diagnostics=()):
         super().__init__(message)
         self.diagnostics = list(diagnostics)
+        first = next((each for each in self.diagnostics if each.severity == "error"), None)
+        self.id, self.file = (first.id, first.file) if first else ("", "")
+        self.line, self.column = (first.line, first.column) if first else (0, 0)
 
     def __reduce__(self):
         return type(self), (str(self), self.diagnostics)
@@ -99,10 +104,13 @@ def _content_of(file, content):
     """The content of a file in memory, as a text or bytes."""
     if isinstance(content, (str, bytes)):
         return content
+    if isinstance(content, os.PathLike):
+        with open(content, "rb") as other:
+            return other.read()
     try:
         return bytes(memoryview(content))
     except TypeError:
-        raise TypeError(f"the content of '{file}' is a text or bytes, found {type(content).__name__}") from None
+        raise TypeError(f"the content of '{file}' is a text, bytes or a path, found {type(content).__name__}") from None
 
 
 def _shape_of(type):
@@ -209,7 +217,7 @@ class Scene:
 
     def __init__(self, path=None, *, text=None, name="scene.glib", files=None, within="", library=(), strict=False):
         """Reads a scene file, or with ``text`` a scene in memory; ``files`` are then the contents of the files that it reads,
-        by their names, as texts or bytes. With ``within``, it may read only files below that folder and the ``library``
+        by their names, as texts, bytes, or paths of files that have it. With ``within``, it may read only files below that folder and the ``library``
         folders, which are searched besides its own. With ``strict``, warnings are errors."""
         if (path is None) == (text is None):
             raise TypeError("Scene takes a path or a text")
@@ -311,6 +319,18 @@ class Scene:
         """A texture or a part of one after the last picture, as "shadow" or "glow.level(2)": rows x columns x components of
         its format, integers as the integers of its bits. "window" is the picture in floats."""
         return self._scene.target(name)
+
+    def write(self, name, data, *, first=None, head=False):
+        """Replaces the content of a texture or buffer for the pictures that follow, until the scene is read again. A texture
+        takes what `target` gives, in the shape and type of its format; a volume is depth x height x width, with the texel (0, 0,
+        0) first. A buffer takes what `buffer` gives, or an array of elements x numbers. With ``first``, the array replaces
+        elements from that one on; with ``head``, one record the members before the array. Another name, type or shape raises
+        SceneError and changes nothing."""
+        if first is not None and operator.index(first) < 0:
+            raise ValueError(f"first counts elements from 0, found {first}")
+        array = numpy.asarray(data)
+        array = numpy.ascontiguousarray(array, dtype=array.dtype.newbyteorder("="))
+        self._scene.write(name, array, first, head)
 
     def check(self, time=0.0):
         """The messages of the Expect statements that do not hold; an empty list if all do."""

@@ -13,10 +13,14 @@ __version__: str
 
 Path = Union[str, "PathLike[str]"]
 Settable = Union[float, bool, str, numpy.generic, Sequence[Any], NDArray[Any]]
-Content = Union[str, bytes, bytearray, memoryview]
+Content = Union[str, bytes, bytearray, memoryview, NDArray[Any], "PathLike[str]"]
 
 class SceneError(RuntimeError):
     diagnostics: List[Diagnostic]
+    id: str
+    file: str
+    line: int
+    column: int
     def __init__(self, message: str = ..., diagnostics: Sequence[Diagnostic] = ...) -> None: ...
 
 def render(path: Path, width: int = ..., height: int = ..., *, time: float = ..., samples: int = ..., alpha: bool = ...,
@@ -46,6 +50,7 @@ class Scene:
     def __setattr__(self, name: str, value: Settable) -> None: ...
     def buffer(self, name: str, *, head: bool = ...) -> NDArray[Any]: ...
     def target(self, name: str = ...) -> NDArray[Any]: ...
+    def write(self, name: str, data: ArrayLike, *, first: Optional[int] = ..., head: bool = ...) -> None: ...
     def check(self, time: float = ...) -> List[Diagnostic]: ...
     def reload(self) -> None: ...
     @property

@@ -257,6 +257,13 @@ const DeviceMesh* LiveScene::deviceMeshOf(const plan::PlannedDraw& draw) const {
 const gpu::Texture* LiveScene::completed(scene::TextureIndex index, bool isPrevious) {
     return state_->conductor.device.textures().completed({.texture = index, .isPrevious = isPrevious});
 }
+Result<DeviceScene*> LiveScene::beginWrite(const plan::Object& object) {
+    Conductor& conductor = state_->conductor;
+    conductor.forgetDrawn();
+    if (conductor.simulation && conductor.simulation->lasts(object) && !conductor.simulation->hasRun())
+        if (Diagnostics failed = conductor.simulate(); hasError(failed)) return failed;
+    return &conductor.device;
+}
 const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
     for (const plan::FramePlan* each : state_->conductor.plans())
         if (std::optional<base::StorageBlock> found = plan::blockOf(*each, buffer))

@@ -139,6 +139,9 @@ class LiveScene {
     /// What samplers read of the texture: with its samples resolved and its mipmaps made. Null if it is not
     /// on the device. `isPrevious`: the other copy of a texture with history.
     const gpu::Texture* completed(scene::TextureIndex index, bool isPrevious);
+    /// What DeviceTextures::write and DeviceBuffers::write, for that object, come after: a Once block that
+    /// has yet to run must not replace what they give. The next frame is drawn whole.
+    Result<DeviceScene*> beginWrite(const plan::Object& object);
     /// DeviceTextures::numbersOf.
     Result<TexelNumbers> numbersOf(const scene::TextureView& view) {
         return state_->conductor.device.textures().numbersOf(view);

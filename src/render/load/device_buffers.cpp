@@ -49,7 +49,9 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     const auto known = made_.find(index);
     if (known != made_.end() && known->second.current.size() < bytes)
         if (Diagnostics failure = grow(known->second, bytes); hasError(failure)) return failure;
-    if (known != made_.end() && (states_[index].lasts || known->second.values == buffer.values)) return {};
+    if (known != made_.end() &&
+        (states_[index].lasts || known->second.isGiven || known->second.values == buffer.values))
+        return {};
     if (known != made_.end()) {
         known->second.declared.reset();
         Diagnostics problems = reset(index);
@@ -70,7 +72,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     if (!content) return content.diagnostics;
     Result<gpu::Buffer> current = filled(bytes, *content);
     if (!current) return std::move(current.diagnostics);
-    Made made{std::move(*current), {}, {}, buffer.values};
+    Made made{std::move(*current), {}, {}, false, buffer.values};
     if (buffer.hasHistory) {
         Result<gpu::Buffer> previous = filled(bytes, *content);
         if (!previous) return std::move(previous.diagnostics);
@@ -90,9 +92,10 @@ Diagnostics DeviceBuffers::grow(Made& made, std::uint64_t bytes) {
         outgrown_.push_back(std::exchange(buffer, std::move(*longer)));
         return {};
     };
-    made.declared.reset();
+    if (!made.isGiven) made.declared.reset();
     Diagnostics diagnostics = lengthen(made.current);
-    if (made.previous) append(diagnostics, lengthen(*made.previous));
+    for (std::optional<gpu::Buffer>* each : {&made.previous, &made.declared})
+        if (*each) append(diagnostics, lengthen(**each));
     return diagnostics;
 }
 
@@ -189,6 +192,46 @@ Diagnostics DeviceBuffers::reset(scene::BufferIndex index) {
     made.current.copyFrom(*made.declared);
     if (made.previous) made.previous->copyFrom(*made.declared);
     return diagnostics;
+}
+
+Diagnostics DeviceBuffers::write(scene::BufferIndex index, std::size_t offset,
+                                 std::span<const std::byte> bytes) {
+    Made& made = made_.at(index);
+    if (states_[index].isWritten && !made.declared) {
+        const Result<std::vector<std::byte>> content = declaredBytes(index);
+        if (!content) return content.diagnostics;
+        Result<gpu::Buffer> declared = filled(made.current.size(), *content);
+        if (!declared) return std::move(declared.diagnostics);
+        made.declared = std::move(*declared);
+    }
+    made.isGiven = true;
+    made.current.update(offset, bytes);
+    for (std::optional<gpu::Buffer>* each : {&made.previous, &made.declared})
+        if (*each) (*each)->update(offset, bytes);
+    return {};
+}
+
+Diagnostics DeviceBuffers::giveWritten(DeviceBuffers& copy) const {
+    Diagnostics problems;
+    for (const auto& [index, made] : made_) {
+        if (!made.isGiven || !copy.made_.contains(index)) continue;
+        const gpu::Buffer& from = made.declared ? *made.declared : made.current;
+        std::vector<std::byte> bytes(from.size());
+        from.read(0, bytes);
+        append(problems, copy.write(index, 0, bytes));
+    }
+    return problems;
+}
+
+Diagnostics DeviceBuffers::keepGiven(scene::BufferIndex index) {
+    const auto found = made_.find(index);
+    if (found == made_.end() || !found->second.isGiven || found->second.declared) return {};
+    Made& made = found->second;
+    Result<gpu::Buffer> kept = gpu::Buffer::create(made.current.size(), GL_DYNAMIC_COPY);
+    if (!kept) return std::move(kept.diagnostics);
+    kept->copyFrom(made.current);
+    made.declared = std::move(*kept);
+    return {};
 }
 
 void DeviceBuffers::takeOver(DeviceBuffers& previous, scene::BufferIndex buffer) {

@@ -54,6 +54,13 @@ class DeviceBuffers {
 
     /// Makes the content as declared, in both copies of a buffer with history.
     Diagnostics reset(scene::BufferIndex buffer);
+    /// Replaces bytes of a buffer that has been made: in both copies of one with history, and in what reset()
+    /// gives back. Other values that the scene declares later do not replace them.
+    Diagnostics write(scene::BufferIndex buffer, std::size_t offset, std::span<const std::byte> bytes);
+    /// DeviceTextures::giveWritten.
+    Diagnostics giveWritten(DeviceBuffers& copy) const;
+    /// Keeps what write() has given before a node writes the buffer for the first time.
+    Diagnostics keepGiven(scene::BufferIndex buffer);
     /// DeviceScene::takeOver.
     void takeOver(DeviceBuffers& previous, scene::BufferIndex buffer);
     /// Sets all bytes to zero. The other copy of a buffer with history stays as it is.
@@ -71,7 +78,8 @@ class DeviceBuffers {
     struct Made {
         gpu::Buffer current;
         std::optional<gpu::Buffer> previous;
-        std::optional<gpu::Buffer> declared;  ///< made by the first reset() of a buffer with values
+        std::optional<gpu::Buffer> declared;  ///< what reset() gives back; made when it is needed
+        bool isGiven = false;                 ///< by write()
         scene::BufferValues values;           ///< that it was declared with
     };
     Diagnostics make(scene::BufferIndex index);

@@ -78,7 +78,8 @@ ObjectState& DeviceScene::state(const plan::Object& object) {
 Diagnostics DeviceScene::noteWritten(const plan::Object& object, gpu::BindingTracker& bindings) {
     state(object).noteWritten();
     const auto* texture = std::get_if<scene::TextureIndex>(&object);
-    return texture != nullptr ? textures_.keepDeclared(*texture, bindings) : Diagnostics();
+    if (texture == nullptr) return buffers_.keepGiven(std::get<scene::BufferIndex>(object));
+    return textures_.keepDeclared(*texture, bindings);
 }
 
 Diagnostics DeviceScene::reset(const plan::Object& object) {

@@ -202,31 +202,84 @@ std::shared_ptr<const gpu::Texture> DeviceTextures::earlierTexture(const std::st
 Diagnostics DeviceTextures::keepDeclared(scene::TextureIndex index, gpu::BindingTracker& bindings) {
     Copies* copies = copiesOf(index);
     const scene::Texture& texture = scene_.textures[index];
-    if (copies == nullptr || copies->declared || std::holds_alternative<scene::EmptySource>(texture.source))
-        return {};
-    const gpu::Texture& now = *copies->copies[0].texture;
+    const bool isEmpty = std::holds_alternative<scene::EmptySource>(texture.source);
+    if (copies == nullptr || copies->declared || (isEmpty && !copies->isGiven)) return {};
+    Diagnostics problems = makeDeclared(index);
+    bindings.forgetWorkUnit();
+    if (copies->declared)
+        append(problems,
+               gpu::copyTexture(context_.capabilities(), *copies->copies[0].texture, *copies->declared));
+    for (Diagnostic& each : problems) each.place = texture.place;
+    return problems;
+}
+
+Diagnostics DeviceTextures::makeDeclared(scene::TextureIndex index) {
+    const scene::Texture& texture = scene_.textures[index];
+    Copies& copies = *copiesOf(index);
+    const gpu::Texture& now = *copies.copies[0].texture;
     if (auto over = charge(texelsOf(now.size(), texture.target) * gpu::bytesPerTexel(now.format()), texture))
         return {*std::move(over)};
     gpu::TextureLayout layout{now.shape(), now.format(), now.size(), now.levels()};
     layout.isFilled = false;
     Result<gpu::Texture> made = gpu::Texture::create(context_.capabilities(), layout);
-    bindings.forgetWorkUnit();
-    Diagnostics problems = std::move(made.diagnostics);
-    if (made) {
-        append(problems, gpu::copyTexture(context_.capabilities(), now, *made));
-        copies->declared = std::make_shared<const gpu::Texture>(std::move(*made));
+    if (made) copies.declared = std::make_shared<gpu::Texture>(std::move(*made));
+    return std::move(made.diagnostics);
+}
+
+Diagnostics DeviceTextures::write(scene::TextureIndex index, const gpu::Texels& texels) {
+    const scene::Texture& texture = scene_.textures[index];
+    Made& made = made_.at(index);
+    Diagnostics problems;
+    if (!made.copies) {
+        const gpu::Texture& shared = *made.texture;
+        Result<gpu::Texture> own = gpu::Texture::create(
+            context_.capabilities(), {shared.shape(), shared.format(), shared.size(), shared.levels()});
+        if (!own) return std::move(own.diagnostics);
+        drop(made);
+        made.mayBeWritten = true;
+        append(problems, makeCopies(index, std::make_shared<gpu::Texture>(std::move(*own))));
     }
+    Copies& copies = *made.copies;
+    if (made.state.isWritten && !copies.declared) append(problems, makeDeclared(index));
+    copies.isGiven = true;
+    for (Copies::Copy& each : copies.copies) {
+        if (!each.texture) continue;
+        append(problems, each.texture->upload(0, texels));
+        each.hasMipmaps = !texture.hasMipmaps;
+    }
+    if (copies.declared) append(problems, copies.declared->upload(0, texels));
     for (Diagnostic& each : problems) each.place = texture.place;
     return problems;
 }
 
-Diagnostics DeviceTextures::reset(scene::TextureIndex texture) {
-    if (!std::holds_alternative<scene::EmptySource>(scene_.textures[texture].source)) {
-        Copies* copies = copiesOf(texture);
-        if (copies == nullptr || !copies->declared) return {};
-        copies->copies[0].hasMipmaps = true;
-        return gpu::copyTexture(context_.capabilities(), *copies->declared, *copies->copies[0].texture);
+Diagnostics DeviceTextures::giveWritten(DeviceTextures& copy) const {
+    Diagnostics problems;
+    for (const auto& [index, made] : made_) {
+        const auto other = copy.made_.find(index);
+        if (!made.copies || !made.copies->isGiven || other == copy.made_.end() || !other->second.texture)
+            continue;
+        const gpu::Texture& from =
+            made.copies->declared ? *made.copies->declared : *made.copies->copies[0].texture;
+        const base::TexelFormatRow& row = base::rowOf(from.format());
+        const int components = hasDepth(row.format) ? 1 : row.components;
+        const Result<std::vector<std::byte>> texels = from.read(0, components, numberTypeOf(row));
+        append(problems,
+               texels ? copy.write(index, {*texels, components, numberTypeOf(row)}) : texels.diagnostics());
     }
+    return problems;
+}
+
+Diagnostics DeviceTextures::reset(scene::TextureIndex texture) {
+    if (Copies* copies = copiesOf(texture); copies != nullptr && copies->declared) {
+        Diagnostics problems;
+        for (Copies::Copy& each : copies->copies) {
+            if (!each.texture) continue;
+            each.hasMipmaps = !copies->isGiven || !scene_.textures[texture].hasMipmaps;
+            append(problems, gpu::copyTexture(context_.capabilities(), *copies->declared, *each.texture));
+        }
+        return problems;
+    }
+    if (!std::holds_alternative<scene::EmptySource>(scene_.textures[texture].source)) return {};
     clear(texture);
     if (!scene_.textures[texture].hasHistory) return {};
     exchange(texture);

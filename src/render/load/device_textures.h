@@ -39,6 +39,9 @@ struct TexelNumbers {
     std::vector<std::byte> data;
 };
 
+/// The type of numbers that keeps the texels of a format as they are; floats for those of other steps.
+gpu::TexelType numberTypeOf(const base::TexelFormatRow& row);
+
 class DeviceTextures {
   public:
     /// `shared` and `sharesTextures`: as of DeviceScene.
@@ -87,8 +90,13 @@ class DeviceTextures {
     Diagnostics reset(scene::TextureIndex texture);
     /// DeviceScene::takeOver.
     void takeOver(DeviceTextures& previous, scene::TextureIndex texture);
-    /// Keeps the content of a texture from a file before a node writes it for the first time; reset() gives
-    /// it back.
+    /// Replaces level 0 of a texture that has been made, which is then no other one's: in both copies of one
+    /// with history, and what reset() gives back. Not for samples.
+    Diagnostics write(scene::TextureIndex texture, const gpu::Texels& texels);
+    /// Writes into the textures of a copy of the scene what was written into the same ones here.
+    Diagnostics giveWritten(DeviceTextures& copy) const;
+    /// Keeps the content of a texture from a file, or from write(), before a node writes it for the first
+    /// time; reset() gives it back.
     Diagnostics keepDeclared(scene::TextureIndex texture, gpu::BindingTracker& bindings);
     /// Something has been drawn or stored into the current copy.
     void wasWritten(scene::TextureIndex texture);
@@ -110,7 +118,8 @@ class DeviceTextures {
         };
         std::array<Copy, 2> copies;  ///< the second one only with history
         std::size_t current = 0;
-        std::shared_ptr<const gpu::Texture> declared;  ///< of a file: its content, once a node has written it
+        std::shared_ptr<gpu::Texture> declared;  ///< what reset() gives back, once a node has written it
+        bool isGiven = false;                    ///< by write()
 
         [[nodiscard]] const Copy& of(const scene::TextureView& view) const {
             return copies[view.isPrevious ? 1 - current : current];
@@ -145,6 +154,8 @@ class DeviceTextures {
     /// True if the texture of a unit has been made as the scene states it now. One that another moment had in
     /// another size or from other files is forgotten.
     bool isMade(scene::TextureIndex index, const std::string& key);
+    /// Makes `declared` of the copies, without its content.
+    Diagnostics makeDeclared(scene::TextureIndex index);
     /// Forgets a texture with its copies, and what was made of them.
     void drop(Made& made);
     std::shared_ptr<const gpu::Texture> earlierTexture(const std::string& key, const scene::Texture& texture);

@@ -12,10 +12,8 @@
 #include "render/load/device_textures.h"
 
 namespace glibra::render {
-namespace {
 
-/// The type of numbers that keeps the texels of a format as they are; floats for those of other steps.
-gpu::TexelType typeOf(const base::TexelFormatRow& row) {
+gpu::TexelType numberTypeOf(const base::TexelFormatRow& row) {
     using enum gpu::TexelType;
     switch (row.kind) {
         case base::TexelClass::normalized:
@@ -28,6 +26,8 @@ gpu::TexelType typeOf(const base::TexelFormatRow& row) {
             return f32;
     }
 }
+
+namespace {
 
 template <class Integer>
 void toFloats(std::vector<std::byte>& numbers) {
@@ -45,7 +45,7 @@ Result<TexelNumbers> DeviceTextures::numbersOf(const scene::TextureView& view) {
     const gpu::Texture* made = completed(view);
     if (made == nullptr) return read(view, 4, gpu::TexelType::f32);  // reports why
     const base::TexelFormatRow& row = base::rowOf(made->format());
-    return read(view, hasDepth(made->format()) ? 1 : row.components, typeOf(row));
+    return read(view, hasDepth(made->format()) ? 1 : row.components, numberTypeOf(row));
 }
 
 Result<image::Image> DeviceTextures::imageOf(const scene::TextureView& view) {
@@ -57,7 +57,7 @@ Result<image::Image> DeviceTextures::imageOf(const scene::TextureView& view) {
     const int components = hasDepth(row.format) ? 1 : row.components == 2 ? 3 : row.components;
     const gpu::TexelType type = row.kind == base::TexelClass::integer           ? gpu::TexelType::i32
                                 : row.kind == base::TexelClass::unsignedInteger ? gpu::TexelType::u32
-                                                                                : typeOf(row);
+                                                                                : numberTypeOf(row);
     Result<TexelNumbers> numbers = read(view, components, type);
     if (!numbers) return std::move(numbers.diagnostics);
     image::Image image{numbers->width, numbers->height, components, image::Component::f32,

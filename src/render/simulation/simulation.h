@@ -111,6 +111,8 @@ class Simulation {
 
     /// The steps of each block at that time; 0 for blocks of which nothing is needed.
     [[nodiscard]] std::vector<std::int64_t> stepsAt(double time) const;
+    /// False if the next advance() begins anew, whatever its time.
+    [[nodiscard]] bool hasRun() const { return hasRun_; }
     /// How often what lasts has been brought to another state; equal numbers mean the same state.
     [[nodiscard]] std::int64_t changes() const { return changes_; }
     /// True if a block writes the object.
