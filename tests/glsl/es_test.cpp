@@ -395,7 +395,7 @@ TEST(Es, ClipDistancesNeedAnExtension) {
     const EsProgram es = toEs(core, {.hasClipDistances = true});  // glslang does not know the extension
     EXPECT_EQ(ids(es.diagnostics), "");
     ASSERT_FALSE(es.stages.empty());
-    EXPECT_NE(es.stages[0].source.find("#extension GL_EXT_clip_cull_distance : require\nprecision"),
+    EXPECT_NE(es.stages[0].source.find("#extension GL_EXT_clip_cull_distance : require\n#endif\nprecision"),
               std::string::npos);
     EXPECT_TRUE(hasTokens(es.stages[0].source, "out float gl_ClipDistance[1];"));
 }

@@ -114,8 +114,6 @@ class EsStage {
   public:
     EsStage(const TranslatedStage& core, Unit& unit, Report& report, const EsOptions& options)
         : core_(core), unit_(unit), report_(report), options_(options) {
-        if (options.hasClipDistances && unit.isUsed("gl_ClipDistance"))
-            unit.declare("#extension GL_EXT_clip_cull_distance : require");
         for (const char* each : {"precision highp float;", "precision highp int;",
                                  "precision highp sampler2D;", "precision highp samplerCube;"})
             unit.declare(each);
@@ -534,6 +532,17 @@ Unit* stageIn(std::vector<Unit>& units, Stage stage) {
     return found == units.end() ? nullptr : &*found;
 }
 
+/// The extension has another name in WebGL. Its line comes before everything else of a stage that others
+/// join.
+void enableClipDistances(std::vector<Unit>& units) {
+    if (std::ranges::none_of(units, [](const Unit& each) { return each.isUsed("gl_ClipDistance"); })) return;
+    for (Unit& each : units)
+        each.prologue.insert(
+            each.prologue.begin(),
+            {"#ifdef GL_ANGLE_clip_cull_distance", "#extension GL_ANGLE_clip_cull_distance : require",
+             "#else", "#extension GL_EXT_clip_cull_distance : require", "#endif"});
+}
+
 /// The stages before the fragment stage as one vertex stage, where there are more than that.
 class MergedStages {
   public:
@@ -730,6 +739,7 @@ EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
         unit.request = &es;
         stages.emplace_back(each, unit, report, options);
     }
+    if (options.hasClipDistances) enableClipDistances(units);
     const MergedStages merged(units, stages, program, options.draws);
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());
