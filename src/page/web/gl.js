@@ -21,7 +21,7 @@ const EXTENSIONS = {
     EXT_texture_filter_anisotropic: [], EXT_texture_norm16: [], EXT_depth_clamp: [], EXT_clip_control: [],
     EXT_polygon_offset_clamp: [], EXT_texture_mirror_clamp_to_edge: [], OES_sample_variables: [],
     OES_shader_multisample_interpolation: [], KHR_parallel_shader_compile: [],
-    OES_draw_buffers_indexed: ["EXT_draw_buffers_indexed"], WEBGL_clip_cull_distance: ["EXT_clip_cull_distance"],
+    OES_draw_buffers_indexed: ["EXT_draw_buffers_indexed"],
 };
 
 // What may fail although the call is right.

@@ -80,7 +80,7 @@ std::vector<TranslatedShader> translatedShaders(SceneState& state, bool isForWeb
         glsl::EsProgram es;
         const glsl::TranslatedProgram* core = state.conductor.programs.translated(variant);
         if (isForWeb && core && !hasError(core->diagnostics))
-            es = glsl::toEs(*core, {.hasClipDistances = true, .draws = plan::drawFormsOf(scene, program)});
+            es = glsl::toEs(*core, {.draws = plan::drawFormsOf(scene, program)});
         state.conductor.programs.hideTexts(program, es.diagnostics);
         addUnknown(diagnostics, std::move(es.diagnostics));
         for (const glsl::TranslatedStage& each : isForWeb ? es.stages : planned->interface->facts.stages)

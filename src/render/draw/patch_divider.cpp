@@ -55,6 +55,9 @@ std::vector<TessellationLevels> PatchDivider::measured(const BuiltProgram& built
     }
     setOwnUniform(built, "glibra_Measures", 1);
     measures_->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+    // WebGL writes into no buffer that is bound for something else, too.
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
     glEnable(GL_RASTERIZER_DISCARD);
     glBeginTransformFeedback(GL_POINTS);
     glDrawArraysInstanced(GL_POINTS, 0, 1, count);
