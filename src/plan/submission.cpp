@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <set>
+#include <variant>
 
 #include "base/text.h"
 #include "geometry/shapes/clouds.h"
@@ -188,9 +188,11 @@ glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex progr
             forms.areStrips = forms.areStrips || shape.strip;
             forms.haveIndexBuffers = forms.haveIndexBuffers || draw.indices.buffer;
             if (draw.attributes)
-                forms.haveInstanceData = forms.haveInstanceData ||
-                                         std::ranges::any_of(scene.attributeSets[draw.attributes].bindings,
-                                                             &scene::AttributeBinding::isPerInstance);
+                for (const scene::AttributeBinding& each : scene.attributeSets[draw.attributes].bindings) {
+                    forms.haveInstanceData = forms.haveInstanceData || each.isPerInstance;
+                    forms.haveBufferData =
+                        forms.haveBufferData || std::holds_alternative<scene::BufferView>(each.source);
+                }
             sizes.insert(patchVerticesOf(shape, draw));
         });
     };

@@ -260,6 +260,7 @@ TEST(Es, TooManyInputsOfAGeometryStageAreFetched) {
     EXPECT_EQ(ids(written.es.diagnostics), "");
     EXPECT_EQ(written.errors(), "");
     ASSERT_EQ(written.es.expanded.fetched.size(), 5U);
+    EXPECT_EQ(ids(toEs(written.core, {.draws = {.haveBufferData = true}}).diagnostics), "web-E01");
 }
 
 // So do tessellation stages.
@@ -363,6 +364,7 @@ TEST(Es, WhatCannotBeDrawnRightIsRefused) {
     EXPECT_EQ(numbered.errors(), "");
     EXPECT_TRUE(numbered.es.expanded.numbersPrimitives);
     EXPECT_EQ(ids(toEs(numbered.core, {.draws = {.haveIndexBuffers = true}}).diagnostics), "web-E02");
+    EXPECT_EQ(ids(toEs(numbered.core, {.draws = {.areStrips = true}}).diagnostics), "web-E02");
 }
 
 TEST(Es, VariablesOfAFileBeginAnewForEachCorner) {

@@ -603,7 +603,7 @@ class MergedStages {
         const bool hasInputs = std::ranges::any_of(vertex_->variables, [](const Variable& each) {
             return each.storage == Storage::input && !each.name.starts_with("gl_");
         });
-        if (draws_.haveIndexBuffers) return;
+        if (draws_.haveIndexBuffers || draws_.areStrips) return;
         if (!evaluation_ && hasInputs && vertex_->isUsed("gl_VertexID")) return;  // numbers of the mesh
         numbersPrimitives_ = true;
         fragment.renames["gl_PrimitiveID"] = kPrimitive;
@@ -611,15 +611,20 @@ class MergedStages {
         if (evaluation_) return;
         vertex_->declare(std::string("flat out int ") + kPrimitive + ";");
         vertex_->declare("uniform int glibra_PerPrimitive;");
-        vertex_->declare("uniform int glibra_BeforeFirst;");
-        of(*vertex_).beginWith(std::string(kPrimitive) +
-                               " = (gl_VertexID - glibra_BeforeFirst) / glibra_PerPrimitive;");
+        of(*vertex_).beginWith(std::string(kPrimitive) + " = gl_VertexID / glibra_PerPrimitive;");
+    }
+
+    [[nodiscard]] bool isFetched() const {
+        return (own_ && !own_->fetched().empty()) ||
+               (tessellation_ && !tessellation_->corners().fetched().empty());
     }
 
     void lacks(const Unit& unit, const char* what, std::string problem) {
         if (problem.empty() && draws_.areStrips) problem = "strips, fans and loops";
         if (problem.empty() && draws_.haveIndexBuffers) problem = "indices of a buffer";
         if (problem.empty() && draws_.haveInstanceData) problem = "attributes of instances";
+        if (problem.empty() && draws_.haveBufferData && isFetched())
+            problem = "more than 16 inputs, some of them from buffers";
         if (problem.empty() && corners_ == 0) problem = "patches of several sizes";
         if (problem.empty()) return;
         of(unit).lacks("web-E01",

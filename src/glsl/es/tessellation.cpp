@@ -75,6 +75,9 @@ std::string TessellationInVertex::prepare(int geometry) {
 std::string TessellationInVertex::prepareControl() {
     Unit& control = *control_;
     if (points_ <= 0) return "the vertices of its patches are not known";
+    const auto barriers = control.uses.find("barrier");
+    hasBarrier_ = barriers != control.uses.end();
+    if (hasBarrier_ && barriers->second.size() > 1) return "several barriers";
     prefixNames(control, "glibra_t");
     renameBuiltins(control, "glibra_inputs", corners_);
     control.renames["gl_out"] = "glibra_points";
@@ -132,14 +135,12 @@ std::string TessellationInVertex::statements() const {
         text +=
             inputs_.run(corner, fmt::format(" glibra_vertex = {} * glibra_patch + {};", corners_, corner));
     if (control_ == nullptr) return text;
-    // A barrier lets the invocations read what all of them wrote before it. So they run once more for each.
-    const auto barriers = control_->uses.find("barrier");
-    const std::size_t runs = 1 + (barriers == control_->uses.end() ? 0 : barriers->second.size());
+    // After a barrier the invocations read what all of them wrote before it. So they run a second time.
     text += fmt::format(
         " for (int run = 0; run < {}; ++run)"
         " for (glibra_invocation = 0; glibra_invocation < {}; ++glibra_invocation)"
         " glibra_t_main();\n",
-        runs, points_);
+        hasBarrier_ ? 2 : 1, points_);
     return text +
            " glibra_OuterLevels = vec4(glibra_Outer[0], glibra_Outer[1], glibra_Outer[2], glibra_Outer[3]);"
            " glibra_InnerLevels = vec2(glibra_Inner[0], glibra_Inner[1]);"

@@ -56,6 +56,7 @@ class TessellationInVertex {
     Unit* control_;
     Unit& evaluation_;
     int corners_, points_;
+    bool hasBarrier_ = false;
     base::TessellationLayout layout_;
     CornerStage inputs_, primitives_;
 };

@@ -51,6 +51,7 @@ struct DrawForms {
     bool areStrips = false;         ///< some are strips, fans or loops
     bool haveIndexBuffers = false;  ///< some take their indices from a buffer of the scene
     bool haveInstanceData = false;  ///< some have attributes that advance with instances
+    bool haveBufferData = false;    ///< some have attributes from a buffer of the scene
 };
 
 struct ProgramRequest {

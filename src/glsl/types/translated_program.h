@@ -158,7 +158,7 @@ struct ExpandedGeometry {
     };
     std::vector<Fetched> fetched{};
     /// The vertex stage numbers primitives for the fragment stage: each index needs a vertex of its own, and
-    /// its number less glibra_BeforeFirst, divided by glibra_PerPrimitive, is that of its primitive.
+    /// its number divided by the uniform glibra_PerPrimitive is that of its primitive.
     bool numbersPrimitives = false;
 };
 inline constexpr const char* kFetchedInputs = "glibra_Inputs";

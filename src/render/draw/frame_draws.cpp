@@ -284,10 +284,8 @@ bool FrameDrawer::drawsEdges(const plan::PlannedDraw& planned) const {
 
 void FrameDrawer::numberPrimitives(const plan::PlannedDraw& planned, const BuiltProgram& built) {
     const GLenum mode = glMode(planned.submission);
-    const int corners = mode == GL_POINTS ? 1 : mode == GL_LINES || mode == GL_LINE_STRIP ? 2 : 3;
-    const bool isStrip = planned.submission.strip.has_value();
-    setOwnUniform(built, "glibra_PerPrimitive", isStrip ? 1 : corners);
-    setOwnUniform(built, "glibra_BeforeFirst", isStrip ? corners - 1 : 0);
+    const int corners = mode == GL_POINTS ? 1 : mode == GL_LINES ? 2 : 3;
+    setOwnUniform(built, "glibra_PerPrimitive", corners);
 }
 
 void FrameDrawer::submitPatches(const plan::PlannedDraw& planned, const BuiltProgram& built,

@@ -29,7 +29,8 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     for (const bool each :
          {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex, acceptsStorage,
           suppliesFullScreenVertex, flatColors, tiled, inPieces, checksUndefined, recordsLoops, reversesOrder,
-          reportsGeometryConflicts, draws.areStrips, draws.haveIndexBuffers, draws.haveInstanceData})
+          reportsGeometryConflicts, draws.areStrips, draws.haveIndexBuffers, draws.haveInstanceData,
+          draws.haveBufferData})
         key += each ? '1' : '0';
     key += '\n';
     for (const auto& [stage, path, text] : stages)
