@@ -56,6 +56,24 @@ struct DrawOptions {
     ViewState view{};           ///< transforms in addition to the scene's
 };
 
+/// Where Scene::drawInto() puts a picture, in the context that the renderer adopted.
+struct Surface {
+    std::uint32_t framebuffer = 0;  ///< the name of a framebuffer object; 0: the window's own
+    std::uint32_t texture = 0;      ///< the name of a GL_TEXTURE_2D, whose level 0 then takes the picture
+    int x = 0, y = 0;               ///< the lower left pixel of the picture
+    int width = 0, height = 0;      ///< pixels; 0: those of the texture, else the scene's WindowSize
+};
+
+/// A texture of the scene as OpenGL has it. It belongs to the scene: others read it, and change neither its
+/// content nor how it is sampled but by a sampler object of their own.
+struct DeviceTexture {
+    std::uint32_t name = 0;                ///< of glBindTexture
+    std::uint32_t target = 0;              ///< GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, ...
+    std::uint32_t format = 0;              ///< its internal format: GL_RGBA16F, ...
+    int width = 1, height = 1, depth = 1;  ///< texels of level 0; layers count as depth
+    int levels = 1;
+};
+
 /// The content of a buffer of the scene.
 struct BufferContent {
     /// The numbers of one member of the head or of an element; matrices by columns. Each column has another
@@ -163,6 +181,23 @@ class GLIBRA_API Scene {
     /// Answers the Expect statements with the present values; those without a time of their own at `time`.
     /// Returns an error for each that does not hold. Draws with a copy of the scene of its own.
     [[nodiscard]] Diagnostics check(double time = 0);
+
+    /// Draws a picture into a framebuffer or a texture of the caller's, without reading it back: its
+    /// rectangle takes the picture's pixels, the bottom row first as OpenGL has them, in all colours that the
+    /// framebuffer has for drawing. Depth and stencil stay, as does what lies outside of the rectangle. With
+    /// `alpha` the alpha of the scene, otherwise 1. Colours are stored as they are, also in sRGB formats.
+    /// Width and height of the options are 0 or the rectangle's. target() and buffer() then show this
+    /// picture. Afterwards the state is that of the library (Renderer::open(Renderer::current())). Errors:
+    /// library-E08 if the renderer has a context of its own, or for a framebuffer or texture that takes no
+    /// picture, library-E01 for a rectangle that no picture has, and those of draw().
+    Result<void> drawInto(const Surface& surface, const DrawOptions& options = {});
+    /// A texture after the last picture, for draws of the caller's in the adopted context or one that shares
+    /// its objects. With samples resolved and mipmaps made. It keeps its name until reload(), until the size
+    /// of the picture changes, or a variable on which its size depends; its content until the next call.
+    /// Errors: library-E04 if nothing has been drawn, library-E02 for a texture that there is not,
+    /// library-E07 for one that the picture does not use, and library-E08 if the renderer has a context of
+    /// its own.
+    Result<DeviceTexture> deviceTexture(std::string_view name);
 
     /// "window": the last picture, in floats. Otherwise a texture or a part of one, as "shadow",
     /// "glow.level(2)", "sky.face(0)", "slices.layer(3)", after the last picture, top row first, in the

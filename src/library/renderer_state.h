@@ -88,6 +88,11 @@ struct GLIBRA_INSIDE Scene::State {
     template <class T, class Work>
     static Result<T> guarded(State* scene, const Work& work);
     Result<Picture> draw(const DrawOptions& options);
+    /// Draws, and gives `use` the target with the picture, whose result is that of the drawing.
+    template <class T, class Use>
+    Result<T> drawn(const DrawOptions& options, const Use& use);
+    Result<void> drawInto(const Surface& surface, DrawOptions options);
+    Result<DeviceTexture> deviceTexture(std::string_view name);
     /// What was drawn last.
     [[nodiscard]] Result<Picture> readWindow(int components, bool isFloat) const;
     Result<const gpu::Target*> targetFor(const DrawOptions& options);
@@ -133,6 +138,23 @@ Result<T> Scene::State::guarded(State* scene, const Work& work) {
     }
 }
 
+template <class T, class Use>
+Result<T> Scene::State::drawn(const DrawOptions& wanted, const Use& use) {
+    Result<const gpu::Target*> target = targetFor(wanted);
+    if (!target) return std::move(target.diagnostics);
+    Diagnostics found = device.live->draw(**target, wanted.view, wanted.time, wanted.axes);
+    Result<T> used = use(**target);
+    append(found, std::move(used.diagnostics));
+    applyStrict(found);
+    isDrawn = used && !hasError(found);
+    drawnTime = wanted.time;
+    drawnView = wanted.view;
+    if (!isDrawn) return found;
+    ++frames;
+    used.diagnostics = std::move(found);
+    return used;
+}
+
 /// The members of a buffer, without its bytes.
 BufferContent describedContent(const plan::BufferLayout& layout, const plan::BufferTable& table);
 
@@ -140,6 +162,10 @@ BufferContent describedContent(const plan::BufferLayout& layout, const plan::Buf
 Diagnostic wrongOption(std::string text);
 /// library-E01 for numbers that are not finite.
 Diagnostics problemsOf(const ViewState& view);
+/// library-E01 for each option that no picture of a loaded scene has.
+Diagnostics problemsOf(const DrawOptions& options);
+/// library-E04.
+Diagnostic nothingDrawn();
 
 struct OptionRange {
     const char* name;

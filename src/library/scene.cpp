@@ -28,16 +28,6 @@
 namespace glibra {
 namespace {
 
-Diagnostics problemsOf(const DrawOptions& options) {
-    Diagnostics found = outOfRange({{"width", options.width, kLargestPictureSide},
-                                    {"height", options.height, kLargestPictureSide},
-                                    {"samples", options.samples, suite::kMostSamples}});
-    if (!std::isfinite(options.time))
-        found.push_back(wrongOption(fmt::format("time: {} is not a finite number of seconds", options.time)));
-    append(found, problemsOf(options.view));
-    return found;
-}
-
 BufferContent::Column columnOf(const plan::BufferField& from) {
     BufferContent::Column to;
     to.name = from.name;
@@ -72,16 +62,26 @@ Result<Picture> pictureIn(Result<render::TexelNumbers> numbers) {
     return picture;
 }
 
-Diagnostic nothingDrawn() {
-    return diagnose("library-E04", "no picture has been drawn yet");
-}
-
 /// The path as it was meant in that folder.
 void moveInto(const std::filesystem::path& folder, std::filesystem::path& path) {
     if (!path.empty() && path.is_relative()) path = (folder / path).lexically_normal();
 }
 
 }  // namespace
+
+Diagnostics problemsOf(const DrawOptions& options) {
+    Diagnostics found = outOfRange({{"width", options.width, kLargestPictureSide},
+                                    {"height", options.height, kLargestPictureSide},
+                                    {"samples", options.samples, suite::kMostSamples}});
+    if (!std::isfinite(options.time))
+        found.push_back(wrongOption(fmt::format("time: {} is not a finite number of seconds", options.time)));
+    append(found, problemsOf(options.view));
+    return found;
+}
+
+Diagnostic nothingDrawn() {
+    return diagnose("library-E04", "no picture has been drawn yet");
+}
 
 BufferContent describedContent(const plan::BufferLayout& layout, const plan::BufferTable& table) {
     BufferContent to;
@@ -196,18 +196,8 @@ Result<const gpu::Target*> Scene::State::targetFor(const DrawOptions& wanted) {
 }
 
 Result<Picture> Scene::State::draw(const DrawOptions& wanted) {
-    Result<const gpu::Target*> target = targetFor(wanted);
-    if (!target) return std::move(target.diagnostics);
-    Diagnostics found = device.live->draw(**target, wanted.view, wanted.time, wanted.axes);
-    Result<Picture> picture = readWindow(wanted.alpha ? 4 : 3, wanted.floatPixels);
-    append(found, std::move(picture.diagnostics));
-    applyStrict(found);
-    isDrawn = picture && !hasError(found);
-    drawnTime = wanted.time;
-    drawnView = wanted.view;
-    if (!isDrawn) return found;
-    ++frames;
-    return {std::move(*picture), std::move(found)};
+    return drawn<Picture>(
+        wanted, [&](const gpu::Target&) { return readWindow(wanted.alpha ? 4 : 3, wanted.floatPixels); });
 }
 
 Result<Picture> Scene::State::readWindow(int components, bool isFloat) const {

@@ -153,8 +153,14 @@ int intOf(const char* name, const py::object& value) {
     if (isBeyond != 0 || number != static_cast<int>(number))
         throw Failure{
             {glibra::diagnose("library-E01", std::string(name) + ": " + std::string(py::str(whole)) +
-                                                 " is not a number of pixels or samples")}};
+                                                 " is no number of pixels, samples or objects")}};
     return static_cast<int>(number);
+}
+
+/// The name of an object of OpenGL; one that no object has for numbers that are none.
+std::uint32_t nameOf(const py::object& value) {
+    const int number = intOf("name", value);
+    return number < 0 ? ~0U : static_cast<std::uint32_t>(number);
 }
 
 DrawOptions optionsOf(const py::object& width, const py::object& height, double time,
@@ -348,6 +354,7 @@ PYBIND11_MODULE(_core, module) {
                  return taken(glibra::Renderer::open(*which));
              }),
              py::arg("driver") = "auto")
+        .def_static("current", [] { return taken(glibra::Renderer::open(glibra::Renderer::current())); })
         .def("load",
              [](glibra::Renderer& renderer, const std::filesystem::path& path, const py::dict& options) {
                  return taken(renderer.load(path, loadOptionsOf(options)));
@@ -380,6 +387,34 @@ PYBIND11_MODULE(_core, module) {
                      picture = scene.draw(options);
                  }
                  return drawnOf(std::move(picture));
+             })
+        .def("draw_into",
+             [](glibra::Scene& scene, const std::vector<py::object>& surface, double time,
+                const py::object& samples, bool alpha, const std::vector<double>& eye, bool axes) {
+                 const py::int_ none(0);
+                 const DrawOptions options = optionsOf(none, none, time, samples, alpha, false, eye, axes);
+                 const glibra::Surface to{nameOf(surface.at(0)),         nameOf(surface.at(1)),
+                                          intOf("x", surface.at(2)),     intOf("y", surface.at(3)),
+                                          intOf("width", surface.at(4)), intOf("height", surface.at(5))};
+                 Result<void> drawn;
+                 {
+                     const py::gil_scoped_release others;
+                     drawn = scene.drawInto(to, options);
+                 }
+                 const Diagnostics remarks = drawn.diagnostics;
+                 taken(std::move(drawn));
+                 return listOf(remarks);
+             })
+        .def("device_texture",
+             [](glibra::Scene& scene, const std::string& name) {
+                 const glibra::DeviceTexture texture = taken(scene.deviceTexture(name));
+                 py::dict to;
+                 to["name"] = texture.name;
+                 to["target"] = texture.target;
+                 to["format"] = texture.format;
+                 to["size"] = py::make_tuple(texture.width, texture.height, texture.depth);
+                 to["levels"] = texture.levels;
+                 return to;
              })
         .def("values",
              [](const glibra::Scene& scene) {

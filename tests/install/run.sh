@@ -145,6 +145,25 @@ if pkg-config --exists glfw3 && command -v xvfb-run >"$place/log"; then
     done
 fi
 
+# Scenes in windows of other libraries: something else than the program's own colour is in the middle of each.
+for each in glfw:glfw3 sdl:sdl2; do
+    name=${each%:*}
+    pkg-config --exists "${each#*:}" && command -v xvfb-run >"$place/log" || continue
+    # shellcheck disable=SC2046
+    ${CXX:-c++} -std=c++20 -Wall -Wextra -Werror -I"$place/prefix/include" "$source/docs/examples/windows/$name.cpp" -o "$place/$name" \
+        -L"$(dirname "$library")" -lglibra -Wl,-rpath,"$(dirname "$library")" $(pkg-config --cflags --libs "${each#*:}") -lGL \
+        >"$place/log" 2>&1 || fail "the example $name"
+    printf 'WindowSize 64 64\nBackground 1 .5 0\n' >"$place/orange.glib"
+    xvfb-run -a sh -c '"$1" "$2" & shown=$!
+        for i in $(seq 100); do
+            sleep .1
+            import -window root "$3" && convert "$3" -unique-colors txt:- | grep -qi "#ff8000" && break
+        done
+        kill $shown' sh "$place/$name" "$place/orange.glib" "$place/$name.png" >"$place/log" 2>&1
+    convert "$place/$name.png" -unique-colors txt:- | grep -qi '#ff8000' || fail "the example $name shows no scene"
+    xvfb-run -a "$place/$name" "$source/glib/start/teapot.glib" 3 >"$place/log" 2>&1 || fail "the example $name ends with another status"
+done
+
 # Pages for shells and manuals are those of the program, and none is missing.
 for each in $("$place/prefix/bin/glibra" manual | sed -n 's/^\\fBglibra\\-\([a-z]*\).*/\1/p'); do
     test -s "$place/prefix/share/man/man1/glibra-$each.1" || fail "no manual page of $each"

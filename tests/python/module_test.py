@@ -1,5 +1,6 @@
 """The Python package as its users use it: scenes as objects, arrays, notebooks, pytest. Run by CTest with the package of the
 build tree on PYTHONPATH."""
+import ctypes
 import itertools
 import os
 import pathlib
@@ -575,6 +576,94 @@ class Writing(unittest.TestCase):
         scene.write("all", head[0], head=True)
         self.assertEqual(scene.draw(dtype="float32")[0, 0].tolist(), [7, .25, .5])
         self.assertEqual(scene.buffer("all", head=True)["turn"][0].tolist(), head["turn"][0].tolist())
+
+
+class Window(unittest.TestCase):
+    def test_shows_the_present_values_and_files_in_memory(self):
+        scene = square()
+        scene.uLevel, scene.uOn, scene.uColor = .5, True, (.1, .3, .9)
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "program")
+            with open(program, "w") as script:
+                script.write('#!/bin/sh\nshift; scene=$1; shift; exec "$REAL" render "$scene" "$@" -o "$PICTURE"\n')
+            os.chmod(program, 0o755)
+            picture = os.path.join(folder, "seen.png")
+            with unittest.mock.patch.dict(os.environ, REAL=os.environ["GLIBRA"], GLIBRA=program, PICTURE=picture):
+                scene.view(time=1.5)
+                self.assertTrue(glibra.compare(scene.draw(time=1.5), picture, exact=True))
+                os.remove(picture)
+                process = scene.view(wait=False)
+                self.assertEqual(process.wait(), 0)
+                self.assertTrue(glibra.compare(scene.draw(), picture, exact=True))
+
+    def test_says_what_it_lacks(self):
+        shown = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        with unittest.mock.patch.dict(os.environ, shown, clear=True):
+            with self.assertRaisesRegex(RuntimeError, "render"):  # what the program says without a display
+                square().view()
+        with unittest.mock.patch.dict(os.environ, {"PATH": ""}):
+            del os.environ["GLIBRA"]
+            with self.assertRaisesRegex(RuntimeError, "PATH"):
+                square().view()
+
+
+class Surfaces(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        glibra.Scene(TEAPOT).draw(8, 8)  # whose context stands for the program's own
+        egl = ctypes.CDLL("libEGL.so.1")
+        egl.eglGetProcAddress.restype = ctypes.c_void_p
+        cls.function = staticmethod(lambda name: ctypes.CFUNCTYPE(None)(egl.eglGetProcAddress(name.encode())))
+
+    def call(self, name, *arguments):
+        self.function(name)(*arguments)
+
+    def texture(self, width, height):
+        name = ctypes.c_uint()
+        self.call("glGenTextures", 1, ctypes.byref(name))
+        self.call("glBindTexture", 0x0DE1, name)  # GL_TEXTURE_2D, RGBA8, RGBA, unsigned bytes
+        self.call("glTexImage2D", 0x0DE1, 0, 0x8058, width, height, 0, 0x1908, 0x1401, None)
+        return name.value
+
+    def pixels(self, texture, width, height):
+        array = numpy.zeros((height, width, 4), "uint8")
+        self.call("glBindTexture", 0x0DE1, texture)
+        self.call("glGetTexImage", 0x0DE1, 0, 0x1908, 0x1401, ctypes.c_void_p(array.ctypes.data))
+        return array[::-1]
+
+    def test_take_pictures_without_reading_them(self):
+        scene = glibra.Scene(TEAPOT, current=True)
+        name = self.texture(32, 24)
+        scene.draw_into(texture=name, time=2.5, samples=4)
+        expected = scene.draw(32, 24, time=2.5, samples=4)
+        numpy.testing.assert_array_equal(self.pixels(name, 32, 24)[:, :, :3], expected)
+        scene.draw_into(texture=numpy.int64(name), x=8, y=4, width=16, height=12)
+        numpy.testing.assert_array_equal(self.pixels(name, 32, 24)[8:20, 8:24, :3], scene.draw(16, 12))
+
+    def test_are_those_of_the_scene_too(self):
+        scene = glibra.Scene(text="WindowSize 8 6\nTexture2D red 4 2 rgba8\nPass red clear {1 0 0}\nEndPass\n"
+                             "Fragment inline\n#version 330\nuniform sampler2D red; in vec2 vST; out vec4 color;\n"
+                             "void main() { color = texture(red, vST); }\nEndFragment\nProgram Show\nFill window with Show\n",
+                             current=True)
+        scene.draw()
+        texture = scene.device_texture("red")
+        self.assertEqual((texture["target"], texture["format"], texture["size"], texture["levels"]),
+                         (0x0DE1, 0x8058, (4, 2, 1), 1))
+        self.assertEqual(self.pixels(texture["name"], 4, 2).tolist(), [[[255, 0, 0, 255]] * 4] * 2)
+
+    def test_that_are_none_are_refused(self):
+        with self.assertRaisesRegex(glibra.SceneError, "own"):
+            square().draw_into(1)
+        scene = glibra.Scene(text=SQUARE, files=FILES, current=True)
+        for wrong in {"framebuffer": 4711}, {"texture": -1}, {"framebuffer": 0}:
+            with self.assertRaises(glibra.SceneError) as caught:
+                scene.draw_into(**wrong)
+            self.assertEqual(caught.exception.id, "library-E08", wrong)
+        for wrong in {"framebuffer": 1.5}, {"texture": "window"}:
+            with self.assertRaises(TypeError):
+                scene.draw_into(**wrong)
+        with self.assertRaisesRegex(glibra.SceneError, "width"):
+            scene.draw_into(1, width=10**9)
 
 
 class Control:

@@ -61,9 +61,9 @@ std::string Mismatch::suggested(std::string_view word) const {
     std::string nearest = base::nearestName(word, words);
     if (nearest.empty()) nearest = base::nearestName(beforePoint(word), words);
     // `culling` for `cull`: the longest word with which it begins.
-    constexpr std::size_t kLeast = 3;
+    constexpr std::size_t kFewestLetters = 3;
     for (const std::string_view each : nearest.empty() ? words : std::vector<std::string_view>())
-        if (each.size() >= kLeast && each.size() > nearest.size() &&
+        if (each.size() >= kFewestLetters && each.size() > nearest.size() &&
             sameWord(each, word.substr(0, each.size())))
             nearest = each;
     return sameWord(nearest, word) ? std::string() : nearest;  // the word is right, and something else is not
@@ -93,8 +93,8 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
         return fmt::format("; write ({}) for its value", pieces.onOneLine(at - 1, pieces.size()));
     const bool isColor = expects(Kind::color), isList = expects(Kind::components);
     std::size_t end = at;
-    constexpr std::size_t kMost = 4;
-    while (end < pieces.size() && end - at < kMost && pieces[end].kind == Value::Kind::number) ++end;
+    constexpr std::size_t kLongestRun = 4;
+    while (end < pieces.size() && end - at < kLongestRun && pieces[end].kind == Value::Kind::number) ++end;
     if ((!isColor && !isList) || end - at < (isColor ? 3 : 1)) return {};
     const std::string numbers = pieces.onOneLine(at, end);
     return isColor ? fmt::format("; write {{{}}}", numbers) : fmt::format("; write [{}]", numbers);

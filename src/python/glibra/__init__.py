@@ -11,7 +11,9 @@ import base64
 import math
 import operator
 import os
+import pathlib
 import re
+import shutil
 import subprocess
 import tempfile
 import threading
@@ -45,10 +47,13 @@ for _public in SceneError, Comparison, Diagnostic, Value:
 _core.use_error(SceneError)
 
 _thread = threading.local()
+_windows = []  # processes of view() that nobody waits for, and the folders of what they show
 
 
-def _renderer():
-    """The renderer of this thread, which its scenes share."""
+def _renderer(current=False):
+    """The renderer of this thread, which its scenes share; with ``current`` one in the context that is current on it."""
+    if current:
+        return _core.Renderer.current()
     if not hasattr(_thread, "renderer"):
         _thread.renderer = _core.Renderer(os.environ.get("GLIBRA_DRIVER", "auto"))
     return _thread.renderer
@@ -215,18 +220,22 @@ class Scene:
     ``scene.method = "linear"``. Names that are no Python names, or are those of methods: ``scene["lights[0].color"] = ...``.
     """
 
-    def __init__(self, path=None, *, text=None, name="scene.glib", files=None, within="", library=(), strict=False):
+    def __init__(self, path=None, *, text=None, name="scene.glib", files=None, within="", library=(), strict=False, current=False):
         """Reads a scene file, or with ``text`` a scene in memory; ``files`` are then the contents of the files that it reads,
         by their names, as texts, bytes, or paths of files that have it. With ``within``, it may read only files below that folder and the ``library``
-        folders, which are searched besides its own. With ``strict``, warnings are errors."""
+        folders, which are searched besides its own. With ``strict``, warnings are errors. With ``current``, it draws in the
+        OpenGL context that is current on this thread, which must be current in all later calls."""
         if (path is None) == (text is None):
             raise TypeError("Scene takes a path or a text")
         if text is None and files:
             raise TypeError("files are those of a text; a scene of a path reads its own")
         options = _places(within, library, strict)
         contents = {os.fspath(file): _content_of(file, content) for file, content in (files or {}).items()}
-        made = (_renderer().load(os.fspath(path), options) if text is None
-                else _renderer().load_text(text, os.fspath(name), contents, options))
+        renderer = _renderer(current)
+        made = (renderer.load(os.fspath(path), options) if text is None
+                else renderer.load_text(text, os.fspath(name), contents, options))
+        object.__setattr__(self, "_memory", None if text is None else {os.fspath(name): text, **{
+            os.path.join(os.path.dirname(os.fspath(name)), file): content for file, content in contents.items()}})
         object.__setattr__(self, "_scene", made)
         object.__setattr__(self, "_names", {each.name for each in made.values()})
         object.__setattr__(self, "_warnings", [])
@@ -239,6 +248,21 @@ class Scene:
         picture, warnings = self._scene.draw(width, height, time, samples, alpha, _is_float(dtype), _columns_of(eye), axes)
         object.__setattr__(self, "_warnings", warnings)
         return picture
+
+    def draw_into(self, framebuffer=0, *, texture=0, x=0, y=0, width=0, height=0, time=0.0, samples=0, alpha=False, eye=None,
+                  axes=False):
+        """Draws the picture into a framebuffer of the program's own context, by its OpenGL name (0: the window's), or into
+        level 0 of a 2D texture, with (x, y) as its lower left pixel, and reads nothing back. The scene was loaded with
+        ``current``. A size of 0 is the texture's, else the scene's. Afterwards the state of OpenGL is the library's."""
+        surface = [operator.index(each) for each in (framebuffer, texture, x, y, width, height)]
+        object.__setattr__(self, "_warnings", self._scene.draw_into(
+            surface, time, samples, alpha, _columns_of(eye), axes))
+
+    def device_texture(self, name):
+        """A texture after the last picture as OpenGL has it, for draws of the program's own in the same context or one that
+        shares its objects: a dictionary of ``name``, ``target``, ``format``, ``size`` (width, height, depth) and ``levels``.
+        The scene was loaded with ``current``."""
+        return self._scene.device_texture(name)
 
     @property
     def warnings(self):
@@ -395,6 +419,49 @@ class Scene:
                  else f"{value.program_line}:{value.name}")
         redraw()
         return ipywidgets.HBox([picture, ipywidgets.VBox(controls)])
+
+    def view(self, *, time=0.0, wait=True):
+        """Opens the window on the scene with its present values, and waits until it is closed; otherwise returns the process.
+        A scene in memory is shown from copies of its files, so that edits in the window end with it. Needs the program
+        glibra."""
+        program = os.environ.get("GLIBRA") or shutil.which("glibra")
+        if program is None:
+            raise RuntimeError("view() needs the program glibra, which is not in PATH")
+        folder = tempfile.TemporaryDirectory(prefix="glibra-")
+        arguments = [program, "view", self._copied_to(folder.name), "--time", f"{time:.17g}"]
+        for each in self.values:
+            if each.value != each.initial:
+                name = f"{each.program_line}:{each.name}" if each.program_line else each.name
+                arguments += ["--set", f"{name}={','.join(f'{number:.17g}' for number in each.value)}"]
+        process = subprocess.Popen(arguments, stderr=subprocess.PIPE if wait else None, text=True)
+        if not wait:
+            _windows[:] = [each for each in _windows if each[0].poll() is None]
+            _windows.append((process, folder))
+            return process
+        with folder:
+            _, said = process.communicate()
+        if process.returncode != 0:
+            raise RuntimeError(said.strip() or f"the window ended with status {process.returncode}")
+
+    def _copied_to(self, folder):
+        """The path of the scene; one in memory is written below a folder with the files that it read beside itself."""
+        if self._memory is None:
+            return str(self.files[0])
+        scene = next(iter(self._memory))
+        home = os.path.dirname(os.path.abspath(scene))
+        contents = {os.path.abspath(file): content for file, content in self._memory.items()}
+        for file in map(os.path.abspath, map(str, self.files)):
+            if file not in contents and os.path.isfile(file):
+                contents[file] = _content_of(file, pathlib.Path(file))
+        for file, content in contents.items():
+            below = os.path.relpath(file, home)
+            if below.startswith(os.pardir):
+                continue
+            copy = os.path.join(folder, below)
+            os.makedirs(os.path.dirname(copy), exist_ok=True)
+            with open(copy, "wb") as to:
+                to.write(content.encode() if isinstance(content, str) else content)
+        return os.path.join(folder, os.path.basename(scene))
 
     def film(self, seconds=4.0, *, rate=25, width=0, height=0):
         """In a notebook: a film of the scene (needs ffmpeg). Returns an object that shows itself as a video."""
