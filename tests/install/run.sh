@@ -148,12 +148,13 @@ fi
 # Scenes in windows of other libraries: something else than the program's own colour is in the middle of each.
 for each in glfw:glfw3 sdl:sdl2; do
     name=${each%:*}
-    pkg-config --exists "${each#*:}" && command -v xvfb-run >"$place/log" || continue
+    if ! pkg-config --exists "${each#*:}" || ! command -v xvfb-run >"$place/log"; then continue; fi
     # shellcheck disable=SC2046
     ${CXX:-c++} -std=c++20 -Wall -Wextra -Werror -I"$place/prefix/include" "$source/docs/examples/windows/$name.cpp" -o "$place/$name" \
         -L"$(dirname "$library")" -lglibra -Wl,-rpath,"$(dirname "$library")" $(pkg-config --cflags --libs "${each#*:}") -lGL \
         >"$place/log" 2>&1 || fail "the example $name"
     printf 'WindowSize 64 64\nBackground 1 .5 0\n' >"$place/orange.glib"
+    # shellcheck disable=SC2016
     xvfb-run -a sh -c '"$1" "$2" & shown=$!
         for i in $(seq 100); do
             sleep .1

@@ -1,5 +1,5 @@
-// A scene in a texture that two contexts of SDL share: the library draws in one, the program in the other, whose
-// state it leaves alone.
+// A scene in a texture that two contexts of SDL share: the library draws in one, the program in the other,
+// whose state it leaves alone.
 //   sdl SCENE.glib [FRAMES]
 #define GL_GLEXT_PROTOTYPES
 #include <SDL2/SDL.h>
@@ -15,8 +15,8 @@ int main(int argc, char** argv) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
     constexpr int kWidth = 480, kHeight = 360;
-    SDL_Window* window = SDL_CreateWindow("Shared", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, kWidth, kHeight,
-                                          SDL_WINDOW_OPENGL);
+    SDL_Window* window = SDL_CreateWindow("Shared", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, kWidth,
+                                          kHeight, SDL_WINDOW_OPENGL);
     SDL_GLContext own = window != nullptr ? SDL_GL_CreateContext(window) : nullptr;
     SDL_GL_SetAttribute(SDL_GL_SHARE_WITH_CURRENT_CONTEXT, 1);
     SDL_GLContext shared = own != nullptr ? SDL_GL_CreateContext(window) : nullptr;  // is current now
