@@ -16,11 +16,14 @@ server_packages="libcpp-httplib-dev"
 # What tools/package-portable needs besides.
 portable_packages="patchelf xz-utils"
 # What tools/package needs besides.
-debian_packages="build-essential debhelper dpkg-dev fakeroot libegl-dev lintian python3-dev pybind11-dev python3-numpy dh-python"
+debian_packages="build-essential debhelper dpkg-dev fakeroot libegl-dev lintian python3-dev pybind11-dev python3-numpy dh-python
+ appstream desktop-file-utils"
+# What tools/package-python needs besides.
+python_packages="python3-dev pybind11-dev python3-numpy python3-pip python3-setuptools python3-wheel libegl-dev twine"
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy-19 libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  meson glslang-tools mesa-vulkan-drivers python3 python3-pil python3-yaml chromium? chromium-driver? imagemagick
- procps xvfb xauth x11-utils xdotool openbox libx11-dev libsdl2-dev shellcheck git python3-dev pybind11-dev python3-numpy python3-pytest python3-pip
+ procps xvfb xauth x11-utils xdotool openbox libx11-dev libsdl2-dev shellcheck git python3-dev pybind11-dev python3-numpy python3-pytest python3-pip mypy
  node-typescript python3-venv python3-setuptools python3-wheel zsh fish mandoc vim neovim $portable_packages"
 
 # ccache takes precompiled headers only with these.

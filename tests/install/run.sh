@@ -170,7 +170,7 @@ for each in $("$place/prefix/bin/glibra" manual | sed -n 's/^\\fBglibra\\-\([a-z
     test -s "$place/prefix/share/man/man1/glibra-$each.1" || fail "no manual page of $each"
 done
 for each in man/man1/glibra.1 bash-completion/completions/glibra zsh/vendor-completions/_glibra \
-    fish/vendor_completions.d/glibra.fish applications/glibra.desktop mime/packages/glibra.xml \
+    fish/vendor_completions.d/glibra.fish applications/glibra.desktop metainfo/glibra.metainfo.xml mime/packages/glibra.xml \
     thumbnailers/glibra.thumbnailer icons/hicolor/256x256/apps/glibra.png; do
     [ -s "$place/prefix/share/$each" ] || [ ! -f "$build/glibra-view" ] || fail "not installed: $each"
 done

@@ -34,6 +34,7 @@ scene.uShininess = 20
 picture = scene.draw(64, 48, time=1)
 assert picture.shape == (48, 64, 3) and picture.min() < picture.max()
 assert glibra.compare(picture, picture).same
+glibra.save(picture, "picture.jpg")
 END
 $python -m pip --python "$inside" uninstall -y glibra >"$place/log" 2>&1 || fail "pip uninstall"
 [ -z "$(find "$place/env" -name '*glibra*')" ] || fail "pip uninstall leaves files"

@@ -6,18 +6,23 @@
 compares the picture with ``golden/TEST.png`` beside the test. ``--glibra-update`` accepts what is drawn;
 ``--glibra-report FOLDER`` writes a page with the pictures that differ.
 """
+from __future__ import annotations
+
 import html
 import itertools
 import json
+import os
 import pathlib
 import re
+from typing import Any, Dict, Mapping, Optional, Union
 
 import pytest
+from numpy.typing import NDArray
 
 import glibra
 
 
-def pytest_addoption(parser):
+def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("glibra")
     group.addoption("--glibra-update", action="store_true", help="accept the pictures as the new golden ones")
     group.addoption("--glibra-report", metavar="FOLDER", help="write a page with the pictures that differ")
@@ -26,12 +31,13 @@ def pytest_addoption(parser):
 class Golden:
     """Compares pictures with accepted ones; see golden.check."""
 
-    def __init__(self, request):
+    def __init__(self, request: pytest.FixtureRequest) -> None:
         self._request = request
         self._count = 0
         self._folder = pathlib.Path(request.node.path).parent
 
-    def check(self, scene, *, name=None, width=0, height=0, time=0.0, set=None, **tolerance):
+    def check(self, scene: Union[str, os.PathLike[str], glibra.Scene], *, name: Optional[str] = None, width: int = 0,
+              height: int = 0, time: float = 0.0, set: Optional[Mapping[str, Any]] = None, **tolerance: Any) -> None:
         """Draws a scene (a path beside the test, or a glibra.Scene) and compares it with its golden picture. ``tolerance``
         as for glibra.compare."""
         if not isinstance(scene, glibra.Scene):
@@ -40,11 +46,11 @@ class Golden:
             scene[each] = value
         self.check_picture(scene.draw(width, height, time=time), name=name, **tolerance)
 
-    def check_picture(self, picture, *, name=None, **tolerance):
+    def check_picture(self, picture: NDArray[Any], *, name: Optional[str] = None, **tolerance: Any) -> None:
         """The same for a picture: an array of height x width x 3 or 4 numbers."""
         self._count += 1
         from_test = name is None
-        if from_test:
+        if name is None:
             name = re.sub(r"[^\w.-]+", "_", self._request.node.name) + (f"-{self._count}" if self._count > 1 else "")
         golden = self._folder / "golden" / f"{name}.png"
         if from_test:
@@ -61,15 +67,16 @@ class Golden:
             self._note(name, picture, golden, found)
             pytest.fail(f"{name}: {found.reason}", pytrace=False)
 
-    def _claim(self, golden):
+    def _claim(self, golden: pathlib.Path) -> None:
         """Fails if the name of another test gives the same golden picture."""
         node = self._request.node.nodeid
-        first = self._request.config.stash.setdefault(_OWNERS, {}).setdefault(golden, node)
+        none: Dict[pathlib.Path, str] = {}
+        first = self._request.config.stash.setdefault(_OWNERS, none).setdefault(golden, node)
         if first != node:
             pytest.fail(f"{first} and {node} have the same golden picture {golden}; give one of them a name of its own: "
                         'golden.check(..., name="...")', pytrace=False)
 
-    def _note(self, name, picture, golden, found):
+    def _note(self, name: str, picture: NDArray[Any], golden: pathlib.Path, found: glibra.Comparison) -> None:
         folder = self._request.config.getoption("--glibra-report")
         if not folder:
             return
@@ -91,27 +98,27 @@ class Golden:
 
 
 _RECORD = ".difference.json"  # of a picture that differs, until the page is written
-_OWNERS = pytest.StashKey()  # of golden pictures, those that are named by tests: the node of the first test
+_OWNERS: pytest.StashKey[Dict[pathlib.Path, str]] = pytest.StashKey()  # of golden pictures, those that are named by tests: the node of the first test
 
 
 @pytest.fixture
-def golden(request):
+def golden(request: pytest.FixtureRequest) -> Golden:
     return Golden(request)
 
 
-def _report_of(config):
+def _report_of(config: pytest.Config) -> Optional[pathlib.Path]:
     """The folder of the report; None in the worker processes of pytest-xdist, which only add to it."""
     folder = config.getoption("--glibra-report")
     return pathlib.Path(folder) if folder and not hasattr(config, "workerinput") else None
 
 
-def pytest_configure(config):
+def pytest_configure(config: pytest.Config) -> None:
     folder = _report_of(config)
     for left in folder.glob("*" + _RECORD) if folder else ():  # by a run that was ended
         left.unlink()
 
 
-def pytest_sessionfinish(session):
+def pytest_sessionfinish(session: pytest.Session) -> None:
     folder = _report_of(session.config)
     if not folder:
         return

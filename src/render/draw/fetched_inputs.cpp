@@ -5,15 +5,14 @@
 #include <span>
 #include <utility>
 
+#include "render/draw/texel_list.h"
+
 namespace glibra::render {
 namespace {
 
-constexpr std::size_t kWidth = 2048;  // the least that OpenGL ES 3.0 has
-using Texel = std::array<float, 4>;
-
-std::vector<Texel> texelsOf(const DeviceMesh& mesh, const std::vector<FetchedInputs::Source>& sources) {
+std::vector<ListTexel> texelsOf(const DeviceMesh& mesh, const std::vector<FetchedInputs::Source>& sources) {
     const auto vertices = static_cast<std::size_t>(mesh.indexCount);
-    std::vector<Texel> texels(vertices * sources.size());
+    std::vector<ListTexel> texels(vertices * sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i) {
         if (const auto* value = std::get_if<std::array<double, 4>>(&sources[i])) {
             for (std::size_t vertex = 0; vertex < vertices; ++vertex)
@@ -26,7 +25,7 @@ std::vector<Texel> texelsOf(const DeviceMesh& mesh, const std::vector<FetchedInp
         std::vector<float> values(vertices * size);
         attribute.floats.read(0, std::as_writable_bytes(std::span(values)));
         for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-            Texel& texel = texels[vertex * sources.size() + i] = {0, 0, 0, 1};
+            ListTexel& texel = texels[vertex * sources.size() + i] = {0, 0, 0, 1};
             std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(vertex * size),
                         std::min<std::size_t>(size, 4), texel.begin());
         }
@@ -36,26 +35,21 @@ std::vector<Texel> texelsOf(const DeviceMesh& mesh, const std::vector<FetchedInp
 
 }  // namespace
 
-void FetchedInputs::bind(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings,
-                         const BuiltProgram& built, const plan::PlannedDraw& draw, const DeviceMesh& mesh,
-                         const std::vector<Source>& sources) {
+Diagnostics FetchedInputs::bind(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings,
+                                const BuiltProgram& built, const plan::PlannedDraw& draw,
+                                const DeviceMesh& mesh, const std::vector<Source>& sources) {
     Made& made = made_[&draw];
     if (!made.texture || made.sources != sources) {
-        std::vector<Texel> texels = texelsOf(mesh, sources);
-        const std::size_t rows = std::max<std::size_t>(1, (texels.size() + kWidth - 1) / kWidth);
-        texels.resize(rows * kWidth);
-        Result<gpu::Texture> texture =
-            gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba32f,
-                                 {kWidth, static_cast<int>(rows)},
-                                 {std::as_bytes(std::span(std::as_const(texels))), 4, gpu::TexelType::f32});
+        Result<gpu::Texture> texture = listTexture(capabilities, texelsOf(mesh, sources));
         bindings.forgetWorkUnit();
-        if (!texture) return;
+        if (!texture) return std::move(texture.diagnostics);
         made.texture.emplace(std::move(*texture));
         made.sources = sources;
     }
     const int unit = capabilities.combinedTextureUnits - 2;  // the last one has coordinates (PatchDivider)
     bindings.bind(*made.texture, unit);
     glUniform1i(glGetUniformLocation(built.program->id(), glsl::kFetchedInputs), unit);
+    return {};
 }
 
 }  // namespace glibra::render

@@ -23,9 +23,10 @@ class FetchedInputs {
     using Source = std::variant<std::array<double, 4>, const DeviceMesh::Attribute*>;
 
     /// Binds the texture for a draw with the program that is bound. `sources`: in the order of
-    /// ExpandedGeometry::fetched. Binds nothing if the device lacks memory.
-    void bind(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings, const BuiltProgram& built,
-              const plan::PlannedDraw& draw, const DeviceMesh& mesh, const std::vector<Source>& sources);
+    /// ExpandedGeometry::fetched. Errors: those of gpu::Texture::create; nothing is bound then.
+    Diagnostics bind(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings,
+                     const BuiltProgram& built, const plan::PlannedDraw& draw, const DeviceMesh& mesh,
+                     const std::vector<Source>& sources);
 
   private:
     struct Made {

@@ -197,8 +197,8 @@ class FrameDrawer {
                                    const PassInProgress& pass) const;
     void setSupplied(plan::PlannedProgramIndex program, const BuiltProgram& built, const DrawFacts& facts);
     void setBuiltins(const BuiltProgram& built, const DrawFacts& facts);
-    void setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                           const glm::dvec4& color);
+    Diagnostics setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                  const glm::dvec4& color);
     void bindTextures(const std::vector<plan::TextureUse>& textures, const BuiltProgram& built);
     void bindBlocks(plan::PlannedProgramIndex program, const BuiltProgram& built);
     void runPerSample(bool on);

@@ -434,7 +434,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInP
         setBuiltins(built, facts);
     }
     if (isUsable) bindBlocks(planned.program, built);
-    setConstantInputs(planned, built, facts.color);
+    append(diagnostics, setConstantInputs(planned, built, facts.color));
     bindTextures(planned.textures, built);
     const base::RasterState raster = setRaster(planned, built, pass, diagnostics);
     runPerSample(shadesSamples_ && isWindow && isUsable &&
@@ -443,6 +443,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInP
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
     if (!recordLoops(planned, built, pass.frame, raster)) submitInShares(planned, built);
+    append(diagnostics, patches_.takeProblems());
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();

@@ -95,8 +95,8 @@ void FrameDrawer::setSupplied(plan::PlannedProgramIndex program, const BuiltProg
     }
 }
 
-void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                                    const glm::dvec4& color) {
+Diagnostics FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                                           const glm::dvec4& color) {
     const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
     const glsl::ExpandedGeometry& expanded = built.interface.facts.expanded;
     const std::vector<plan::InputSource>& sources = device_.inputSources(plan_, planned.inputs, built);
@@ -125,7 +125,8 @@ void FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, const Buil
             for (int corner = 0; corner < std::max(1, expanded.corners); ++corner)
                 gpu::setConstantAttribute(static_cast<GLuint>(input.location + corner), input.type, value);
     }
-    if (!fetched.empty()) fetched_.bind(context_.capabilities(), bindings_, built, planned, mesh, fetched);
+    if (fetched.empty()) return {};
+    return fetched_.bind(context_.capabilities(), bindings_, built, planned, mesh, fetched);
 }
 
 /// The uniform of glsl/es/borders.h, if the program has it.

@@ -7,6 +7,7 @@
 
 #include "geometry/tessellator.h"
 #include "gpu/object/uniform.h"
+#include "render/draw/texel_list.h"
 
 namespace glibra::render {
 void setOwnUniform(const BuiltProgram& built, std::string_view name, double value) {
@@ -50,6 +51,7 @@ std::vector<TessellationLevels> PatchDivider::measured(const BuiltProgram& built
     const std::span<std::byte> bytes = std::as_writable_bytes(std::span(levels));
     if (!measures_ || measures_->size() < bytes.size()) {
         Result<gpu::Buffer> room = gpu::Buffer::create(bytes.size(), GL_STREAM_READ);
+        append(problems_, std::move(room.diagnostics));
         if (!room) return {};
         measures_ = std::move(*room);
     }
@@ -73,10 +75,8 @@ PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities
                                            std::vector<TessellationLevels> levels) {
     const glsl::ExpandedGeometry& expanded = built.interface.facts.expanded;
     const base::TessellationLayout& layout = *expanded.tessellation;
-    constexpr int kWidth = 2048;  // the least that OpenGL ES 3.0 has
-    using Texel = std::array<float, 4>;
-    std::vector<Texel> texels(levels.size());
-    std::map<TessellationLevels, Texel> known;
+    std::vector<ListTexel> texels(levels.size());
+    std::map<TessellationLevels, ListTexel> known;
     Divided divided;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const auto [entry, isNew] = known.try_emplace(levels[i]);
@@ -90,12 +90,8 @@ PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities
         }
         texels[i] = entry->second;
     }
-    const auto rows = (texels.size() + kWidth - 1) / kWidth;
-    texels.resize(rows * kWidth);
-    Result<gpu::Texture> texture =
-        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba32f,
-                             {kWidth, static_cast<int>(rows)},
-                             {std::as_bytes(std::span(std::as_const(texels))), 4, gpu::TexelType::f32});
+    Result<gpu::Texture> texture = listTexture(capabilities, std::move(texels));
+    append(problems_, std::move(texture.diagnostics));
     if (texture) divided.coordinates.emplace(std::move(*texture));
     divided.levels = std::move(levels);
     return divided;

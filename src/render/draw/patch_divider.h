@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gpu/context/capabilities.h"
@@ -36,9 +37,12 @@ class PatchDivider {
         /// Binds what the draw reads on gpu::kWorkUnit, where textures are made.
         std::function<void()> bindAgain{};
     };
-    /// Draws with the program and the vertex array that are bound. Draws nothing if the device lacks memory.
+    /// Draws with the program and the vertex array that are bound. Draws nothing if the device lacks memory,
+    /// which takeProblems() then says.
     void submit(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings,
                 const BuiltProgram& built, const Work& work);
+    /// What has prevented draws since the last call: draw-E05, gpu-E02, gpu-E04.
+    Diagnostics takeProblems() { return std::exchange(problems_, {}); }
 
   private:
     struct Divided {
@@ -47,13 +51,14 @@ class PatchDivider {
         int most = 0;  ///< vertices of a patch
     };
     [[nodiscard]] std::vector<TessellationLevels> measured(const BuiltProgram& built, int count);
-    static Divided divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
-                          std::vector<TessellationLevels> levels);
+    Divided divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
+                   std::vector<TessellationLevels> levels);
 
     std::map<std::pair<const plan::PlannedDraw*, int>, Divided> divided_;  ///< by draw and first instance
     std::map<const BuiltProgram*, GLint> locations_;                       ///< of the coordinates
     std::optional<gpu::Buffer> measures_;
     gpu::EdgeBuffers edges_;
+    Diagnostics problems_;
 };
 
 }  // namespace glibra::render
