@@ -387,19 +387,39 @@ TEST(Es, VariablesOfAFileBeginAnewForEachCorner) {
     EXPECT_EQ(ids(toEs(sized.core, {.draws = {.patchVertices = 0}}).diagnostics), "web-E01");
 }
 
-TEST(Es, ClipDistancesNeedAnExtension) {
-    const TranslatedProgram core =
-        translateStages({{Stage::vertex,
-                          "#version 410\nout float gl_ClipDistance[1];\nvoid main() { gl_Position = aVertex; "
-                          "gl_ClipDistance[0] = aVertex.x; }\n"},
-                         {Stage::fragment, "#version 410\nout vec4 c;\nvoid main() { c = vec4(1); }\n"}});
-    EXPECT_EQ(ids(toEs(core).diagnostics), "web-E02");
-    const EsProgram es = toEs(core, {.hasClipDistances = true});  // glslang does not know the extension
+TEST(Es, ClipDistancesDiscardFragments) {
+    for (const char* declared : {"", "out float gl_ClipDistance[2];\n"}) {
+        const TranslatedProgram core = translateStages(
+            {{Stage::vertex, std::string("#version 410\n") + declared +
+                                 "void main() { gl_Position = aVertex; gl_ClipDistance[0] = aVertex.x; "
+                                 "gl_ClipDistance[1] = 1.; }\n"},
+             {Stage::fragment, "#version 410\nout vec4 c;\nvoid main() { c = vec4(1); }\n"}});
+        const EsProgram es = toEs(core);
+        EXPECT_EQ(ids(es.diagnostics), "");
+        ASSERT_EQ(es.stages.size(), 2U);
+        EXPECT_TRUE(hasTokens(es.stages[0].source, "out float glibra_ClipDistance[2];"));
+        EXPECT_TRUE(hasTokens(es.stages[1].source,
+                              "if (glibra_ClipDistance[0] < 0. || glibra_ClipDistance[1] < 0.) discard;"));
+        TranslatedProgram program;
+        program.stages = es.stages;
+        EXPECT_EQ(glslangErrors(program), "");
+    }
+    // Each vertex that a geometry stage emits has its own.
+    const TranslatedProgram core = translateStages(
+        {{Stage::vertex, "#version 410\nvoid main() { gl_Position = aVertex; }\n"},
+         {Stage::geometry,
+          "#version 410\nlayout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n"
+          "void main() { for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position; "
+          "gl_ClipDistance[0] = gl_Position.x; EmitVertex(); } }\n"},
+         {Stage::fragment, "#version 410\nout vec4 c;\nvoid main() { c = vec4(1); }\n"}});
+    const EsProgram es = toEs(core);
     EXPECT_EQ(ids(es.diagnostics), "");
-    ASSERT_FALSE(es.stages.empty());
-    EXPECT_NE(es.stages[0].source.find("#extension GL_EXT_clip_cull_distance : require\n#endif\nprecision"),
-              std::string::npos);
-    EXPECT_TRUE(hasTokens(es.stages[0].source, "out float gl_ClipDistance[1];"));
+    ASSERT_EQ(es.stages.size(), 2U);
+    EXPECT_TRUE(hasTokens(es.stages[0].source, "glibra_ClipDistance = glibra_kept_glibra_ClipDistance;"))
+        << es.stages[0].source;
+    TranslatedProgram program;
+    program.stages = es.stages;
+    EXPECT_EQ(glslangErrors(program), "");
 }
 
 TEST(Es, BordersAreReadByTheShader) {

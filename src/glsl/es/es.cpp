@@ -275,9 +275,9 @@ class EsStage {
     }
 
     void variable(Variable& each, std::vector<InitialValue>& initialValues) {
-        if (isClipDistance(each.name)) return;
         if (each.name.starts_with("gl_")) {
-            if (listed(kMissingNames, each.name)) missing(each.name, each.nameToken);
+            if (!unit_.renames.contains(each.name) && listed(kMissingNames, each.name))
+                missing(each.name, each.nameToken);
             each.removed = true;
             return;
         }
@@ -358,7 +358,7 @@ class EsStage {
             if (role == WordRole::global) member(at, text);
             return;
         }
-        if (unit_.renames.contains(text) || isClipDistance(text)) return;
+        if (unit_.renames.contains(text)) return;
         if (listed(kMissingNames, text) || (text.starts_with("gl_Max") && !listed(kLimits, text)) ||
             text.starts_with("atomic") || text.starts_with("imageAtomic"))
             missing(text, at);
@@ -431,10 +431,6 @@ class EsStage {
     void missing(std::string_view name, std::uint32_t at) {
         lacks("web-E02",
               "'" + std::string(name) + "' is not in GLSL ES 3.00, which browsers compile for WebGL 2", at);
-    }
-
-    [[nodiscard]] bool isClipDistance(std::string_view name) const {
-        return options_.hasClipDistances && name == "gl_ClipDistance";
     }
 
     /// What main does first.
@@ -532,17 +528,6 @@ Unit* stageIn(std::vector<Unit>& units, Stage stage) {
     return found == units.end() ? nullptr : &*found;
 }
 
-/// The extension has another name in WebGL. Its line comes before everything else of a stage that others
-/// join.
-void enableClipDistances(std::vector<Unit>& units) {
-    if (std::ranges::none_of(units, [](const Unit& each) { return each.isUsed("gl_ClipDistance"); })) return;
-    for (Unit& each : units)
-        each.prologue.insert(
-            each.prologue.begin(),
-            {"#ifdef GL_ANGLE_clip_cull_distance", "#extension GL_ANGLE_clip_cull_distance : require",
-             "#else", "#extension GL_EXT_clip_cull_distance : require", "#endif"});
-}
-
 /// The stages before the fragment stage as one vertex stage, where there are more than that.
 class MergedStages {
   public:
@@ -560,10 +545,13 @@ class MergedStages {
             connect(*last, *fragment);
         if (vertex_ && fragment && !geometry_ && fragment->isUsed("gl_PrimitiveID"))
             numberPrimitives(*fragment);
+        if (vertex_ && program.clipDistances > 0) clip(fragment, program.clipDistances);
         if (!vertex_ || (!evaluation_ && !geometry_)) return;
         corners_ = evaluation_ ? draws.patchVertices : cornersOfInput(program.geometryInput);
         if (evaluation_) tessellate(program);
         if (geometry_) build(fragment, program);
+        if (built_ && program.clipDistances > 0)
+            built_->keep("float", kDistances, "[" + std::to_string(program.clipDistances) + "]");
     }
 
     /// Of what the stages become.
@@ -597,6 +585,22 @@ class MergedStages {
 
   private:
     EsStage& of(const Unit& unit) { return stages_[static_cast<std::size_t>(&unit - first_)]; }
+
+    /// The fragment stage discards what lies behind a plane: pixels whose centres are cut away have a
+    /// negative distance (OpenGL 4.6 Core, 13.7.1).
+    void clip(Unit* fragment, int count) {
+        const std::string size = "[" + std::to_string(count) + "];";
+        Unit& last = geometry_ ? *geometry_ : evaluation_ ? *evaluation_ : *vertex_;
+        last.renames["gl_ClipDistance"] = kDistances;
+        last.declare(std::string("out float ") + kDistances + size);
+        if (!fragment) return;
+        fragment->renames["gl_ClipDistance"] = kDistances;
+        fragment->declare(std::string("in float ") + kDistances + size);
+        std::string isBehind;
+        for (int i = 0; i < count; ++i)
+            isBehind += std::string(i > 0 ? " || " : "") + kDistances + "[" + std::to_string(i) + "] < 0.";
+        of(*fragment).beginWith("if (" + isBehind + ") discard;");
+    }
 
     /// The fragment stage gets the number of its primitive from the vertices.
     void numberPrimitives(Unit& fragment) {
@@ -709,6 +713,7 @@ class MergedStages {
     Unit *vertex_, *control_, *evaluation_, *geometry_;
     const Unit* first_;
     static constexpr const char* kPrimitive = "glibra_PrimitiveID";
+    static constexpr const char* kDistances = "glibra_ClipDistance";
     int corners_ = 0;  ///< of a primitive of the mesh
     bool numbersPrimitives_ = false;
     std::optional<TessellationInVertex> tessellation_;
@@ -744,7 +749,6 @@ EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
         unit.request = &es;
         stages.emplace_back(each, unit, report, options);
     }
-    if (options.hasClipDistances) enableClipDistances(units);
     const MergedStages merged(units, stages, program, options.draws);
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (EsStage& each : stages) result.stages.push_back(each.take());

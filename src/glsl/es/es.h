@@ -25,7 +25,6 @@ struct EsOptions {
     /// Textures that the program reads may have a border, which whoever draws says by the uniforms of
     /// borders.h.
     bool hasBorders = false;
-    bool hasClipDistances = false;  ///< the driver has EXT_clip_cull_distance
     DrawForms draws{};
 };
 

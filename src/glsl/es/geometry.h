@@ -28,9 +28,9 @@ class GeometryInVertex {
     /// Rewrites the stage. `primitive`: what gl_PrimitiveIDIn is written as. Returns what cannot be
     /// expressed, as a text, or nothing.
     std::string prepare(const std::string& primitive);
-    /// A variable in place of a member of a block of outputs.
-    void keep(std::string type, std::string name) {
-        blockOutputs_.push_back({std::move(type), std::move(name), {}});
+    /// Another output, such as the variable in place of a member of a block.
+    void keep(std::string type, std::string name, std::string sizes = {}) {
+        blockOutputs_.push_back({std::move(type), std::move(name), std::move(sizes)});
     }
     /// After that, and after the outputs were connected to the fragment stage: the functions that follow the
     /// stage's text.

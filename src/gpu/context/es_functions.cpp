@@ -28,7 +28,6 @@ GLenum pending = GL_NO_ERROR;  ///< of a function that ES does not have
 bool isLoaded = false;
 bool hasWide = false;      ///< EXT_texture_norm16
 bool clampsDepth = false;  ///< EXT_depth_clamp
-bool clips = false;        ///< EXT_clip_cull_distance
 
 // ---- States
 
@@ -49,7 +48,7 @@ bool isOfEs(GLenum capability) {
         case GL_DEPTH_CLAMP:
             return clampsDepth;
         default:
-            return clips && capability >= GL_CLIP_DISTANCE0 && capability <= GL_CLIP_DISTANCE7;
+            return false;
     }
 }
 
@@ -274,7 +273,6 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     program = 0;
     pending = GL_NO_ERROR;
     clampsDepth = hasExtension("GL_EXT_depth_clamp");
-    clips = hasExtension("GL_EXT_clip_cull_distance");
     hasWide = hasExtension("GL_EXT_texture_norm16");
     isLoaded = true;
     return true;

@@ -88,10 +88,7 @@ static bool hasBorders(const scene::Scene& scene) {
 glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramRequest& asked) const {
     glsl::TranslatedProgram program = glsl::translate(asked);
     if (!context_.capabilities().isEs || hasError(program.diagnostics)) return program;
-    glsl::EsProgram es = glsl::toEs(
-        program, {.hasBorders = hasBorders(scene_),
-                  .hasClipDistances = context_.capabilities().hasExtension("GL_EXT_clip_cull_distance"),
-                  .draws = asked.draws});
+    glsl::EsProgram es = glsl::toEs(program, {.hasBorders = hasBorders(scene_), .draws = asked.draws});
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
     program.expanded = es.expanded;
