@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "base/files.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "cli/command_line.h"
@@ -25,9 +27,11 @@
 #include "cli/written_files.h"
 #include "image/file.h"
 #include "render/file/job.h"
+#include "suite/file/store_name.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
 #include "suite/golden/orphans.h"
+#include "suite/golden/picture_store.h"
 #include "suite/options/option_words.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/merge.h"
@@ -132,6 +136,8 @@ int report(suite::RunResult& run, const TestArguments& arguments, const suite::R
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     noteOrphans(run);
+    if (std::string awaited = suite::awaitedLine(run); !awaited.empty())
+        print({withoutId(Severity::note, std::move(awaited))});
     return std::max(writeReports(run, arguments.reports, arguments.results, roots) ? kDone : kSceneIsWrong,
                     exitStatus(run));
 }
@@ -270,6 +276,69 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     return options;
 }
 
+/// A shot whose verdict waits for pictures of the store, in a run that may download them.
+bool mayDownload(const suite::ShotResult& shot, const Selection& selection,
+                 const suite::RunOptions& options) {
+    if (shot.awaits.empty() || !shot.awaitsStore || options.sandbox != nullptr) return false;
+    const auto found = std::ranges::find(selection.suites, shot.suite, &suite::Suite::name);
+    return found != selection.suites.end() && suite::isAddress(found->store);
+}
+
+/// Downloads the pictures that shots wait for. Returns the shots that have all of theirs now; the others say
+/// why not.
+std::set<suite::ShotKey> downloadFor(std::vector<suite::ShotResult>& waiting, const Selection& selection,
+                                     const suite::RunOptions& options, const std::function<bool()>& stop) {
+    std::map<std::string, std::size_t> known;  // by address
+    std::vector<suite::Download> wanted;
+    std::map<suite::ShotKey, std::vector<std::string>> addressesOf;
+    for (const suite::ShotResult& shot : waiting) {
+        const suite::Suite& suite = *std::ranges::find(selection.suites, shot.suite, &suite::Suite::name);
+        const suite::PictureStore store(suite.store, {});
+        for (const fs::path& golden : shot.awaits) {
+            const fs::path inside = golden.lexically_relative(suite::goldenFolder(suite, options.goldens));
+            if (inside.empty() || *inside.begin() == "..") continue;
+            constexpr std::uint64_t kLongest = 4096;
+            const auto bytes = image::readFile(golden, {golden.generic_string(), {}}, kLongest);
+            const auto pointer = bytes ? suite::parsePointer(*bytes) : std::nullopt;
+            if (!pointer) continue;
+            const std::string address = store.placeOf(*pointer, golden.extension().generic_string());
+            if (known.try_emplace(address, wanted.size()).second) wanted.push_back({*pointer, address});
+            addressesOf[{shot.suite, shot.shot}].push_back(address);
+        }
+    }
+    printLine(fmt::format("downloading {} of goldens", base::counted(wanted.size(), "picture")));
+    suite::download(wanted, stop);
+    std::set<suite::ShotKey> ready;
+    for (suite::ShotResult& shot : waiting) {
+        const suite::ShotKey key(shot.suite, shot.shot);
+        std::string why;
+        for (const std::string& each : addressesOf[key])
+            if (const suite::Download& one = wanted[known.at(each)]; why.empty() && !one.whyNot.empty())
+                why = fmt::format("the picture of its golden cannot be downloaded from '{}': {}", each,
+                                  one.whyNot);
+        if (why.empty()) {
+            ready.insert(key);
+            continue;
+        }
+        shot.reason = why;
+        std::erase_if(shot.diagnostics, [](const Diagnostic& each) { return each.id == "suite-E34"; });
+        shot.diagnostics.push_back(diagnose("suite-E34", why, {shot.awaits.front().generic_string(), 1, 1}));
+    }
+    return ready;
+}
+
+/// Says where new pictures are that belong to a web server.
+void noteUploads(const std::vector<suite::Suite>& suites, const fs::path& results) {
+    const fs::path folder = results / suite::kUploads;
+    const std::size_t count = base::entriesOf(folder).size();
+    for (const suite::Suite& each : suites)
+        if (suite::isAddress(each.store) && count > 0)
+            print({withoutId(Severity::note,
+                             fmt::format("'{}' has {} for {}: upload {}, then commit the pointers",
+                                         folder.generic_string(), base::counted(count, "picture"), each.store,
+                                         count == 1 ? "it" : "them"))});
+}
+
 /// --rename: gives the golden of the shot's former name its new one. The picture is that of the golden, or it
 /// is compared with it.
 void moveGolden(suite::ShotResult& shot, const Selection& selection, const suite::RunOptions& options) {
@@ -371,7 +440,8 @@ int test(const TestArguments& arguments) {
         const suite::Suite& suite = selection->suites[each.suite];
         progress.begins(suite.name + "/" + suite.shots[each.shot].name);
     };
-    std::vector<suite::ShotResult> near;  // after those whose picture is that of a golden
+    std::vector<suite::ShotResult> near;     // after those whose picture is that of a golden
+    std::vector<suite::ShotResult> waiting;  // for pictures of the store
     const auto take = [&](suite::ShotResult shot) {
         if (arguments.rename) moveGolden(shot, *selection, options);
         if (const std::string line = lineOf(shot); printsLines && !line.empty()) progress.print(line);
@@ -384,13 +454,36 @@ int test(const TestArguments& arguments) {
         record->add(shot);
     };
     events.done = [&](const suite::ShotResult& judged) {
-        if (arguments.rename && !judged.nearTo.empty())
+        if (mayDownload(judged, *selection, options))
+            waiting.push_back(judged);
+        else if (arguments.rename && !judged.nearTo.empty())
             near.push_back(judged);
         else
             take(judged);
     };
     events.stop = [&] { return isStopped() || record->failed(); };
-    const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
+    suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
+    if (!waiting.empty()) {
+        progress.clear();
+        std::vector<suite::ShotResult> all = std::exchange(waiting, {});
+        const std::set<suite::ShotKey> ready = downloadFor(all, *selection, options, events.stop);
+        std::vector<suite::ShotReference> again;
+        for (suite::ShotResult& each : all) {
+            const suite::ShotKey key(each.suite, each.shot);
+            if (ready.contains(key))
+                again.push_back(basisOf.at(key).first);
+            else
+                take(std::move(each));
+        }
+        std::ranges::sort(again);
+        if (!again.empty() && !events.stop()) {
+            suite::RunEnd second = suite::runShots(selection->suites, again, options, events);
+            append(end.diagnostics, std::move(second.diagnostics));
+            end.stopped = end.stopped || second.stopped;
+        }
+        // What cannot be read even now is no matter of the store.
+        for (suite::ShotResult& each : std::exchange(waiting, {})) take(std::move(each));
+    }
     for (suite::ShotResult& each : near) {
         if (std::error_code failure; !fs::exists(each.nearTo, failure))
             each.nearTo.clear();  // it is another shot's
@@ -422,6 +515,7 @@ int test(const TestArguments& arguments) {
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
     status = std::max(
         status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
+    if (arguments.updates()) noteUploads(selection->suites, arguments.results);
     if (end.stopped && interruption.signal() != 0) {
         printLine("stopped; continue with --resume");
         interruption.obey();

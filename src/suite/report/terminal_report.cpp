@@ -89,6 +89,8 @@ class Text {
         pair("difference", fromHere(shot.difference));
         pair("reproduce", shot.reproduce);
         pair("accept", shot.accept);
+        pair("would pass", shot.toPass);
+        pair("no tolerance", shot.noTolerance.empty() ? "" : "is sensible: " + shot.noTolerance);
         line("");
     }
     /// The path as it opens from the current folder. Pictures of the run are named from the results folder.
@@ -164,6 +166,16 @@ std::string cell(std::string_view text) {
     return escaped;
 }
 
+/// Why a shot needs a look, how many of its pixels differ by how much, and what would pass it.
+std::string why(const ShotResult& shot) {
+    std::string text = cell(reasonOf(shot));
+    if (const std::string steps = stepsText(shot); !steps.empty())
+        text += "<br>pixels that differ by more than " + cell(steps);
+    if (!shot.toPass.empty()) text += "<br>would pass: <code>" + cell(shot.toPass) + "</code>";
+    if (!shot.noTolerance.empty()) text += "<br>no tolerance is sensible: " + cell(shot.noTolerance);
+    return text;
+}
+
 /// A path of the results folder as the end of an address.
 std::string address(const std::string& path) {
     std::string encoded;
@@ -185,6 +197,7 @@ std::string toMarkdown(const RunResult& run, const MarkdownOptions& options) {
     std::string text = fmt::format("### Pictures: {}\n\n", cell(counts(run)));
     if (const std::string missing = shortfall(run); !missing.empty())
         text += fmt::format("**Incomplete:** {}\n\n", cell(missing));
+    if (const std::string awaited = awaitedLine(run); !awaited.empty()) text += cell(awaited) + "\n\n";
     constexpr std::size_t kMostOrphans = 20;
     for (const std::string& line : orphanLines(run, kMostOrphans)) text += cell(line) + "\n\n";
     std::vector<const ShotResult*> shots;
@@ -198,7 +211,7 @@ std::string toMarkdown(const RunResult& run, const MarkdownOptions& options) {
     for (std::size_t i = 0; i < shots.size() && i < kMostListed; ++i) {
         const ShotResult& shot = *shots[i];
         text += fmt::format("| {} | {} | {} |", cell(shot.suite + "/" + shot.shot),
-                            isChangedPass(shot) ? "changed" : name(shot.verdict), cell(reasonOf(shot)));
+                            isChangedPass(shot) ? "changed" : name(shot.verdict), why(shot));
         if (hasPictures)
             for (const auto* each : {&shot.expected, &shot.got, &shot.difference})
                 text += fmt::format(" {} |", imageTag(*each, options.picturesAt));
@@ -266,6 +279,8 @@ std::string details(const ShotResult& shot) {
     add("difference", shot.difference.generic_string());
     add("reproduce", shot.reproduce);
     add("accept", shot.accept);
+    add("would pass", shot.toPass);
+    add("no tolerance is sensible", shot.noTolerance);
     return text;
 }
 

@@ -81,6 +81,9 @@ class ShotJudge {
     static bool needsForce(const Findings& found, const image::Image& got);
     /// Why --update does not write the golden, and which option lets it; empty if it does.
     [[nodiscard]] std::string whyKept(const Shot& shot, const Findings& found, const image::Image& got) const;
+    /// Says which tolerance would pass the picture that has failed.
+    void propose(const Shot& shot, const image::Image& expected, const image::Image& got,
+                 ShotResult& result) const;
     void fail(const Attempt& attempt, const Findings& found, ShotResult& result) const;
     void update(const Attempt& attempt, const Findings& found, Judged& judged) const;
     /// Writes a picture into the results folder. Returns its path relative to that folder, or an empty path

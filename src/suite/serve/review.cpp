@@ -185,8 +185,9 @@ std::string whyKept(const GoldenStore& store, const Shot& shot, const std::strin
     if (fs::exists(store.file(shot, variant), failure)) {
         const Result<Golden> golden = store.read(shot, variant);
         if (!golden) return golden.message();
-        Result<image::Image> decoded = decode(*golden);
-        if (!decoded) return decoded.message();
+        // A picture that is not on this machine can be read where it lies.
+        Result<image::Image> decoded = golden->isAbsent ? Result<image::Image>() : decode(*golden);
+        if (!decoded && !golden->isAbsent) return decoded.message();
         picture = std::move(decoded.value);
     }
     if (!variant.empty() || !isKey(result.acceptKey)) return {};
@@ -225,9 +226,7 @@ std::vector<ReviewGroup> Review::findGroups() const {
     for (std::size_t i = 0; i < shots_.size(); ++i) {
         const Known known = find(shots_[i]);
         if (!known.shot) continue;
-        if (!stores.contains(known.suite))
-            stores.emplace(known.suite,
-                           *GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside));
+        if (!stores.contains(known.suite)) stores.emplace(known.suite, *storeOf(*known.suite));
         const fs::path golden = stores.at(known.suite).file(*known.shot, shots_[i].goldenVariant);
         for (const fs::path& each : changed.since(golden, shots_[i].reads))
             candidates[i].insert(each.generic_string());
@@ -315,6 +314,10 @@ Review::Known Review::find(const ShotResult& result) const {
             for (const Shot& shot : suite.shots)
                 if (shot.name == result.shot) return {&suite, &shot};
     return {};
+}
+
+Result<GoldenStore> Review::storeOf(const Suite& suite) const {
+    return GoldenStore::open(suite, options_.goldens, options_.allowOutside, options_.results / kUploads);
 }
 
 /// Pictures of the results folder only: what a run has copied there. Results may come from somebody else.
@@ -412,7 +415,7 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     const image::Image picture = image::withComponents(*decoded, known.shot->options.alpha ? 4 : 3);
     if (const std::string why = whyNoGolden(picture); !why.empty() && !force)
         return why + "; force accepts it";
-    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    const auto store = storeOf(*known.suite);
     if (!store) return store.message();
     const bool isFurther = also && result.verdict != Verdict::missing;
     const std::string variant = isFurther ? store->freeVariant(*known.shot) : result.goldenVariant;
@@ -451,7 +454,7 @@ std::string Review::undo(std::size_t index) {
         return "it was accepted in an earlier review; restore its golden from version control";
     const Before& before = found->second;
     const Known known = find(shots_[index]);
-    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    const auto store = storeOf(*known.suite);
     if (!store) return store.message();
     const Result<Golden> golden = store->read(*known.shot, before.variant);
     if (!golden || hashOf(golden->bytes) != before.accepted)
@@ -493,7 +496,7 @@ bool Review::isGolden(std::size_t index) const {
     if (!known.shot || result.got.empty()) return false;
     const auto bytes = read(result.got);
     if (!bytes) return false;
-    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    const auto store = storeOf(*known.suite);
     const Result<image::Image> picture = image::decodeImage(*bytes, result.got);
     if (!store || !picture) return false;
     const int components = known.shot->options.alpha ? 4 : 3;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
@@ -98,6 +99,7 @@ class Review {
         const Shot* shot = nullptr;
     };
     [[nodiscard]] Known find(const ShotResult& result) const;
+    [[nodiscard]] Result<GoldenStore> storeOf(const Suite& suite) const;
     [[nodiscard]] Result<std::vector<std::byte>> read(const std::filesystem::path& file) const;
     [[nodiscard]] std::string whyNot(std::size_t index) const;
     /// Returns why the picture could not be accepted, or nothing.
