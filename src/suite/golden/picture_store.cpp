@@ -130,6 +130,7 @@ fs::path downloadFolder() {
 
 namespace {
 
+constexpr std::uint64_t kLargestErrorPage = std::uint64_t{1} << 20U;  ///< that curl reads past, to its status
 constexpr std::size_t kAtOnce = 8;  ///< downloads, and failures after which no more are tried
 
 /// A download that runs.
@@ -165,7 +166,7 @@ class Running {
              "--speed-time",
              "20",
              "--max-filesize",
-             std::to_string(wanted.pointer.size),
+             std::to_string(std::max(wanted.pointer.size, kLargestErrorPage)),
              "--stderr",
              words_.string(),
              "--output",

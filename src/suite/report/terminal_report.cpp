@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,38 @@ class Text {
     void line(std::string_view text) {
         all_ += text;
         all_ += '\n';
+    }
+    /// The goldens that --update has written, and for which drivers, in one table.
+    void updates(const RunResult& run) {
+        std::vector<std::array<std::string, 5>> rows;
+        for (const ShotResult& shot : run.shots) {
+            if (shot.verdict != Verdict::updated) continue;
+            const image::Comparison& found = shot.judgement.comparison;
+            const bool isCompared = found.differingPixels > 0;
+            const double pixels = std::max(1., static_cast<double>(shot.width) * shot.height);
+            rows.push_back(
+                {base::printableText(shot.suite + "/" + shot.shot),
+                 shot.goldenVariant.empty() ? "all drivers" : base::printableText(shot.goldenVariant),
+                 isCompared ? fmt::format("{} ({:.3g} %)", found.differingPixels,
+                                          100 * static_cast<double>(found.differingPixels) / pixels)
+                            : "-",
+                 isCompared ? fmt::format("{:.4g}/255", 255 * found.largest) : "-",
+                 base::printableText(shot.reason)});
+        }
+        if (rows.empty()) return;
+        line(painted(base::counted(rows.size(), "golden") + " written" +
+                         (run.driver.empty() ? "" : ", on " + base::printableText(run.driver)),
+                     kBold));
+        rows.insert(rows.begin(), {"golden", "for", "pixels that differ", "by up to", "what"});
+        std::array<std::size_t, 4> widths{};
+        for (const auto& row : rows)
+            for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+        for (const auto& row : rows) {
+            std::string text = "   ";
+            for (std::size_t i = 0; i < widths.size(); ++i)
+                text += fmt::format(" {:<{}} ", row[i], widths[i]);
+            line(text + " " + row.back());
+        }
     }
     /// Warnings of shots that do not fail, each text once.
     void warnings(const RunResult& run) {
@@ -129,10 +162,12 @@ std::string toText(const RunResult& run, const TextOptions& options) {
         for (const ShotResult& shot : run.shots) {
             if (isFailure(shot.verdict) != failing || shot.verdict == Verdict::skipped) continue;
             if (shot.verdict == Verdict::passed && !shot.changed) continue;
+            if (shot.verdict == Verdict::updated) continue;  // in the table
             changed += shot.verdict == Verdict::passed ? 1 : 0;
             failures += failing ? 1 : 0;
             text.shot(shot, failing && failures <= options.mostDetails);
         }
+    text.updates(run);
     text.warnings(run);
     if (failures > options.mostDetails)
         text.line(fmt::format("the first {} failures are shown in full, {} more with one line each",

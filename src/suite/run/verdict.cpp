@@ -416,11 +416,14 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
     showGolden(shot, found, got, result);
     if (found.picture && found.relation.empty() && !hasError(found.problems))
         propose(shot, *found.picture, found.seen ? *found.seen : got, result);
+    if (!(found.golden && !found.golden->variant.empty()) && !otherFamilies(shot, found).empty())
+        result.accept += " --variant";
     if (needsForce(found, got)) result.accept += " --force";
     if (hasError(found.problems)) {
         result.accept += " --replace-unreadable";
-        result.reason = (found.awaited.empty() ? "" : "not exactly the golden, whose picture is needed now: ") +
-                        firstError(found.problems);
+        result.reason =
+            (found.awaited.empty() ? "" : "not exactly the golden, whose picture is needed now: ") +
+            firstError(found.problems);
         append(result.diagnostics, found.problems);
     } else if (found.picture) {
         result.reason = found.judgement.reason;
@@ -461,6 +464,12 @@ bool ShotJudge::showNear(const Shot& shot, const image::Image& got, ShotResult& 
     return true;
 }
 
+std::set<std::string> ShotJudge::otherFamilies(const Shot& shot, const Findings& found) const {
+    std::set<std::string> known = goldens_.familiesOf(shot, found.picture);
+    if (known.contains(gpu::familyOf(key_))) known.clear();
+    return known;
+}
+
 std::string ShotJudge::whyKept(const Shot& shot, const Findings& found, const image::Image& got) const {
     if (hasError(found.problems) && !options_.replaceUnreadable)
         return firstError(found.problems) + "; --update keeps a golden that cannot be read";
@@ -469,8 +478,7 @@ std::string ShotJudge::whyKept(const Shot& shot, const Findings& found, const im
     const bool isForAll = !options_.variant && (!found.golden || found.golden->variant.empty());
     if (isForAll && !options_.anyDriver && !(options_.also && found.golden)) {
         const std::string family = gpu::familyOf(key_);
-        if (const auto known = goldens_.familiesOf(shot, found.picture);
-            !known.empty() && !known.contains(family))
+        if (const auto known = otherFamilies(shot, found); !known.empty())
             return fmt::format(
                 "not accepted as the golden for all drivers: {} drawn by {}, and this driver is {}; "
                 "--variant "

@@ -79,6 +79,9 @@ class ShotJudge {
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;
     /// True for a picture that --update refuses without --force.
     static bool needsForce(const Findings& found, const image::Image& got);
+    /// The families of drivers that drew the golden for all drivers, or those of the suite if there is none;
+    /// empty if this family is among them, or nothing is known.
+    [[nodiscard]] std::set<std::string> otherFamilies(const Shot& shot, const Findings& found) const;
     /// Why --update does not write the golden, and which option lets it; empty if it does.
     [[nodiscard]] std::string whyKept(const Shot& shot, const Findings& found, const image::Image& got) const;
     /// Says which tolerance would pass the picture that has failed.

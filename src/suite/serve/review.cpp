@@ -24,6 +24,8 @@
 #include "image/file.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
+#include "suite/file/glob.h"
+#include "suite/file/selection.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/figures.h"
@@ -438,6 +440,21 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     }
     if (!decide(index, "accepted")) problems.push_back(cannotKeep());
     return problems.empty() ? std::string() : "accepted, but " + problems.front().text;
+}
+
+std::string Review::acceptUnseen(std::size_t index) {
+    if (decisionOf(index) == "accepted") return {};
+    if (!shots_[index].got.empty())
+        if (const auto bytes = read(shots_[index].got)) seen_[index] = hashOf(*bytes);
+    return acceptOne(index, false, false);
+}
+
+bool Review::isNamed(std::size_t index, std::span<const std::string> patterns) const {
+    const Known known = find(shots_[index]);
+    return std::ranges::any_of(patterns, [&](const std::string& each) {
+        return fits(each, shots_[index].suite + "/" + shots_[index].shot) ||
+               (known.shot ? isMeant(*known.shot, each) : fits(each, shots_[index].shot));
+    });
 }
 
 WebReply Review::accept(const WebRequest& request) {

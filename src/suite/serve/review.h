@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,12 @@ class Review {
     /// that an earlier review has accepted, or whose golden has changed since.
     WebReply reject(const WebRequest& request);
     [[nodiscard]] WebReply data() const;
+
+    /// Makes the picture of a shot its golden for somebody who has looked at it elsewhere, such as in the
+    /// report of the run. Returns why that is not done, or nothing; never what accept() needs `force` for.
+    std::string acceptUnseen(std::size_t index);
+    /// True if --accept names the shot by one of the patterns: as for --only, or by SUITE/SHOT.
+    [[nodiscard]] bool isNamed(std::size_t index, std::span<const std::string> patterns) const;
 
     /// "accepted", "rejected" or "": what was decided about the picture of a shot, in this review or in an
     /// earlier one of the same picture (RESULTS/review.json).
