@@ -366,9 +366,10 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
-    if (arguments.writesGoldens() && !arguments.allowOutside && arguments.goldens.empty()) {
+    if (arguments.writesGoldens() && !arguments.allowOutside) {
         Diagnostics problems;
-        for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
+        for (const suite::Suite& each : selection->suites)
+            append(problems, suite::checkGoldenFolder(each, arguments.goldens));
         if (printErrors(problems)) return kWrongUsage;
     }
 
@@ -481,6 +482,7 @@ int test(const TestArguments& arguments) {
             append(end.diagnostics, std::move(second.diagnostics));
             end.stopped = end.stopped || second.stopped;
         }
+        end.stopped = end.stopped || events.stop();
         // What cannot be read even now is no matter of the store.
         for (suite::ShotResult& each : std::exchange(waiting, {})) take(std::move(each));
     }

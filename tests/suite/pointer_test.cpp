@@ -74,7 +74,14 @@ class Pointers : public testing::Test {
         suite.name = "s";
         suite.file = folder / "s.toml";
         suite.goldens = folder / "goldens";
+        if (const char* cache = std::getenv("XDG_CACHE_HOME")) cache_ = cache;
         setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+    }
+    ~Pointers() override {
+        if (cache_)
+            setenv("XDG_CACHE_HOME", cache_->c_str(), 1);
+        else
+            unsetenv("XDG_CACHE_HOME");
     }
     Judged decide(const image::Image& image, JudgeOptions options = {}) {
         options.results = folder / "results";
@@ -103,6 +110,9 @@ class Pointers : public testing::Test {
     Suite suite;
     GoldenStore store = *GoldenStore::open(suite);
     Shot shot = shotNamed("a");
+
+  private:
+    std::optional<std::string> cache_;  ///< the folder of before
 };
 
 TEST_F(Pointers, PassExactlyThePictureWhoseHashTheyState) {

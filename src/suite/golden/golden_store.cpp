@@ -103,18 +103,18 @@ bool hasGolden(const fs::path& folder, const Shot& shot) {
     });
 }
 
-Diagnostics checkGoldenFolder(const Suite& suite) {
+Diagnostics checkGoldenFolder(const Suite& suite, const fs::path& folder) {
     Diagnostics problems;
-    const auto check = [&](const char* key, const fs::path& folder) {
-        if (!isBelow(folder, folderOf(suite)))
+    const auto check = [&](const char* key, const fs::path& named) {
+        if (!isBelow(named, folderOf(suite)))
             problems.push_back(diagnose(
                 "suite-E20",
                 fmt::format("{}: '{}' is outside of the suite's folder '{}'; --allow-outside lets --update "
                             "write there",
-                            key, folder.generic_string(), folderOf(suite).generic_string()),
+                            key, named.generic_string(), folderOf(suite).generic_string()),
                 {suite.file.generic_string(), 1, 1}));
     };
-    check("goldens", suite.goldens);
+    if (folder.empty()) check("goldens", suite.goldens);
     if (!suite.store.empty() && !isAddress(suite.store)) check("store", suite.store);
     return problems;
 }

@@ -124,10 +124,10 @@ class GoldenStore {
     PictureStore pictures_;
 };
 
-/// Whether --update may write the goldens of a suite: suite-E20 if the suite itself names a folder for them,
-/// or for their pictures, outside of its own (links resolved). A suite of somebody else could overwrite any
-/// picture of the user otherwise.
-Diagnostics checkGoldenFolder(const Suite& suite);
+/// Whether --update may write the goldens of a suite, whose folder `folder` replaces unless it is empty:
+/// suite-E20 if the suite itself names a folder for them, or for their pictures, outside of its own (links
+/// resolved). A suite of somebody else could overwrite any picture of the user otherwise.
+Diagnostics checkGoldenFolder(const Suite& suite, const std::filesystem::path& folder = {});
 
 /// The pixels of a golden. Errors name its file and say what to do; suite-E34: its picture is not on this
 /// machine; suite-E32: other programs may show another picture, so nobody can have accepted this one by

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/contained.h"
 #include "base/files.h"
 #include "base/sha256.h"
 #include "base/text.h"
@@ -19,6 +20,7 @@
 #include "image/file.h"
 #include "image/png/png_writer.h"
 #include "suite/file/store_name.h"
+#include "suite/write_below.h"
 #include "system/places.h"
 #include "system/process.h"
 
@@ -46,12 +48,6 @@ std::optional<std::vector<std::byte>> rightBytes(const fs::path& file, const Poi
     auto bytes = image::readFile(file, {file.generic_string(), {}}, pointer.size);
     if (!bytes || pointerTo(*bytes) != pointer) return std::nullopt;
     return std::move(*bytes);
-}
-
-Diagnostics writeNew(const fs::path& file, std::span<const std::byte> bytes) {
-    std::error_code ignored;  // reported with the file that cannot be written
-    fs::create_directories(file.parent_path(), ignored);
-    return image::writeFileAtomically(file, bytes, image::NamedBy::program);
 }
 
 }  // namespace
@@ -113,14 +109,13 @@ std::optional<std::vector<std::byte>> PictureStore::find(const Pointer& pointer,
 
 Diagnostics PictureStore::keep(std::span<const std::byte> picture, const std::string& ending) const {
     const Pointer pointer = pointerTo(picture);
-    const std::string place = placeOf(pointer, ending);
-    if (!isRemote()) return rightBytes(place, pointer) ? Diagnostics() : writeNew(place, picture);
-    if (Diagnostics problems = writeNew(uploads_ / fs::path(place).filename(), picture); hasError(problems))
-        return problems;
+    const fs::path place = placeOf(pointer, ending);
+    if (!isRemote())
+        return rightBytes(place, pointer) ? Diagnostics() : writeBelow(store_, place.filename(), picture);
     // Without a cache the next run downloads what was uploaded.
     if (const fs::path folder = downloadFolder(); !folder.empty())
-        static_cast<void>(writeNew(folder / pointer.sha256, picture));
-    return {};
+        static_cast<void>(base::writeBeneath(folder, pointer.sha256, picture));
+    return writeBelow(uploads_.parent_path(), uploads_.filename() / place.filename(), picture);
 }
 
 fs::path downloadFolder() {
@@ -140,7 +135,7 @@ class Running {
         : wanted_(&wanted),
           folder_(folder),
           file_(folder / fmt::format(".glibra-{}-{}", system::ownNumber(), number)),
-          words_(file_.string() + ".err") {
+          words_(file_.generic_string() + ".err") {
         const bool isSecure = wanted.address.starts_with("https:");
         process_ = system::startProgram(
             {"curl",
@@ -168,9 +163,9 @@ class Running {
              "--max-filesize",
              std::to_string(std::max(wanted.pointer.size, kLargestErrorPage)),
              "--stderr",
-             words_.string(),
+             words_.generic_string(),
              "--output",
-             file_.string(),
+             file_.generic_string(),
              "--url",
              wanted.address},
             {system::Stream::To::nothing, system::Stream::To::nothing, system::Stream::To::nothing});
@@ -220,7 +215,7 @@ class Running {
     [[nodiscard]] std::string take() const {
         const auto bytes = rightBytes(file_, wanted_->pointer);
         if (!bytes) return "what the server gives is not the picture: its SHA-256 is another one";
-        const Diagnostics problems = writeNew(folder_ / wanted_->pointer.sha256, *bytes);
+        const Diagnostics problems = writeBelow(folder_, wanted_->pointer.sha256, *bytes);
         return hasError(problems) ? problems.front().text : std::string();
     }
     /// "curl: (22) The requested URL returned error: 404".

@@ -92,10 +92,11 @@ ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string
       key_(std::move(key)),
       options_(std::move(options)),
       suiteHasGoldens_(goldens.hasAny(suite)) {
-    if (goldens.folder() != suite.goldens)
+    const bool isReplaced = goldens.folder() != suite.goldens;
+    if (isReplaced)
         acceptOptions_ = " --goldens " + shellWord(goldens.folder().parent_path().generic_string());
-    else if (hasError(checkGoldenFolder(suite)))
-        acceptOptions_ = " --allow-outside";
+    if (hasError(checkGoldenFolder(suite, isReplaced ? goldens.folder() : fs::path())))
+        acceptOptions_ += " --allow-outside";
     for (const Shot& each : suite.shots)
         for (const std::string* name : {&each.match, &each.differ})
             if (!name->empty()) partners_.insert(*name);

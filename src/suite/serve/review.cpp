@@ -336,7 +336,7 @@ std::string Review::whyNot(std::size_t index) const {
     if (!known.shot) return "the suite has no such shot now";
     if (result.accept.empty() && result.verdict != Verdict::quarantined)
         return "another golden does not help";
-    if (!options_.allowOutside && options_.goldens.empty() && hasError(checkGoldenFolder(*known.suite)))
+    if (!options_.allowOutside && hasError(checkGoldenFolder(*known.suite, options_.goldens)))
         return "its golden is outside of the suite's folder (--allow-outside)";
     return {};
 }
