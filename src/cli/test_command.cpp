@@ -331,11 +331,14 @@ std::set<suite::ShotKey> downloadFor(std::vector<suite::ShotResult>& waiting, co
 void noteUploads(const std::vector<suite::Suite>& suites, const fs::path& results) {
     const fs::path folder = results / suite::kUploads;
     const std::size_t count = base::entriesOf(folder).size();
+    std::set<std::string> stores;
     for (const suite::Suite& each : suites)
-        if (suite::isAddress(each.store) && count > 0)
+        if (suite::isAddress(each.store)) stores.insert(each.store);
+    for (const std::string& each : stores)
+        if (count > 0)
             print({withoutId(Severity::note,
                              fmt::format("'{}' has {} for {}: upload {}, then commit the pointers",
-                                         folder.generic_string(), base::counted(count, "picture"), each.store,
+                                         folder.generic_string(), base::counted(count, "picture"), each,
                                          count == 1 ? "it" : "them"))});
 }
 

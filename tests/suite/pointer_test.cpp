@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "base/files.h"
 #include "base/sha256.h"
@@ -16,6 +17,7 @@
 #include "suite/golden/orphans.h"
 #include "suite/golden/picture_store.h"
 #include "suite/run/verdict.h"
+#include "system/places.h"
 
 namespace glibra::suite {
 namespace {
@@ -74,14 +76,17 @@ class Pointers : public testing::Test {
         suite.name = "s";
         suite.file = folder / "s.toml";
         suite.goldens = folder / "goldens";
-        if (const char* cache = std::getenv("XDG_CACHE_HOME")) cache_ = cache;
-        setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+        for (const char* each : kCaches) {
+            if (const char* value = std::getenv(each)) before_[each] = value;
+            system::setVariable(each, (folder / "cache").generic_string(), system::Replace::yes);
+        }
     }
     ~Pointers() override {
-        if (cache_)
-            setenv("XDG_CACHE_HOME", cache_->c_str(), 1);
-        else
-            unsetenv("XDG_CACHE_HOME");
+        for (const char* each : kCaches)
+            if (before_.contains(each))
+                system::setVariable(each, before_[each], system::Replace::yes);
+            else
+                system::removeVariable(each);
     }
     Judged decide(const image::Image& image, JudgeOptions options = {}) {
         options.results = folder / "results";
@@ -112,7 +117,8 @@ class Pointers : public testing::Test {
     Shot shot = shotNamed("a");
 
   private:
-    std::optional<std::string> cache_;  ///< the folder of before
+    static constexpr const char* kCaches[] = {"XDG_CACHE_HOME", "LOCALAPPDATA"};
+    std::map<std::string, std::string> before_;
 };
 
 TEST_F(Pointers, PassExactlyThePictureWhoseHashTheyState) {

@@ -46,6 +46,7 @@ struct Candidate {
     Tolerance tolerance;
     double cost = std::numeric_limits<double>::infinity();  ///< logarithm of the product of all multiples
     std::string tooMuch;                                    ///< why it is too wide to be proposed; or empty
+    bool isLast = false;  ///< no pixel differs by more than its limit, so that no wider one is needed
 };
 
 class Search {
@@ -71,7 +72,8 @@ class Search {
                 }
             return all;
         }
-        for (double limit = std::floor(stated_.largest) + 1; limit <= kMostLargest; ++limit) {
+        for (double limit = std::floor(stated_.largest) + 1; limit <= kMostLargest && !all.back().isLast;
+             ++limit) {
             Tolerance wider = stated_;
             wider.largest = limit;
             all.push_back(withLimit(wider));
@@ -95,7 +97,7 @@ class Search {
         tolerance.cluster = std::max(tolerance.cluster, clamped(found.cluster));
         tolerance.line = std::max(tolerance.line, clamped(found.line));
         if (found.bias > tolerance.bias) tolerance.bias = roundedUp(found.bias, 2);
-        Candidate candidate{tolerance, 0, {}};
+        Candidate candidate{tolerance, 0, {}, found.beyond == 0};
         if (beyond > mostFraction * pixels_)
             candidate.tooMuch =
                 fmt::format("{:.3g} % of the pixels differ by more than {}", 100 * beyond / pixels_, limit);

@@ -15,7 +15,7 @@ std::string whyNoStore(std::string_view text) {
     }
     const auto scheme = text.substr(0, text.find("://"));
     if (scheme != "https" && scheme != "http")
-        return "expected a folder or an address that begins with https://; buckets have one, too";
+        return "expected a folder, or an address that begins with https://, as buckets have one, too";
     const std::size_t at = text.find(kHashSlot);
     if (at == std::string_view::npos || text.find(kHashSlot, at + 1) != std::string_view::npos ||
         text.find('/', at) != std::string_view::npos || text.rfind('/', at) < scheme.size() + 3)

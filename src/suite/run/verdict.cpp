@@ -417,11 +417,8 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
     showGolden(shot, found, got, result);
     if (found.picture && found.relation.empty() && !hasError(found.problems))
         propose(shot, *found.picture, found.seen ? *found.seen : got, result);
-    if (!(found.golden && !found.golden->variant.empty()) && !otherFamilies(shot, found).empty())
-        result.accept += " --variant";
-    if (needsForce(found, got)) result.accept += " --force";
+    result.accept += acceptOptions(shot, found, got);
     if (hasError(found.problems)) {
-        result.accept += " --replace-unreadable";
         result.reason =
             (found.awaited.empty() ? "" : "not exactly the golden, whose picture is needed now: ") +
             firstError(found.problems);
@@ -471,6 +468,13 @@ std::set<std::string> ShotJudge::otherFamilies(const Shot& shot, const Findings&
     return known;
 }
 
+std::string ShotJudge::acceptOptions(const Shot& shot, const Findings& found, const image::Image& got) const {
+    const bool isForAll = !found.golden || found.golden->variant.empty();
+    return fmt::format("{}{}{}", isForAll && !otherFamilies(shot, found).empty() ? " --variant" : "",
+                       needsForce(found, got) ? " --force" : "",
+                       hasError(found.problems) ? " --replace-unreadable" : "");
+}
+
 std::string ShotJudge::whyKept(const Shot& shot, const Findings& found, const image::Image& got) const {
     if (hasError(found.problems) && !options_.replaceUnreadable)
         return firstError(found.problems) + "; --update keeps a golden that cannot be read";
@@ -506,8 +510,7 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
     result.judgement = found.judgement;
     result.awaits = found.awaited;
     result.awaitsStore = goldens_.pictures().isNamed();
-    if (needsForce(found, got)) result.accept += " --force";
-    if (hasError(found.problems)) result.accept += " --replace-unreadable";
+    result.accept += acceptOptions(shot, found, got);
     if (std::string why = whyKept(shot, found, got); !why.empty()) {
         result.verdict = Verdict::refused;
         result.reason = std::move(why);

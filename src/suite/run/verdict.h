@@ -84,6 +84,9 @@ class ShotJudge {
     [[nodiscard]] std::set<std::string> otherFamilies(const Shot& shot, const Findings& found) const;
     /// Why --update does not write the golden, and which option lets it; empty if it does.
     [[nodiscard]] std::string whyKept(const Shot& shot, const Findings& found, const image::Image& got) const;
+    /// The options of acceptCommand() that this picture needs besides.
+    [[nodiscard]] std::string acceptOptions(const Shot& shot, const Findings& found,
+                                            const image::Image& got) const;
     /// Says which tolerance would pass the picture that has failed.
     void propose(const Shot& shot, const image::Image& expected, const image::Image& got,
                  ShotResult& result) const;
