@@ -255,8 +255,6 @@ void readOption(TomlReader& reader, const OptionRow& row, const TomlValue& value
 
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::max();
-
 struct Context {
     TomlReader& reader;
     ShotTemplate& to;
