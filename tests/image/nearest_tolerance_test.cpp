@@ -137,7 +137,8 @@ TEST(NearestTolerance, OfFloatsIsAShareOfTheValue) {
     set(got, 1.0013F);
     expectJustPasses(expected, got, {});
     const NearestTolerance nearest = nearestTolerance(expected, got, {}, judge(expected, got, {}, true));
-    EXPECT_DOUBLE_EQ(nearest.tolerance->relative, 2e-3);
+    EXPECT_EQ(nearest.tolerance->relative, 2e-3) << "exactly, so that its text is short";
+    EXPECT_EQ(nearest.tolerance->absolute, 2e-5);
     set(got, 1.2F);
     EXPECT_FALSE(nearestTolerance(expected, got, {}, judge(expected, got, {}, true)).tolerance);
     const float bad = std::numeric_limits<float>::quiet_NaN();

@@ -13,11 +13,10 @@ namespace glibra::image {
 namespace {
 
 /// The widest limits that are proposed: they pass small things, and no shape.
-constexpr double kMostLargest = 16, kMostFraction = .01, kMostBias = 3, kMostRelative = .02,
-                 kMostPerceptual = .05;
+constexpr double kMostLargest = 16, kMostFraction = .01, kMostBias = 3, kMostPerceptual = .05;
 constexpr int kMostCluster = 64, kMostLine = 128;
 /// A float picture may differ near zero, too, where a share of the value allows nothing.
-constexpr double kAbsoluteShare = .01;
+constexpr double kAbsoluteParts = 100;
 
 bool areFloats(const Image& a, const Image& b) {
     return a.type == Component::f32 && b.type == Component::f32;
@@ -62,14 +61,13 @@ class Search {
     [[nodiscard]] std::vector<Candidate> candidates() const {
         std::vector<Candidate> all{withLimit(stated_)};
         if (isFloat_) {
-            for (double power = 1e-6; power < kMostRelative; power *= 10)
-                for (const double digit : {1., 2., 5.}) {
-                    Tolerance wider = stated_;
-                    wider.relative = digit * power;
-                    wider.absolute = std::max(stated_.absolute, kAbsoluteShare * wider.relative);
-                    if (wider.relative > stated_.relative && wider.relative <= kMostRelative * 1.001)
-                        all.push_back(withLimit(wider));
-                }
+            for (const double relative :
+                 {1e-6, 2e-6, 5e-6, 1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2}) {
+                Tolerance wider = stated_;
+                wider.relative = relative;
+                wider.absolute = std::max(stated_.absolute, relative / kAbsoluteParts);
+                if (relative > stated_.relative && !all.back().isLast) all.push_back(withLimit(wider));
+            }
             return all;
         }
         for (double limit = std::floor(stated_.largest) + 1; limit <= kMostLargest && !all.back().isLast;
@@ -165,7 +163,7 @@ DifferenceSteps differenceSteps(const Image& expected, const Image& got) {
     for (const double limit : steps.limits) {
         Tolerance tolerance;
         tolerance.largest = tolerance.relative = limit;
-        tolerance.absolute = kAbsoluteShare * limit;
+        tolerance.absolute = limit / kAbsoluteParts;
         steps.pixels.push_back(excessBeyond(expected, got, tolerance, 0).beyond);
     }
     return steps;
