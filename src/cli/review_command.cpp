@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct ReviewArguments {
     std::string goldens;
     bool allowOutside = false;
     bool serve = false;
+    std::vector<std::string> accept;  ///< patterns of shots
 };
 
 bool isBelowHere(const fs::path& file) {
@@ -70,7 +72,28 @@ void list(const suite::Review& review) {
     std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
+/// --accept: the pictures of these shots become goldens.
+int accept(suite::Review& review, std::span<const std::string> patterns) {
+    std::string text;
+    int accepted = 0, refused = 0;
+    for (std::size_t i = 0; i < review.shots().size(); ++i) {
+        if (!review.isNamed(i, patterns)) continue;
+        const suite::ShotResult& shot = review.shots()[i];
+        const std::string why = review.acceptUnseen(i);
+        ++(why.empty() ? accepted : refused);
+        text += base::printableText(fmt::format("{}: {}/{}{}{}", why.empty() ? "accepted" : "refused",
+                                                shot.suite, shot.shot, why.empty() ? "" : ": ", why)) +
+                "\n";
+    }
+    text += accepted + refused == 0 ? "no shot of these names needs a look\n"
+                                    : fmt::format("{} accepted, {} refused\n", accepted, refused);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return refused == 0 && accepted > 0 ? kDone : kDiffers;
+}
+
 int review(const ReviewArguments& arguments) {
+    if (arguments.serve && !arguments.accept.empty())
+        return refuse("--accept excludes --serve: it accepts without a page");
     const Result<suite::RunResult> run = suite::readResults(arguments.results);
     print(run.diagnostics);
     if (!run) return kSceneIsWrong;
@@ -79,6 +102,7 @@ int review(const ReviewArguments& arguments) {
     if (!suites) return kSceneIsWrong;
     suite::Review shown(*run, *suites, {arguments.results, arguments.goldens, arguments.allowOutside});
     print(shown.problems());
+    if (!arguments.accept.empty()) return accept(shown, arguments.accept);
     if (!arguments.serve) {
         list(shown);
         for (std::size_t i = 0; i < shown.shots().size(); ++i)
@@ -110,10 +134,15 @@ void addReview(CommandLine& program, int& status) {
         "review", "shows the shots that failed, by cause, to accept or to reject in a browser",
         "glibra review glibra-results/                  # what failed, grouped by cause\n"
         "glibra review glibra-results/ --serve          # prints an address for your browser\n"
+        "glibra review glibra-results/ --accept 'oval*' # the pictures of these shots become goldens\n"
         "glibra review results/ tests/pictures.toml --serve");
     command.option("RESULTS", to.results, "folder that `glibra test --results` has written").withDefault();
     command.list("SUITE", to.suites, "suites of the run, if they are not below the current folder");
     command.flag("--serve", to.serve, "serve a page on this machine (127.0.0.1) and print its address");
+    command.repeated(
+        "--accept", to.accept,
+        "make the pictures of these shots goldens, without a page: names or patterns as for `glibra test "
+        "--only`, or SUITE/SHOT; may be repeated");
     command
         .option("--goldens", to.goldens,
                 "folder with one folder of goldens per suite, instead of the suites' own")

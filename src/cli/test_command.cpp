@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -18,6 +19,7 @@
 #include "cli/commands.h"
 #include "cli/picture_options.h"
 #include "cli/run_facts.h"
+#include "cli/store_downloads.h"
 #include "cli/suite_options.h"
 #include "cli/suite_progress.h"
 #include "cli/test_results.h"
@@ -132,6 +134,8 @@ int report(suite::RunResult& run, const TestArguments& arguments, const suite::R
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
     noteOrphans(run);
+    if (std::string awaited = suite::awaitedLine(run); !awaited.empty())
+        print({withoutId(Severity::note, std::move(awaited))});
     return std::max(writeReports(run, arguments.reports, arguments.results, roots) ? kDone : kSceneIsWrong,
                     exitStatus(run));
 }
@@ -297,9 +301,10 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
-    if (arguments.writesGoldens() && !arguments.allowOutside && arguments.goldens.empty()) {
+    if (arguments.writesGoldens() && !arguments.allowOutside) {
         Diagnostics problems;
-        for (const suite::Suite& each : selection->suites) append(problems, suite::checkGoldenFolder(each));
+        for (const suite::Suite& each : selection->suites)
+            append(problems, suite::checkGoldenFolder(each, arguments.goldens));
         if (printErrors(problems)) return kWrongUsage;
     }
 
@@ -371,7 +376,8 @@ int test(const TestArguments& arguments) {
         const suite::Suite& suite = selection->suites[each.suite];
         progress.begins(suite.name + "/" + suite.shots[each.shot].name);
     };
-    std::vector<suite::ShotResult> near;  // after those whose picture is that of a golden
+    std::vector<suite::ShotResult> near;     // after those whose picture is that of a golden
+    std::vector<suite::ShotResult> waiting;  // for pictures of the store
     const auto take = [&](suite::ShotResult shot) {
         if (arguments.rename) moveGolden(shot, *selection, options);
         if (const std::string line = lineOf(shot); printsLines && !line.empty()) progress.print(line);
@@ -384,13 +390,37 @@ int test(const TestArguments& arguments) {
         record->add(shot);
     };
     events.done = [&](const suite::ShotResult& judged) {
-        if (arguments.rename && !judged.nearTo.empty())
+        if (mayDownload(judged, *selection, options))
+            waiting.push_back(judged);
+        else if (arguments.rename && !judged.nearTo.empty())
             near.push_back(judged);
         else
             take(judged);
     };
     events.stop = [&] { return isStopped() || record->failed(); };
-    const suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
+    suite::RunEnd end = suite::runShots(selection->suites, open, options, events);
+    if (!waiting.empty()) {
+        progress.clear();
+        std::vector<suite::ShotResult> all = std::exchange(waiting, {});
+        const std::set<suite::ShotKey> ready = downloadFor(all, *selection, options, events.stop);
+        std::vector<suite::ShotReference> again;
+        for (suite::ShotResult& each : all) {
+            const suite::ShotKey key(each.suite, each.shot);
+            if (ready.contains(key))
+                again.push_back(basisOf.at(key).first);
+            else
+                take(std::move(each));
+        }
+        std::ranges::sort(again);
+        if (!again.empty() && !events.stop()) {
+            suite::RunEnd second = suite::runShots(selection->suites, again, options, events);
+            append(end.diagnostics, std::move(second.diagnostics));
+            end.stopped = end.stopped || second.stopped;
+        }
+        end.stopped = end.stopped || events.stop();
+        // What cannot be read even now is no matter of the store.
+        for (suite::ShotResult& each : std::exchange(waiting, {})) take(std::move(each));
+    }
     for (suite::ShotResult& each : near) {
         if (std::error_code failure; !fs::exists(each.nearTo, failure))
             each.nearTo.clear();  // it is another shot's
@@ -422,6 +452,7 @@ int test(const TestArguments& arguments) {
     if (hasError(end.diagnostics)) status = kSceneIsWrong;
     status = std::max(
         status, report(run, arguments, shownRoots(selection->suites, selection->shots, arguments.goldens)));
+    if (arguments.updates()) noteUploads(selection->suites, arguments.results);
     if (end.stopped && interruption.signal() != 0) {
         printLine("stopped; continue with --resume");
         interruption.obey();

@@ -175,7 +175,8 @@ std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::Ru
 bool RunRecord::isDone(const suite::Suite& suite, const suite::ShotReference& shot, const Basis& basis) {
     const auto found = results_.find({suite.name, suite.shots[shot.shot].name});
     if (found == results_.end()) return false;
-    if (!basis.fingerprint.empty() &&
+    // Pictures that were lacking may be there now.
+    if (found->second.awaits.empty() && !basis.fingerprint.empty() &&
         found->second.fingerprint == suite::sealed(basis.fingerprint, found->second.verdict) &&
         !basis.driverKey.empty() && found->second.driverKey == basis.driverKey)
         return true;

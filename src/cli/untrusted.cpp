@@ -12,6 +12,7 @@
 #include "gpu/context/hardware.h"
 #include "image/module_loader.h"
 #include "scene/file_lookup.h"
+#include "suite/file/store_name.h"
 #include "system/library.h"
 #include "system/places.h"
 #include "system/process.h"
@@ -193,6 +194,14 @@ std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driv
         else if (std::optional<system::Reach> way =
                      wayTo(each, "folder of goldens", each.goldens, {each.file.generic_string(), 1, 1}))
             readable.add(std::move(*way));
+        // Most pictures of a store are not needed, so one that lies elsewhere is no reason to refuse the
+        // suite.
+        if (each.store.empty() || suite::isAddress(each.store)) continue;
+        for (const fs::path& from : {folderOf(each.file), fs::path(".")})
+            if (std::optional<system::Reach> way = reachBelow(from, each.store); way && !linkOn(*way)) {
+                readable.add(std::move(*way));
+                break;
+            }
     }
     for (const system::Reach& folder : folders) {
         if (const std::optional<fs::path> link = linkOn(folder))

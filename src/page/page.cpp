@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "base/page_template.h"
+#include "base/sha256.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "embedded/live_page.h"
 #include "glib/text.h"
 #include "image/file.h"
-#include "page/sha256.h"
 #include "plan/overrides.h"
 #include "source/code_html.h"
 #include "suite/report/packed_pixels.h"
@@ -39,7 +39,7 @@ std::span<const std::byte> bytesOf(std::string_view text) {
 
 /// 'sha256-...', as a Content-Security-Policy names a text of the page.
 std::string hashOf(std::string_view text) {
-    return fmt::format("'sha256-{}'", suite::base64(sha256(bytesOf(text))));
+    return fmt::format("'sha256-{}'", suite::base64(base::sha256(bytesOf(text))));
 }
 
 /// JSON in ASCII without what ends or begins an element of HTML.

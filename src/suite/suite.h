@@ -71,7 +71,8 @@ struct Suite {
     std::string name;               ///< the file's stem, or the folder's name
     std::filesystem::path file;     ///< the TOML file, or the folder of .glib files
     std::filesystem::path goldens;  ///< folder of the golden pictures
-    std::vector<Shot> shots;        ///< in the order of the file; sweeps in the order of their values
+    std::string store{};  ///< where the pictures are whose goldens are pointers (picture_store.h); or empty
+    std::vector<Shot> shots;  ///< in the order of the file; sweeps in the order of their values
 
     /// The shot of that name, or null.
     [[nodiscard]] const Shot* find(std::string_view shot) const {

@@ -107,6 +107,11 @@ ShotResult ResultsMaker::shot() {
     made.judgement.biasY = static_cast<int>(random_());
     for (std::size_t count = below(3); count > 0; --count) made.diagnostics.push_back(diagnostic());
     made.milliseconds = static_cast<double>(below(1'000'000'000)) / 7;
+    made.steps = {{figure(), figure()}, {random_(), random_()}};
+    made.toPass = text();
+    made.noTolerance = text();
+    made.awaits = {text(), text()};
+    made.awaitsStore = chance();
     made.reproduce = text();
     made.accept = text();
     made.driver = text();
@@ -134,6 +139,12 @@ void expectEqual(const ShotResult& a, const ShotResult& b) {
     EXPECT_EQ(a.fingerprint, b.fingerprint);
     EXPECT_EQ(a.driverKey, b.driverKey);
     EXPECT_EQ(a.acceptKey, b.acceptKey);
+    EXPECT_EQ(a.steps.pixels, b.steps.pixels);
+    EXPECT_EQ(a.steps.limits.size(), b.steps.limits.size());
+    EXPECT_EQ(a.toPass, b.toPass);
+    EXPECT_EQ(a.noTolerance, b.noTolerance);
+    EXPECT_EQ(a.awaits, b.awaits);
+    EXPECT_EQ(a.awaitsStore, b.awaitsStore);
     EXPECT_EQ(a.shot, b.shot);
     EXPECT_EQ(a.verdict, b.verdict);
     EXPECT_EQ(a.reason, b.reason);

@@ -6,8 +6,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 
 #include "folder.h"
+#include "image/read.h"
 #include "image/write.h"
 #include "pictures.h"
 
@@ -73,6 +75,52 @@ TEST_F(Reviews, RejectingUndoesWhatWasAccepted) {
         EXPECT_EQ(hashes(), oldHashes);
         EXPECT_EQ(review->decisionOf(0), "rejected");
     }
+}
+
+/// In a suite with a store, golden and line are pointers' before and after.
+TEST_F(Reviews, RejectingRestoresThePointerOfAStore) {
+    suite.store = (folder / "pictures").generic_string();
+    put(gradient());
+    const std::string oldGolden = golden(), oldHashes = hashes();
+    EXPECT_TRUE(parsePointer(std::as_bytes(std::span(oldGolden))));
+    begin();
+    // Its folder may be away: whoever accepts has seen the golden in the report.
+    fs::rename(folder / "pictures", folder / "away");
+    ASSERT_EQ(accept(), kAccepted);
+    const std::string newGolden = golden();
+    EXPECT_TRUE(parsePointer(std::as_bytes(std::span(newGolden))));
+    EXPECT_NE(newGolden, oldGolden);
+    EXPECT_EQ(reject(), kRejected);
+    EXPECT_EQ(golden(), oldGolden);
+    EXPECT_EQ(hashes(), oldHashes);
+}
+
+/// --accept: by the names of shots, without a browser.
+TEST_F(Reviews, AcceptsByName) {
+    put(gradient());
+    begin();
+    for (const char* named : {"a", "s/a", "*", "s/*", "[a-c]"})
+        EXPECT_TRUE(review->isNamed(0, std::vector<std::string>{"x", named})) << named;
+    for (const char* other : {"b", "s", "t/a", "tag:a"})
+        EXPECT_FALSE(review->isNamed(0, std::vector<std::string>{other})) << other;
+    EXPECT_EQ(review->acceptUnseen(0), "");
+    EXPECT_EQ(image::readImage(folder / "goldens/a.png")->data,
+              image::readImage(folder / "results/s/a.got.png")->data);
+    EXPECT_NE(hashes().find("\na - "), std::string::npos) << hashes();
+    EXPECT_EQ(review->decisionOf(0), "accepted");
+    EXPECT_EQ(review->acceptUnseen(0), "") << "once more changes nothing";
+}
+
+TEST_F(Reviews, AcceptsByNameNothingThatNeedsForce) {
+    put(gradient());
+    const std::string oldGolden = golden();
+    EXPECT_TRUE(image::writeImage(oneColor(9), folder / "results/s/a.got.png").empty());
+    begin();
+    EXPECT_NE(review->acceptUnseen(0).find("one colour"), std::string::npos);
+    run.shots[0].verdict = Verdict::unstable;
+    begin();
+    EXPECT_NE(review->acceptUnseen(0).find("drawings differ"), std::string::npos);
+    EXPECT_EQ(golden(), oldGolden);
 }
 
 TEST_F(Reviews, RejectingRemovesAGoldenThatWasNotThereBefore) {

@@ -265,7 +265,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownError", shot("expect-error = 'glsl-E1'"),
                 "3:16 suite-E17 expect-error: there is no message 'glsl-E1'; did you mean 'glsl-E01'?\n"},
         Mistake{"ColumnAfterAByteOrderMark", "\xef\xbb\xbfgolds = 1\n" + shot(""),
-                "1:1 suite-E02 unknown key 'golds' at the top of the file; the keys are goldens, defaults, "
+                "1:1 suite-E02 unknown key 'golds' at the top of the file; the keys are goldens, store, "
+                "defaults, "
                 "shot\n"},
         Mistake{"ColumnsAfterUmlauts", shot("set = { \"\xc3\xa4\xc3\xb6\" = 1, uA = nan }"),
                 "3:9 suite-E05 set: '\xc3\xa4\xc3\xb6' is not the name of a uniform\n"

@@ -62,6 +62,74 @@ int occurrences(const std::string& text, const std::string& part) {
     return count;
 }
 
+TEST(TextReports, NameTheToleranceThatWouldPass) {
+    ShotResult shot = failedShot();
+    shot.steps = {{0, 1, 2, 4, 8, 16}, {300, 280, 260, 240, 12, 0}};
+    shot.toPass = "tolerance = { cluster = 91 }";
+    ShotResult other = failedShot();
+    other.shot = "cube";
+    other.noTolerance = "31 % of the pixels differ by more than 16 of 255";
+    const RunResult run = runOf({shot, other});
+    const std::string steps = "0: 300, 1: 280, 2: 260, 4: 240, 8: 12, 16: 0 of 255";
+    const std::string text = toText(run, {.mapColumns = 0});
+    EXPECT_NE(text.find("by more than        " + steps), std::string::npos) << text;
+    EXPECT_NE(text.find("would pass      tolerance = { cluster = 91 }\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("no tolerance    is sensible: 31 % of"), std::string::npos) << text;
+    const std::string junit = toJunit(run);
+    EXPECT_NE(junit.find("would pass: tolerance = { cluster = 91 }\n"), std::string::npos) << junit;
+    EXPECT_NE(junit.find("by more than: " + steps), std::string::npos) << junit;
+    EXPECT_NE(junit.find("no tolerance is sensible: 31 % of"), std::string::npos) << junit;
+    const std::string markdown = toMarkdown(run, {.results = {}, .picturesAt = "https://a"});
+    EXPECT_NE(markdown.find("would pass: <code>tolerance = &#123; cluster = 91 &#125;</code>"),
+              std::string::npos)
+        << markdown;
+    EXPECT_NE(markdown.find("no tolerance is sensible: 31 % of"), std::string::npos) << markdown;
+    EXPECT_NE(markdown.find(steps), std::string::npos) << markdown;
+}
+
+/// Lists of somebody else's results may be of any length, and their texts of any kind.
+TEST(TextReports, ShowFewOfManySteps) {
+    ShotResult shot = failedShot();
+    shot.steps.limits.assign(100'000, 1e300);
+    shot.steps.pixels.assign(50'000, 7);
+    EXPECT_LT(stepsText(shot).size(), 200U);
+    shot.toPass = "</code>|\n# <script>";
+    const std::string markdown = toMarkdown(runOf({shot}), {.results = {}, .picturesAt = "https://a"});
+    EXPECT_EQ(markdown.find("<script>"), std::string::npos);
+    EXPECT_EQ(occurrences(markdown, "</code>"), 1);
+}
+
+TEST(TextReports, ListWhatUpdateHasWrittenInOneTable) {
+    ShotResult made = withVerdict(Verdict::updated);
+    made.reason = "golden made: 32 x 32 pixels";
+    ShotResult replaced = failedShot();
+    replaced.verdict = Verdict::updated;
+    replaced.goldenVariant = "nvidia";
+    replaced.reason = "golden replaced: 240 pixels differ";
+    const std::string text = toText(runOf({made, replaced, withVerdict(Verdict::passed)}), {});
+    EXPECT_NE(text.find("2 goldens written, on llvmpipe (LLVM 15.0.6, 256 bits)\n"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("start/shot-updated  all drivers  -                   -         golden made"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("start/teapot        nvidia       300 (0.458 %)       40/255    golden replaced"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(toText(runOf({withVerdict(Verdict::passed)}), {}).find("golden"), std::string::npos);
+}
+
+TEST(TextReports, NameOneCommandForAllPicturesOfGitLfs) {
+    ShotResult shot = failedShot(), other = failedShot(), stored = failedShot();
+    shot.awaits = {"g/a.png", "g/a.llvmpipe.png"};
+    other.awaits = {"g/b.png", "g/a.png"};
+    stored.awaits = {"g/c.png"};
+    stored.awaitsStore = true;
+    const std::string line = awaitedLine(runOf({shot, other, stored}));
+    EXPECT_EQ(line.rfind("3 pictures of Git LFS have to be downloaded", 0), 0U) << line;
+    EXPECT_EQ(line.find("c.png"), std::string::npos) << line;
+    EXPECT_EQ(awaitedLine(runOf({stored, failedShot()})), "");
+}
+
 TEST(Figures, SayWhatWasMeasuredAndWhatIsBeyondItsLimit) {
     const std::vector<Figure> list = figures(failedShot());
     ASSERT_EQ(list.size(), 7U);

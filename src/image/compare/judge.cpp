@@ -438,4 +438,12 @@ Judgement judge(const Image& expected, const Image& got, const Tolerance& tolera
     return result;
 }
 
+Excess excessBeyond(const Image& expected, const Image& got, const Tolerance& tolerance,
+                    std::uint64_t searched) {
+    ExcessLimits limits = limitsFor(expected, got, tolerance);
+    limits.allowed = searched;
+    return withAlike(expected, got,
+                     [&](const Image& a, const Image& b) { return measureExcess(a, b, limits); });
+}
+
 }  // namespace glibra::image

@@ -84,4 +84,10 @@ std::string biasText(const Judgement& judged, const Tolerance& tolerance);
 /// even if an early one decides (for reports of failures).
 Judgement judge(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything = false);
 
+/// The pixels that differ by more than `largest`, or `relative` and `absolute`, of the tolerance, and the
+/// bias of blocks. Clusters and lines are searched if there are at most `searched` such pixels. The pictures
+/// have one size.
+Excess excessBeyond(const Image& expected, const Image& got, const Tolerance& tolerance,
+                    std::uint64_t searched);
+
 }  // namespace glibra::image

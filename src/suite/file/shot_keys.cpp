@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "suite/file/sweep.h"
 #include "suite/number_of.h"
 #include "suite/options/option_words.h"
+#include "suite/options/tolerance_keys.h"
 
 namespace glibra::suite {
 namespace {
@@ -253,8 +255,6 @@ void readOption(TomlReader& reader, const OptionRow& row, const TomlValue& value
 
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::max();
-
 struct Context {
     TomlReader& reader;
     ShotTemplate& to;
@@ -267,31 +267,15 @@ void readSweep(const Context& in, const TomlValue& value) {
 }
 
 void readTolerance(const Context& in, const TomlValue& value) {
-    struct Field {
-        std::string_view key;
-        double most;
-        void (*store)(image::Tolerance&, double);
-        bool isWhole = false;
-    };
-    static constexpr std::array<Field, 9> kFields{{
-        {"max", 255, [](image::Tolerance& to, double v) { to.largest = v; }},
-        {"fraction", 1, [](image::Tolerance& to, double v) { to.fraction = v; }},
-        {"cluster", 1e9, [](image::Tolerance& to, double v) { to.cluster = static_cast<int>(v); }, true},
-        {"line", 1e9, [](image::Tolerance& to, double v) { to.line = static_cast<int>(v); }, true},
-        {"bias", 255, [](image::Tolerance& to, double v) { to.bias = v; }},
-        {"flip", 1, [](image::Tolerance& to, double v) { to.flip = v; }},
-        {"structure", 1, [](image::Tolerance& to, double v) { to.structure = v; }},
-        {"relative", kNoLimit, [](image::Tolerance& to, double v) { to.relative = v; }},
-        {"absolute", kNoLimit, [](image::Tolerance& to, double v) { to.absolute = v; }},
-    }};
     const TomlTable* table = in.reader.table(value, "tolerance");
     if (!table) return;
     in.to.shot.statesTolerance = true;
     for (const TomlEntry& entry : *table) {
-        const auto* const field = std::ranges::find(kFields, entry.key, &Field::key);
-        if (field == kFields.end()) {
-            std::array<std::string_view, kFields.size()> keys;
-            std::ranges::transform(kFields, keys.begin(), [](const Field& f) { return f.key; });
+        const std::span<const ToleranceKey> known = toleranceKeys();
+        const auto field = std::ranges::find(known, entry.key, &ToleranceKey::key);
+        if (field == known.end()) {
+            std::vector<std::string_view> keys;
+            for (const ToleranceKey& each : known) keys.push_back(each.key);
             in.reader.unknownKey(entry, "in tolerance", keys);
         } else {
             const std::string name = fmt::format("tolerance.{}", field->key);
@@ -300,7 +284,7 @@ void readTolerance(const Context& in, const TomlValue& value) {
                 number = in.reader.number(entry.value, name, 0, field->most);
             else if (const auto pixels = in.reader.whole(entry.value, name, 0, static_cast<int>(field->most)))
                 number = *pixels;
-            if (number) field->store(in.to.shot.tolerance, *number);
+            if (number) field->set(in.to.shot.tolerance, *number);
         }
     }
 }

@@ -28,6 +28,7 @@
 #include "suite/file/scripts.h"
 #include "suite/file/shot_keys.h"
 #include "suite/file/shot_name.h"
+#include "suite/file/store_name.h"
 #include "suite/file/sweep.h"
 #include "suite/file/toml_reader.h"
 #include "suite/suite.h"
@@ -352,15 +353,27 @@ class SuiteBuilder {
     std::vector<PairRequest> requests_;
 };
 
+/// suite-E04 for a text that is neither a folder nor an address of pictures.
+void readStore(TomlReader& reader, const TomlValue& value, const fs::path& folder, Suite& suite) {
+    const auto text = reader.text(value, "store");
+    if (!text) return;
+    if (const std::string why = whyNoStore(*text); !why.empty())
+        reader.report("suite-E04", fmt::format("store: {}, found {}", why, glib::inQuotes(*text)), value);
+    else
+        suite.store = isAddress(*text) ? *text : (folder / *text).lexically_normal().generic_string();
+}
+
 /// Reads the top level of the file and returns the list of shots.
 const TomlList* readTopLevel(TomlReader& reader, const TomlTable& root, const fs::path& folder, Suite& suite,
                              ShotTemplate& defaults) {
-    static constexpr std::array<std::string_view, 3> kKeys{"goldens", "defaults", "shot"};
+    static constexpr std::array<std::string_view, 4> kKeys{"goldens", "store", "defaults", "shot"};
     const TomlList* shots = nullptr;
     for (const TomlEntry& entry : root) {
         if (entry.key == "goldens") {
             if (const auto text = reader.text(entry.value, "goldens"))
                 suite.goldens = (folder / *text).lexically_normal();
+        } else if (entry.key == "store") {
+            readStore(reader, entry.value, folder, suite);
         } else if (entry.key == "defaults") {
             if (const TomlTable* table = reader.table(entry.value, "defaults"))
                 readTemplate(reader, *table, folder, true, defaults);

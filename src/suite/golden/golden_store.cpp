@@ -15,6 +15,7 @@
 #include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
+#include "suite/file/store_name.h"
 #include "suite/golden/hash_list.h"
 #include "suite/golden/ignored.h"
 #include "suite/write_below.h"
@@ -26,22 +27,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A golden is written once and kept for years in a repository, so it may take longer to write and should be
-/// small.
-constexpr int kCompression = 9;
-
 /// Pixels are accepted for one golden and one tolerance. Another tolerance needs another comparison.
 Hash identityOf(std::span<const std::byte> bytes, const Shot& shot) {
     const std::string all = toText(hashOf(bytes)) + " " + toText(shot.tolerance) + ignoredText(shot);
     return hashOf(std::as_bytes(std::span(all)));
-}
-
-Result<Golden> readGolden(const Shot& shot, const fs::path& file, std::string variant) {
-    Result<std::vector<std::byte>> bytes =
-        image::readFile(file, {file.generic_string(), {file.generic_string(), 1, 1}});
-    if (!bytes) return std::move(bytes.diagnostics);
-    const Hash identity = identityOf(*bytes, shot);
-    return Golden{file, std::move(variant), std::move(*bytes), identity};
 }
 
 /// The same diagnostics, with the name of the file that was to be made.
@@ -50,6 +39,16 @@ Diagnostics refuseAs(Diagnostics problems, const fs::path& written, const fs::pa
         if (const std::size_t at = each.text.find(written.generic_string()); at != std::string::npos)
             each.text.replace(at, written.generic_string().size(), meant.generic_string());
     return problems;
+}
+
+/// Writes the picture as a golden is written.
+Diagnostics writePicture(const image::Image& picture, const fs::path& file) {
+    if (image::formatOfSuffix(file) == image::Format::png && image::isConsistent(picture)) {
+        const std::vector<std::byte> bytes = goldenBytes(picture);
+        if (bytes.empty()) return {image::cannotWrite(file, "there is not enough memory")};
+        return image::writeFileAtomically(file, bytes, image::NamedBy::program);
+    }
+    return image::writeImage(picture, file, image::writtenAs(image::NamedBy::program));
 }
 
 /// The path with all links resolved, as far as it exists.
@@ -104,18 +103,26 @@ bool hasGolden(const fs::path& folder, const Shot& shot) {
     });
 }
 
-Diagnostics checkGoldenFolder(const Suite& suite) {
-    if (isBelow(suite.goldens, folderOf(suite))) return {};
-    return {diagnose(
-        "suite-E20",
-        fmt::format("goldens: '{}' is outside of the suite's folder '{}'; --allow-outside lets --update "
-                    "write there",
-                    suite.goldens.generic_string(), folderOf(suite).generic_string()),
-        {suite.file.generic_string(), 1, 1})};
+Diagnostics checkGoldenFolder(const Suite& suite, const fs::path& folder) {
+    Diagnostics problems;
+    const auto check = [&](const char* key, const fs::path& named) {
+        if (!isBelow(named, folderOf(suite)))
+            problems.push_back(diagnose(
+                "suite-E20",
+                fmt::format("{}: '{}' is outside of the suite's folder '{}'; --allow-outside lets --update "
+                            "write there",
+                            key, named.generic_string(), folderOf(suite).generic_string()),
+                {suite.file.generic_string(), 1, 1}));
+    };
+    if (folder.empty()) check("goldens", suite.goldens);
+    if (!suite.store.empty() && !isAddress(suite.store)) check("store", suite.store);
+    return problems;
 }
 
-Result<GoldenStore> GoldenStore::open(const Suite& suite, const fs::path& folder, bool allowOutside) {
+Result<GoldenStore> GoldenStore::open(const Suite& suite, const fs::path& folder, bool allowOutside,
+                                      fs::path uploads) {
     GoldenStore store;
+    store.pictures_ = PictureStore(suite.store, std::move(uploads));
     store.suiteFolder_ = folderOf(suite);
     store.allowOutside_ = allowOutside;
     store.suite_ = suite.name;
@@ -153,7 +160,58 @@ Result<Golden> GoldenStore::read(const Shot& shot, std::string variant) const {
                         "--allow-outside follows it",
                         path.generic_string()),
             {path.generic_string(), 1, 1});
-    return readGolden(shot, path, std::move(variant));
+    return readFile(shot, path, std::move(variant));
+}
+
+Result<Golden> GoldenStore::readFile(const Shot& shot, const fs::path& file, std::string variant) const {
+    Result<std::vector<std::byte>> bytes =
+        image::readFile(file, {file.generic_string(), {file.generic_string(), 1, 1}});
+    if (!bytes) return std::move(bytes.diagnostics);
+    Golden golden{file, std::move(variant), std::move(*bytes), {}};
+    golden.pointer = parsePointer(golden.bytes);
+    if (golden.pointer) {
+        const std::string ending = file.extension().generic_string();
+        std::optional<std::vector<std::byte>> picture = pictures_.find(*golden.pointer, ending);
+        golden.isAbsent = !picture;
+        if (picture) golden.bytes = *std::move(picture);
+        const std::string place = pictures_.placeOf(*golden.pointer, ending);
+        if (!pictures_.isNamed())
+            golden.awaited = fmt::format(
+                "is a pointer of Git LFS, whose picture has not been downloaded; `{}` downloads it",
+                pullCommand({&file, 1}));
+        else if (pictures_.isRemote())
+            golden.awaited = fmt::format("is a pointer, whose picture has to be downloaded from '{}'", place);
+        else
+            golden.awaited =
+                fmt::format("is a pointer, whose picture '{}' is missing or cannot be read", place);
+    }
+    golden.identity = identityOf(golden.bytes, shot);
+    return golden;
+}
+
+std::optional<Golden> GoldenStore::equalTo(const Golden& golden, const Shot& shot,
+                                           const image::Image& picture) const {
+    if (!golden.pointer || golden.file.extension() != ".png") return std::nullopt;
+    std::vector<std::byte> bytes = goldenBytes(picture);
+    if (pointerTo(bytes) != *golden.pointer) return std::nullopt;
+    Golden equal = golden;
+    equal.bytes = std::move(bytes);
+    equal.identity = identityOf(equal.bytes, shot);
+    equal.isAbsent = false;
+    return equal;
+}
+
+bool GoldenStore::belongsIntoStore(const Golden& golden) const {
+    return pictures_.isNamed() && !golden.pointer;
+}
+
+Diagnostics GoldenStore::moveIntoStore(const Shot& shot, const Golden& golden) const {
+    if (Diagnostics problems = pictures_.keep(golden.bytes, golden.file.extension().generic_string());
+        hasError(problems))
+        return problems;
+    const std::string text = toText(pointerTo(golden.bytes));
+    const auto bytes = std::as_bytes(std::span(text));
+    return restore(shot, golden.variant, std::vector<std::byte>(bytes.begin(), bytes.end()));
 }
 
 std::vector<std::string> GoldenStore::furtherVariants(const Shot& shot) const {
@@ -223,16 +281,28 @@ Result<Golden> GoldenStore::replace(const Shot& shot, std::string_view variant,
     // The new golden is on the disk before it takes the place of the old one.
     const fs::path whole = path.parent_path() / fmt::format(".glibra-{}-golden{}", system::ownNumber(),
                                                             path.extension().generic_string());
-    image::WriteOptions options;
-    options.png.level = kCompression;
-    options.named = image::NamedBy::program;
-    Diagnostics problems = image::writeImage(picture, whole, options);
-    if (hasError(problems)) return refuseAs(std::move(problems), whole, path);
+    Diagnostics problems = writePicture(picture, whole);
+    if (!hasError(problems) && pictures_.isNamed()) {
+        const auto bytes = image::readFile(whole, {path.generic_string(), {}});
+        if (bytes)
+            problems = pictures_.keep(*bytes, path.extension().generic_string());
+        else
+            problems = bytes.diagnostics;
+        if (!hasError(problems)) {
+            const std::string text = toText(pointerTo(*bytes));
+            append(problems, image::writeFileAtomically(whole, std::as_bytes(std::span(text)),
+                                                        image::NamedBy::program));
+        }
+    }
+    if (hasError(problems)) {
+        fs::remove(whole, ignored);
+        return refuseAs(std::move(problems), whole, path);
+    }
     if (const int problem = system::renameDurably(whole, path); problem != 0) {
         fs::remove(whole, ignored);
         return cannotWrite(path, problem);
     }
-    return readGolden(shot, path, std::string(variant));
+    return readFile(shot, path, std::string(variant));
 }
 
 Diagnostics GoldenStore::restore(const Shot& shot, std::string_view variant,
@@ -281,6 +351,9 @@ std::string GoldenStore::whyNotWritten(const fs::path& path) const {
 
 Result<image::Image> decode(const Golden& golden) {
     const Place place{golden.file.generic_string(), 1, 1};
+    if (golden.isAbsent)
+        return diagnose("suite-E34", fmt::format("'{}' {}", golden.file.generic_string(), golden.awaited),
+                        place);
     Result<image::Image> picture = image::decodeImage(golden.bytes, golden.file, place);
     if (picture)
         if (std::optional<Diagnostic> why = shownOtherwise("golden", golden.file, golden.bytes, place))

@@ -15,6 +15,7 @@
 
 #include "image/image.h"
 #include "suite/golden/hash_list.h"
+#include "suite/golden/picture_store.h"
 #include "suite/suite.h"
 
 namespace glibra::suite {
@@ -22,9 +23,12 @@ namespace glibra::suite {
 /// The file of a golden.
 struct Golden {
     std::filesystem::path file;
-    std::string variant;  ///< empty: for all drivers
-    std::vector<std::byte> bytes;
-    Hash identity;  ///< hash of the bytes and of the shot's tolerance
+    std::string variant;               ///< empty: for all drivers
+    std::vector<std::byte> bytes;      ///< of the picture's file
+    Hash identity;                     ///< hash of the bytes and of the shot's tolerance
+    std::optional<Pointer> pointer{};  ///< the golden's file is a pointer to the picture
+    bool isAbsent = false;             ///< ... which is not on this machine: `bytes` are those of the pointer
+    std::string awaited{};             ///< ... and where it is to come from, in words
 };
 
 /// All numbers of a tolerance, with blanks between them.
@@ -45,9 +49,9 @@ class GoldenStore {
   public:
     /// Reads the list of accepted pixels. `folder` replaces the folder of the suite unless it is empty. With
     /// `allowOutside` goldens may be links to any place; without it only to files of the golden folder or of
-    /// the suite's folder.
+    /// the suite's folder. `uploads`: the folder for new pictures if their store is a web server.
     static Result<GoldenStore> open(const Suite& suite, const std::filesystem::path& folder = {},
-                                    bool allowOutside = false);
+                                    bool allowOutside = false, std::filesystem::path uploads = {});
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const HashList& accepted() const { return accepted_; }
@@ -79,9 +83,22 @@ class GoldenStore {
     [[nodiscard]] std::set<std::string> familiesOf(const Shot& shot,
                                                    const std::optional<image::Image>& picture) const;
 
-    /// Makes the picture the golden of that variant and returns the new golden. The file is replaced when the
-    /// new one is whole and on the disk; an error leaves everything as it was. Error: file-E10, also for a
-    /// golden that is a link or is reached through one that leads out of the golden folder.
+    [[nodiscard]] const PictureStore& pictures() const { return pictures_; }
+    /// The golden that a rendering is, if the golden's file is a pointer to exactly the file that the
+    /// rendering would become: its picture need not be there then. Nothing if it is not, and for float
+    /// pictures.
+    [[nodiscard]] std::optional<Golden> equalTo(const Golden& golden, const Shot& shot,
+                                                const image::Image& picture) const;
+    /// True if the golden's picture belongs into the store of the suite and lies in the folder of the
+    /// goldens.
+    [[nodiscard]] bool belongsIntoStore(const Golden& golden) const;
+    /// Moves it there; its file becomes a pointer. Error: file-E10, as for replace().
+    [[nodiscard]] Diagnostics moveIntoStore(const Shot& shot, const Golden& golden) const;
+
+    /// Makes the picture the golden of that variant and returns the new golden. In a suite with a store, the
+    /// picture goes there, and the golden's file is a pointer. The file is replaced when the new one is whole
+    /// and on the disk; an error leaves everything as it was. Error: file-E10, also for a golden that is a
+    /// link or is reached through one that leads out of the golden folder.
     [[nodiscard]] Result<Golden> replace(const Shot& shot, std::string_view variant,
                                          const image::Image& picture) const;
     /// Undoes replace(): the golden of that variant is these bytes again, or there is none. Error: file-E10,
@@ -96,20 +113,25 @@ class GoldenStore {
                                      std::span<const std::filesystem::path> orphans) const;
 
   private:
+    [[nodiscard]] Result<Golden> readFile(const Shot& shot, const std::filesystem::path& file,
+                                          std::string variant) const;
     /// Why the file of a golden is not written; empty if it may be.
     [[nodiscard]] std::string whyNotWritten(const std::filesystem::path& path) const;
     std::string suite_;
     std::filesystem::path folder_, suiteFolder_;
     bool allowOutside_ = false;
     HashList accepted_;
+    PictureStore pictures_;
 };
 
-/// Whether --update may write the goldens of a suite: suite-E20 if the suite itself names a folder outside of
-/// its own (links resolved). A suite of somebody else could overwrite any picture of the user otherwise.
-Diagnostics checkGoldenFolder(const Suite& suite);
+/// Whether --update may write the goldens of a suite, whose folder `folder` replaces unless it is empty:
+/// suite-E20 if the suite itself names a folder for them, or for their pictures, outside of its own (links
+/// resolved). A suite of somebody else could overwrite any picture of the user otherwise.
+Diagnostics checkGoldenFolder(const Suite& suite, const std::filesystem::path& folder = {});
 
-/// The pixels of a golden. Errors name its file and say what to do; suite-E32: other programs may show
-/// another picture, so nobody can have accepted this one by looking at it.
+/// The pixels of a golden. Errors name its file and say what to do; suite-E34: its picture is not on this
+/// machine; suite-E32: other programs may show another picture, so nobody can have accepted this one by
+/// looking at it.
 Result<image::Image> decode(const Golden& golden);
 
 }  // namespace glibra::suite

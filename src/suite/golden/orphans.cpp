@@ -15,11 +15,13 @@
 #include "base/files.h"
 #include "base/suggest.h"
 #include "image/convert.h"
+#include "image/file.h"
 #include "image/read.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
+#include "suite/golden/picture_store.h"
 
 namespace glibra::suite {
 namespace {
@@ -145,19 +147,25 @@ Orphans::Gist Orphans::gistOf(const image::Image& picture) {
 
 void Orphans::read() const {
     std::call_once(isRead_, [&] {
-        for (const fs::path& file : files_)
+        for (const fs::path& file : files_) {
+            if (const auto bytes = image::readFile(file, {file.generic_string(), {}}))
+                if (const std::optional<Pointer> pointer = parsePointer(*bytes))
+                    ofPointer_.emplace(pointer->sha256, file);
             if (const Result<image::Image> golden = image::readImage(file)) {
                 ofPixels_.emplace(keyOf(*golden), file);
                 gists_.emplace_back(file, gistOf(*golden));
             }
+        }
     });
 }
 
 fs::path Orphans::find(const image::Image& picture) const {
     if (isEmpty()) return {};
     read();
-    const auto found = ofPixels_.find(keyOf(picture));
-    return found == ofPixels_.end() ? fs::path() : found->second;
+    if (const auto found = ofPixels_.find(keyOf(picture)); found != ofPixels_.end()) return found->second;
+    if (ofPointer_.empty()) return {};
+    const auto found = ofPointer_.find(pointerTo(goldenBytes(picture)).sha256);
+    return found == ofPointer_.end() ? fs::path() : found->second;
 }
 
 fs::path Orphans::findNear(const image::Image& picture, std::string_view shot) const {

@@ -47,7 +47,7 @@ class Orphans {
 
     std::vector<std::filesystem::path> files_;
     mutable std::once_flag isRead_;
-    mutable std::map<std::string, std::filesystem::path> ofPixels_;
+    mutable std::map<std::string, std::filesystem::path> ofPixels_, ofPointer_;
     mutable std::vector<std::pair<std::filesystem::path, Gist>> gists_;
 };
 

@@ -62,7 +62,10 @@ std::string article(const ShotResult& shot, const ShownShot& shown, std::span<co
                             each.limit.empty() ? "" : "limit " + each.limit);
     if (!rows.empty()) html += "<table>" + rows + "</table>";
     for (const auto& [title, command] :
-         {std::pair<const char*, const std::string&>{"Reproduce", shot.reproduce}, {"Accept", shot.accept}})
+         {std::pair<const char*, const std::string&>{"Reproduce", shot.reproduce},
+          {"Accept", shot.accept},
+          {"Would pass, in the [[shot]] of the suite", shot.toPass},
+          {"No tolerance is sensible", shot.noTolerance}})
         if (!command.empty())
             html += fmt::format("<h3>{}</h3><div class=\"command\"><code>{}</code></div>", title,
                                 base::escapeXml(command));
@@ -142,6 +145,8 @@ nlohmann::ordered_json toJson(const ShotResult& shot, const ShownShot& shown) {
     add("decision", decision(shot));
     add("reproduce", shot.reproduce);
     add("accept", shot.accept);
+    add("toPass", shot.toPass);
+    add("noTolerance", shot.noTolerance);
     add("sources", shown.sources);
     add("remarks", shown.remarks);
     if (shot.changed) json["changed"] = true;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,38 @@ class Text {
     void line(std::string_view text) {
         all_ += text;
         all_ += '\n';
+    }
+    /// The goldens that --update has written, and for which drivers, in one table.
+    void updates(const RunResult& run) {
+        std::vector<std::array<std::string, 5>> rows;
+        for (const ShotResult& shot : run.shots) {
+            if (shot.verdict != Verdict::updated) continue;
+            const image::Comparison& found = shot.judgement.comparison;
+            const bool isCompared = found.differingPixels > 0;
+            const double pixels = std::max(1., static_cast<double>(shot.width) * shot.height);
+            rows.push_back(
+                {base::printableText(shot.suite + "/" + shot.shot),
+                 shot.goldenVariant.empty() ? "all drivers" : base::printableText(shot.goldenVariant),
+                 isCompared ? fmt::format("{} ({:.3g} %)", found.differingPixels,
+                                          100 * static_cast<double>(found.differingPixels) / pixels)
+                            : "-",
+                 isCompared ? fmt::format("{:.4g}/255", 255 * found.largest) : "-",
+                 base::printableText(shot.reason)});
+        }
+        if (rows.empty()) return;
+        line(painted(base::counted(rows.size(), "golden") + " written" +
+                         (run.driver.empty() ? "" : ", on " + base::printableText(run.driver)),
+                     kBold));
+        rows.insert(rows.begin(), {"golden", "for", "pixels that differ", "by up to", "what"});
+        std::array<std::size_t, 4> widths{};
+        for (const auto& row : rows)
+            for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+        for (const auto& row : rows) {
+            std::string text = "   ";
+            for (std::size_t i = 0; i < widths.size(); ++i)
+                text += fmt::format(" {:<{}} ", row[i], widths[i]);
+            line(text + " " + row.back());
+        }
     }
     /// Warnings of shots that do not fail, each text once.
     void warnings(const RunResult& run) {
@@ -89,6 +122,8 @@ class Text {
         pair("difference", fromHere(shot.difference));
         pair("reproduce", shot.reproduce);
         pair("accept", shot.accept);
+        pair("would pass", shot.toPass);
+        pair("no tolerance", shot.noTolerance.empty() ? "" : "is sensible: " + shot.noTolerance);
         line("");
     }
     /// The path as it opens from the current folder. Pictures of the run are named from the results folder.
@@ -127,10 +162,12 @@ std::string toText(const RunResult& run, const TextOptions& options) {
         for (const ShotResult& shot : run.shots) {
             if (isFailure(shot.verdict) != failing || shot.verdict == Verdict::skipped) continue;
             if (shot.verdict == Verdict::passed && !shot.changed) continue;
+            if (shot.verdict == Verdict::updated) continue;  // in the table
             changed += shot.verdict == Verdict::passed ? 1 : 0;
             failures += failing ? 1 : 0;
             text.shot(shot, failing && failures <= options.mostDetails);
         }
+    text.updates(run);
     text.warnings(run);
     if (failures > options.mostDetails)
         text.line(fmt::format("the first {} failures are shown in full, {} more with one line each",
@@ -164,6 +201,16 @@ std::string cell(std::string_view text) {
     return escaped;
 }
 
+/// Why a shot needs a look, how many of its pixels differ by how much, and what would pass it.
+std::string why(const ShotResult& shot) {
+    std::string text = cell(reasonOf(shot));
+    if (const std::string steps = stepsText(shot); !steps.empty())
+        text += "<br>pixels that differ by more than " + cell(steps);
+    if (!shot.toPass.empty()) text += "<br>would pass: <code>" + cell(shot.toPass) + "</code>";
+    if (!shot.noTolerance.empty()) text += "<br>no tolerance is sensible: " + cell(shot.noTolerance);
+    return text;
+}
+
 /// A path of the results folder as the end of an address.
 std::string address(const std::string& path) {
     std::string encoded;
@@ -185,6 +232,7 @@ std::string toMarkdown(const RunResult& run, const MarkdownOptions& options) {
     std::string text = fmt::format("### Pictures: {}\n\n", cell(counts(run)));
     if (const std::string missing = shortfall(run); !missing.empty())
         text += fmt::format("**Incomplete:** {}\n\n", cell(missing));
+    if (const std::string awaited = awaitedLine(run); !awaited.empty()) text += cell(awaited) + "\n\n";
     constexpr std::size_t kMostOrphans = 20;
     for (const std::string& line : orphanLines(run, kMostOrphans)) text += cell(line) + "\n\n";
     std::vector<const ShotResult*> shots;
@@ -198,7 +246,7 @@ std::string toMarkdown(const RunResult& run, const MarkdownOptions& options) {
     for (std::size_t i = 0; i < shots.size() && i < kMostListed; ++i) {
         const ShotResult& shot = *shots[i];
         text += fmt::format("| {} | {} | {} |", cell(shot.suite + "/" + shot.shot),
-                            isChangedPass(shot) ? "changed" : name(shot.verdict), cell(reasonOf(shot)));
+                            isChangedPass(shot) ? "changed" : name(shot.verdict), why(shot));
         if (hasPictures)
             for (const auto* each : {&shot.expected, &shot.got, &shot.difference})
                 text += fmt::format(" {} |", imageTag(*each, options.picturesAt));
@@ -266,6 +314,8 @@ std::string details(const ShotResult& shot) {
     add("difference", shot.difference.generic_string());
     add("reproduce", shot.reproduce);
     add("accept", shot.accept);
+    add("would pass", shot.toPass);
+    add("no tolerance is sensible", shot.noTolerance);
     return text;
 }
 

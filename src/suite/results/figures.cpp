@@ -82,6 +82,8 @@ std::vector<Figure> figures(const ShotResult& shot) {
                         fmt::format("{}", shot.tolerance.line),
                         std::cmp_greater(judgement.line, shot.tolerance.line)});
     list.push_back({"pixels that differ", share(judgement.comparison.differingPixels, pixels), "", false});
+    if (std::string steps = stepsText(shot); !steps.empty())
+        list.push_back({"by more than", std::move(steps), "", false});
     list.push_back(
         {"root mean square", fmt::format("{:.4g}", judgement.comparison.rootMeanSquare), "", false});
     if (!isFloat(shot))
@@ -95,6 +97,18 @@ std::vector<Figure> figures(const ShotResult& shot) {
     if (judgement.structure)
         list.push_back(perceptual("structure", *judgement.structure, shot.tolerance.structure));
     return list;
+}
+
+std::string stepsText(const ShotResult& shot) {
+    const image::DifferenceSteps& steps = shot.steps;
+    std::string text;
+    constexpr std::size_t kMost = 8;  // results of others may have any number
+    for (std::size_t i = 0; i < std::min({steps.limits.size(), steps.pixels.size(), kMost}); ++i) {
+        text += fmt::format("{}{:g}: {}", i == 0 ? "" : ", ", steps.limits[i], steps.pixels[i]);
+        if (steps.pixels[i] == 0) break;
+    }
+    if (text.empty()) return text;
+    return text + (isFloat(shot) ? " of the value" : " of 255");
 }
 
 std::string decision(const ShotResult& shot) {

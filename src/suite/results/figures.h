@@ -19,6 +19,10 @@ struct Figure {
 /// unless no pictures were compared (equal bytes, different sizes, a shot without a picture).
 std::vector<Figure> figures(const ShotResult& shot);
 
+/// How many pixels differ by more than each step, as "0: 5120, 1: 2210, 2: 96, 4: 12, 8: 0 of 255"; empty if
+/// unknown.
+std::string stepsText(const ShotResult& shot);
+
 /// What decided: "equal bytes", "largest difference", ...; empty if nothing was compared.
 std::string decision(const ShotResult& shot);
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "suite/golden/picture_store.h"
 
 namespace glibra::suite {
 namespace {
@@ -123,6 +124,17 @@ std::vector<std::string> orphanLines(const RunResult& run, std::size_t most) {
         lines.push_back(std::move(line));
     }
     return lines;
+}
+
+std::string awaitedLine(const RunResult& run) {
+    std::set<std::filesystem::path> goldens;
+    for (const ShotResult& each : run.shots)
+        if (!each.awaitsStore) goldens.insert(each.awaits.begin(), each.awaits.end());
+    if (goldens.empty()) return {};
+    return fmt::format("{} of Git LFS {} downloaded for a comparison; run `{}`, then continue with --resume",
+                       base::counted(goldens.size(), "picture"),
+                       goldens.size() == 1 ? "has to be" : "have to be",
+                       pullCommand(std::vector(goldens.begin(), goldens.end())));
 }
 
 std::size_t plannedCount(const RunResult& run) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "image/compare/judge.h"
+#include "image/compare/nearest_tolerance.h"
 
 namespace glibra::suite {
 
@@ -61,16 +62,24 @@ struct ShotResult {
     std::filesystem::path renamedFrom{};  ///< a golden of no shot with the same pixels, for a missing one
     std::filesystem::path nearTo{};  ///< or one that may be of this shot before it was renamed and changed
     int width = 0, height = 0;
-    image::Judgement judgement;  ///< set if pictures were compared
-    Diagnostics diagnostics;     ///< messages about the scene
-    double milliseconds = 0;     ///< load, draw, read back and compare
-    std::string reproduce;       ///< the command line that renders this shot again
-    std::string accept;          ///< the command line that makes the picture the new golden
-    image::Tolerance tolerance;  ///< the tolerance that was applied
-    std::string fingerprint{};   ///< of what the verdict depends on (fingerprint.h); empty if unknown
-    std::string driverKey{};     ///< hash of the driverKey() of the driver that drew it; empty if unknown
-    std::string driver{};        ///< if it differs from the driver of the run, as in merged runs
+    image::Judgement judgement;      ///< set if pictures were compared
+    Diagnostics diagnostics;         ///< messages about the scene
+    double milliseconds = 0;         ///< load, draw, read back and compare
+    std::string reproduce;           ///< the command line that renders this shot again
+    std::string accept;              ///< the command line that makes the picture the new golden
+    image::Tolerance tolerance;      ///< the tolerance that was applied
+    image::DifferenceSteps steps{};  ///< how many pixels differ by more than what, if the picture fails
+    /// A line for its [[shot]] that would just pass the picture, as "tolerance = { cluster = 12 }"; or why no
+    /// tolerance is sensible. Both are empty where a tolerance decides nothing.
+    std::string toPass{}, noTolerance{};
+    std::string fingerprint{};  ///< of what the verdict depends on (fingerprint.h); empty if unknown
+    std::string driverKey{};    ///< hash of the driverKey() of the driver that drew it; empty if unknown
+    std::string driver{};       ///< if it differs from the driver of the run, as in merged runs
     std::vector<std::filesystem::path> reads{};  ///< the files that its scene reads, if it needs a look
+    /// The goldens whose pictures this machine lacks and without which the verdict is not final, and whether
+    /// they lie in the store of the suite.
+    std::vector<std::filesystem::path> awaits{};
+    bool awaitsStore = false;
     /// The driverKey() itself, if `got` may become a golden, for its line in the list of hashes.
     std::string acceptKey{};
 };
@@ -132,6 +141,9 @@ std::string shortfall(const std::vector<ShotKey>& missing, std::size_t planned);
 /// "2 goldens of no shot of 's' (--prune removes them): golden/a.png golden/b.png": a line for each suite
 /// that has some, with the first `most` names.
 std::vector<std::string> orphanLines(const RunResult& run, std::size_t most);
+/// What brings the pictures of all goldens that a run lacks and that lie in no store: a command of Git LFS,
+/// with the number of goldens; empty if it lacks none.
+std::string awaitedLine(const RunResult& run);
 /// The number of planned shots.
 std::size_t plannedCount(const RunResult& run);
 

@@ -478,6 +478,9 @@ void members(Archive& archive, Value& value) {
         archive("structure", value.structure);
         archive("relative", value.relative);
         archive("absolute", value.absolute);
+    } else if constexpr (std::is_same_v<Type, image::DifferenceSteps>) {
+        archive("limits", value.limits);
+        archive("pixels", value.pixels);
     } else if constexpr (std::is_same_v<Type, ShotResult>) {
         archive.needed("suite", value.suite);
         archive.needed("shot", value.shot);
@@ -497,6 +500,9 @@ void members(Archive& archive, Value& value) {
         archive.within("height", value.height, kLargestSide);
         archive("judgement", value.judgement);
         archive("tolerance", value.tolerance);
+        archive("steps", value.steps);
+        archive("toPass", value.toPass);
+        archive("noTolerance", value.noTolerance);
         archive("diagnostics", value.diagnostics);
         archive.within("milliseconds", value.milliseconds, 1000 * kLongestTime);
         archive("driver", value.driver);
@@ -505,6 +511,8 @@ void members(Archive& archive, Value& value) {
         archive("reproduce", value.reproduce);
         archive("accept", value.accept);
         archive("acceptKey", value.acceptKey);
+        archive("awaits", value.awaits);
+        archive("awaitsStore", value.awaitsStore);
         archive("reads", value.reads);
     } else if constexpr (std::is_same_v<Type, PlannedShots>) {
         archive.needed("suite", value.suite);

@@ -155,7 +155,8 @@ class Run {
                     dated_.emplace(std::pair(suite.name, shot.name), &shot);
         if (!options.onlyRender.empty()) return;
         for (const Suite& each : suites) {
-            Result<GoldenStore> store = GoldenStore::open(each, options.goldens, options.allowOutside);
+            Result<GoldenStore> store =
+                GoldenStore::open(each, options.goldens, options.allowOutside, options.results / kUploads);
             append(end_.diagnostics, std::move(store.diagnostics));
             plan_.goldens.push_back(std::move(*store));
         }

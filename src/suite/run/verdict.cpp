@@ -15,6 +15,7 @@
 #include "suite/file/shot_name.h"
 #include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
+#include "suite/options/tolerance_keys.h"
 #include "suite/report/verdict_commands.h"
 #include "suite/write_below.h"
 
@@ -79,7 +80,8 @@ struct ShotJudge::Findings {
     std::string relation;  ///< why `match` or `differ` does not hold; empty if they do
     const Rendering* partner = nullptr;
     bool partnerFails = false;
-    std::optional<Hash> pixels;  ///< hash of the rendering, if it was needed
+    std::vector<fs::path> awaited;  ///< goldens whose pictures are not on this machine, and may be this one
+    std::optional<Hash> pixels;     ///< hash of the rendering, if it was needed
 };
 
 ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string family, std::string key,
@@ -90,10 +92,11 @@ ShotJudge::ShotJudge(const Suite& suite, const GoldenStore& goldens, std::string
       key_(std::move(key)),
       options_(std::move(options)),
       suiteHasGoldens_(goldens.hasAny(suite)) {
-    if (goldens.folder() != suite.goldens)
+    const bool isReplaced = goldens.folder() != suite.goldens;
+    if (isReplaced)
         acceptOptions_ = " --goldens " + shellWord(goldens.folder().parent_path().generic_string());
-    else if (hasError(checkGoldenFolder(suite)))
-        acceptOptions_ = " --allow-outside";
+    if (hasError(checkGoldenFolder(suite, isReplaced ? goldens.folder() : fs::path())))
+        acceptOptions_ += " --allow-outside";
     for (const Shot& each : suite.shots)
         for (const std::string* name : {&each.match, &each.differ})
             if (!name->empty()) partners_.insert(*name);
@@ -134,6 +137,16 @@ bool ShotJudge::isCompared(const Attempt& attempt) const {
 
 void ShotJudge::compare(const Attempt& attempt, bool everything, Findings& found) const {
     const Shot& shot = *attempt.shot;
+    if (found.golden->isAbsent) {
+        if (std::optional<Golden> equal = goldens_.equalTo(*found.golden, shot, *attempt.own.picture)) {
+            found.golden = std::move(equal);
+            found.goldenHolds = found.exact = true;
+            found.judgement.same = true;
+            found.judgement.reason = "equal";
+            return;
+        }
+        found.awaited.push_back(found.golden->file);
+    }
     // Whoever wrote the list of accepted pixels, the golden alone decides.
     const Hash* accepted = goldens_.acceptedPixels(shot, *found.golden, key_);
     Result<image::Image> picture = decode(*found.golden);
@@ -180,14 +193,19 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
             other.golden = std::move(golden.value);
             other.pixels = found.pixels;
             compare(attempt, everything, other);
-            if (!other.goldenHolds) return append(found.problems, std::move(other.problems));
+            if (!other.goldenHolds) {
+                found.awaited.insert(found.awaited.end(), other.awaited.begin(), other.awaited.end());
+                return append(found.problems, std::move(other.problems));
+            }
+            if (!found.awaited.empty()) found.problems.clear();  // of pictures that are not needed
             other.problems.insert(other.problems.begin(), found.problems.begin(), found.problems.end());
             found = std::move(other);
         };
-        if (!found.goldenHolds && found.picture && !found.golden->variant.empty())
+        const bool isReadable = found.picture || !found.awaited.empty();
+        if (!found.goldenHolds && isReadable && !found.golden->variant.empty())
             if (Result<Golden> general = goldens_.find(shot, ""); general && general->variant.empty())
                 tryAnother(std::move(general));
-        if (!found.goldenHolds && found.picture)
+        if (!found.goldenHolds && isReadable)
             for (std::string& variant : goldens_.furtherVariants(shot))
                 tryAnother(goldens_.read(shot, std::move(variant)));
     }
@@ -240,8 +258,15 @@ Judged ShotJudge::passed(const Attempt& attempt, Findings found) const {
         result.got = write(*attempt.shot, "got", *attempt.own.picture, result);
         result.acceptKey = key_;
         showGolden(*attempt.shot, found, *attempt.own.picture, result);
-    } else {
+    } else if (!found.golden->pointer) {
         result.expected = found.golden->file;
+    }
+    if (options_.update && !options_.onlyMissing && goldens_.belongsIntoStore(*found.golden)) {
+        const Diagnostics problems = goldens_.moveIntoStore(*attempt.shot, *found.golden);
+        result.verdict = hasError(problems) ? Verdict::failed : Verdict::updated;
+        result.reason = hasError(problems) ? firstError(problems)
+                                           : "golden moved into the store; its file is a pointer now";
+        append(result.diagnostics, problems);
     }
     if (options_.update && !options_.onlyMissing)
         judged.accepted = AcceptedHash{attempt.shot->name, found.golden->variant, found.golden->identity,
@@ -297,7 +322,13 @@ std::optional<Judged> ShotJudge::first(const Attempt& attempt) const {
     }
     Findings found = look(attempt, false);
     if (found.goldenHolds && found.relation.empty()) return passed(attempt, std::move(found));
-    return std::nullopt;
+    if (found.awaited.empty() || options_.update) return std::nullopt;
+    // A second drawing would not bring the picture.
+    Judged judged{begin(attempt)};
+    judged.result.got = write(shot, "got", *attempt.own.picture, judged.result);
+    judged.result.acceptKey = key_;
+    fail(attempt, found, judged.result);
+    return judged;
 }
 
 Judged ShotJudge::refused(const Attempt& attempt, const Diagnostics& problems) const {
@@ -337,7 +368,7 @@ void ShotJudge::showGolden(const Shot& shot, const Findings& found, const image:
     if (!found.golden) return;
     result.goldenVariant = found.golden->variant;
     if (!found.picture) {
-        result.expected = found.golden->file;
+        if (!found.golden->isAbsent) result.expected = found.golden->file;
         return;
     }
     result.expected = write(shot, "expected", *found.picture, result);
@@ -349,24 +380,48 @@ bool ShotJudge::needsForce(const Findings& found, const image::Image& got) {
     return !oldIsNoBetter && !whyNoGolden(got).empty();
 }
 
+void ShotJudge::propose(const Shot& shot, const image::Image& expected, const image::Image& got,
+                        ShotResult& result) const {
+    constexpr double kOtherStructure = .1;
+    result.steps = image::differenceSteps(expected, got);
+    const image::NearestTolerance nearest =
+        image::nearestTolerance(expected, got, shot.tolerance, result.judgement);
+    if (nearest.tolerance)
+        result.toPass = toleranceLine(*nearest.tolerance, shot.statesTolerance, shot.options.floatPixels);
+    result.noTolerance = nearest.whyNone;
+    const std::optional<double>& structure = result.judgement.structure;
+    if (!result.noTolerance.empty() && structure && *structure > kOtherStructure)
+        result.noTolerance += fmt::format(", and the structure differs by {:.2g} of 1", *structure);
+}
+
 void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& result) const {
     const Shot& shot = *attempt.shot;
     const image::Image& got = *attempt.own.picture;
     result.verdict = Verdict::failed;
     result.judgement = found.judgement;
+    result.awaits = found.awaited;
+    result.awaitsStore = goldens_.pictures().isNamed();
     if (found.goldenHolds) {
         result.reason = found.relation;
         result.accept.clear();
         if (!found.partner) return;
+        if (!found.judgement.same) {
+            const auto seen = ignoresSomething(shot) ? withoutIgnored(shot, *found.partner->picture, got)
+                                                     : Result<image::Image>();
+            propose(shot, *found.partner->picture, seen ? *seen : got, result);
+        }
         result.expected = write(shot, "partner", *found.partner->picture, result);
         showDifference(shot, *found.partner->picture, got, result);
         return;
     }
     showGolden(shot, found, got, result);
-    if (needsForce(found, got)) result.accept += " --force";
+    if (found.picture && found.relation.empty() && !hasError(found.problems))
+        propose(shot, *found.picture, found.seen ? *found.seen : got, result);
+    result.accept += acceptOptions(shot, found, got);
     if (hasError(found.problems)) {
-        result.accept += " --replace-unreadable";
-        result.reason = firstError(found.problems);
+        result.reason =
+            (found.awaited.empty() ? "" : "not exactly the golden, whose picture is needed now: ") +
+            firstError(found.problems);
         append(result.diagnostics, found.problems);
     } else if (found.picture) {
         result.reason = found.judgement.reason;
@@ -407,6 +462,19 @@ bool ShotJudge::showNear(const Shot& shot, const image::Image& got, ShotResult& 
     return true;
 }
 
+std::set<std::string> ShotJudge::otherFamilies(const Shot& shot, const Findings& found) const {
+    std::set<std::string> known = goldens_.familiesOf(shot, found.picture);
+    if (known.contains(gpu::familyOf(key_))) known.clear();
+    return known;
+}
+
+std::string ShotJudge::acceptOptions(const Shot& shot, const Findings& found, const image::Image& got) const {
+    const bool isForAll = !found.golden || found.golden->variant.empty();
+    return fmt::format("{}{}{}", isForAll && !otherFamilies(shot, found).empty() ? " --variant" : "",
+                       needsForce(found, got) ? " --force" : "",
+                       hasError(found.problems) ? " --replace-unreadable" : "");
+}
+
 std::string ShotJudge::whyKept(const Shot& shot, const Findings& found, const image::Image& got) const {
     if (hasError(found.problems) && !options_.replaceUnreadable)
         return firstError(found.problems) + "; --update keeps a golden that cannot be read";
@@ -415,8 +483,7 @@ std::string ShotJudge::whyKept(const Shot& shot, const Findings& found, const im
     const bool isForAll = !options_.variant && (!found.golden || found.golden->variant.empty());
     if (isForAll && !options_.anyDriver && !(options_.also && found.golden)) {
         const std::string family = gpu::familyOf(key_);
-        if (const auto known = goldens_.familiesOf(shot, found.picture);
-            !known.empty() && !known.contains(family))
+        if (const auto known = otherFamilies(shot, found); !known.empty())
             return fmt::format(
                 "not accepted as the golden for all drivers: {} drawn by {}, and this driver is {}; "
                 "--variant "
@@ -441,8 +508,9 @@ void ShotJudge::update(const Attempt& attempt, const Findings& found, Judged& ju
     ShotResult& result = judged.result;
     showGolden(shot, found, got, result);
     result.judgement = found.judgement;
-    if (needsForce(found, got)) result.accept += " --force";
-    if (hasError(found.problems)) result.accept += " --replace-unreadable";
+    result.awaits = found.awaited;
+    result.awaitsStore = goldens_.pictures().isNamed();
+    result.accept += acceptOptions(shot, found, got);
     if (std::string why = whyKept(shot, found, got); !why.empty()) {
         result.verdict = Verdict::refused;
         result.reason = std::move(why);

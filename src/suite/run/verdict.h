@@ -79,8 +79,17 @@ class ShotJudge {
     [[nodiscard]] Judged passed(const Attempt& attempt, Findings found) const;
     /// True for a picture that --update refuses without --force.
     static bool needsForce(const Findings& found, const image::Image& got);
+    /// The families of drivers that drew the golden for all drivers, or those of the suite if there is none;
+    /// empty if this family is among them, or nothing is known.
+    [[nodiscard]] std::set<std::string> otherFamilies(const Shot& shot, const Findings& found) const;
     /// Why --update does not write the golden, and which option lets it; empty if it does.
     [[nodiscard]] std::string whyKept(const Shot& shot, const Findings& found, const image::Image& got) const;
+    /// The options of acceptCommand() that this picture needs besides.
+    [[nodiscard]] std::string acceptOptions(const Shot& shot, const Findings& found,
+                                            const image::Image& got) const;
+    /// Says which tolerance would pass the picture that has failed.
+    void propose(const Shot& shot, const image::Image& expected, const image::Image& got,
+                 ShotResult& result) const;
     void fail(const Attempt& attempt, const Findings& found, ShotResult& result) const;
     void update(const Attempt& attempt, const Findings& found, Judged& judged) const;
     /// Writes a picture into the results folder. Returns its path relative to that folder, or an empty path

@@ -24,6 +24,8 @@
 #include "image/file.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
+#include "suite/file/glob.h"
+#include "suite/file/selection.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/figures.h"
@@ -185,8 +187,9 @@ std::string whyKept(const GoldenStore& store, const Shot& shot, const std::strin
     if (fs::exists(store.file(shot, variant), failure)) {
         const Result<Golden> golden = store.read(shot, variant);
         if (!golden) return golden.message();
-        Result<image::Image> decoded = decode(*golden);
-        if (!decoded) return decoded.message();
+        // A picture that is not on this machine can be read where it lies.
+        Result<image::Image> decoded = golden->isAbsent ? Result<image::Image>() : decode(*golden);
+        if (!decoded && !golden->isAbsent) return decoded.message();
         picture = std::move(decoded.value);
     }
     if (!variant.empty() || !isKey(result.acceptKey)) return {};
@@ -225,9 +228,7 @@ std::vector<ReviewGroup> Review::findGroups() const {
     for (std::size_t i = 0; i < shots_.size(); ++i) {
         const Known known = find(shots_[i]);
         if (!known.shot) continue;
-        if (!stores.contains(known.suite))
-            stores.emplace(known.suite,
-                           *GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside));
+        if (!stores.contains(known.suite)) stores.emplace(known.suite, *storeOf(*known.suite));
         const fs::path golden = stores.at(known.suite).file(*known.shot, shots_[i].goldenVariant);
         for (const fs::path& each : changed.since(golden, shots_[i].reads))
             candidates[i].insert(each.generic_string());
@@ -317,6 +318,10 @@ Review::Known Review::find(const ShotResult& result) const {
     return {};
 }
 
+Result<GoldenStore> Review::storeOf(const Suite& suite) const {
+    return GoldenStore::open(suite, options_.goldens, options_.allowOutside, options_.results / kUploads);
+}
+
 /// Pictures of the results folder only: what a run has copied there. Results may come from somebody else.
 Result<std::vector<std::byte>> Review::read(const fs::path& file) const {
     return readNamed(file, options_.results, base::Roots());
@@ -331,7 +336,7 @@ std::string Review::whyNot(std::size_t index) const {
     if (!known.shot) return "the suite has no such shot now";
     if (result.accept.empty() && result.verdict != Verdict::quarantined)
         return "another golden does not help";
-    if (!options_.allowOutside && options_.goldens.empty() && hasError(checkGoldenFolder(*known.suite)))
+    if (!options_.allowOutside && hasError(checkGoldenFolder(*known.suite, options_.goldens)))
         return "its golden is outside of the suite's folder (--allow-outside)";
     return {};
 }
@@ -412,7 +417,7 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     const image::Image picture = image::withComponents(*decoded, known.shot->options.alpha ? 4 : 3);
     if (const std::string why = whyNoGolden(picture); !why.empty() && !force)
         return why + "; force accepts it";
-    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    const auto store = storeOf(*known.suite);
     if (!store) return store.message();
     const bool isFurther = also && result.verdict != Verdict::missing;
     const std::string variant = isFurther ? store->freeVariant(*known.shot) : result.goldenVariant;
@@ -437,6 +442,21 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     return problems.empty() ? std::string() : "accepted, but " + problems.front().text;
 }
 
+std::string Review::acceptUnseen(std::size_t index) {
+    if (decisionOf(index) == "accepted") return {};
+    if (!shots_[index].got.empty())
+        if (const auto bytes = read(shots_[index].got)) seen_[index] = hashOf(*bytes);
+    return acceptOne(index, false, false);
+}
+
+bool Review::isNamed(std::size_t index, std::span<const std::string> patterns) const {
+    const Known known = find(shots_[index]);
+    return std::ranges::any_of(patterns, [&](const std::string& each) {
+        return fits(each, shots_[index].suite + "/" + shots_[index].shot) ||
+               (known.shot ? isMeant(*known.shot, each) : fits(each, shots_[index].shot));
+    });
+}
+
 WebReply Review::accept(const WebRequest& request) {
     const auto asked = parse(request.body, shots_.size());
     return answer("accepted", asked, [&](std::size_t each) {
@@ -451,7 +471,7 @@ std::string Review::undo(std::size_t index) {
         return "it was accepted in an earlier review; restore its golden from version control";
     const Before& before = found->second;
     const Known known = find(shots_[index]);
-    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    const auto store = storeOf(*known.suite);
     if (!store) return store.message();
     const Result<Golden> golden = store->read(*known.shot, before.variant);
     if (!golden || hashOf(golden->bytes) != before.accepted)
@@ -493,7 +513,7 @@ bool Review::isGolden(std::size_t index) const {
     if (!known.shot || result.got.empty()) return false;
     const auto bytes = read(result.got);
     if (!bytes) return false;
-    const auto store = GoldenStore::open(*known.suite, options_.goldens, options_.allowOutside);
+    const auto store = storeOf(*known.suite);
     const Result<image::Image> picture = image::decodeImage(*bytes, result.got);
     if (!store || !picture) return false;
     const int components = known.shot->options.alpha ? 4 : 3;

@@ -10,10 +10,12 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "image/image.h"
+#include "suite/golden/golden_store.h"
 #include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
@@ -86,6 +88,12 @@ class Review {
     WebReply reject(const WebRequest& request);
     [[nodiscard]] WebReply data() const;
 
+    /// Makes the picture of a shot its golden for somebody who has looked at it elsewhere, such as in the
+    /// report of the run. Returns why that is not done, or nothing; never what accept() needs `force` for.
+    std::string acceptUnseen(std::size_t index);
+    /// True if --accept names the shot by one of the patterns: as for --only, or by SUITE/SHOT.
+    [[nodiscard]] bool isNamed(std::size_t index, std::span<const std::string> patterns) const;
+
     /// "accepted", "rejected" or "": what was decided about the picture of a shot, in this review or in an
     /// earlier one of the same picture (RESULTS/review.json).
     [[nodiscard]] std::string decisionOf(std::size_t index) const;
@@ -98,6 +106,7 @@ class Review {
         const Shot* shot = nullptr;
     };
     [[nodiscard]] Known find(const ShotResult& result) const;
+    [[nodiscard]] Result<GoldenStore> storeOf(const Suite& suite) const;
     [[nodiscard]] Result<std::vector<std::byte>> read(const std::filesystem::path& file) const;
     [[nodiscard]] std::string whyNot(std::size_t index) const;
     /// Returns why the picture could not be accepted, or nothing.

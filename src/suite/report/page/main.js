@@ -64,13 +64,14 @@ async function copy(text, button) {
 
 function showCommands(shot) {
     const parts = [];
-    for (const [title, command] of [["Reproduce", shot.reproduce], ["Accept", shot.accept]]) {
+    for (const [title, command] of [["Reproduce", shot.reproduce], ["Accept", shot.accept], ["Would pass, in its [[shot]]", shot.toPass]]) {
         if (!command) continue;
         const button = element("button", {type: "button", className: "copy", textContent: "Copy", data: {title: "Copy"}});
         button.addEventListener("click", () => copy(command, button));
         parts.push(element("h3", {textContent: title}),
             element("div", {className: "command"}, element("code", {textContent: command}), button));
     }
+    if (shot.noTolerance) parts.push(element("p", {textContent: `No tolerance is sensible: ${shot.noTolerance}`}));
     byId("commands").replaceChildren(...parts);
 }
 

@@ -1,10 +1,11 @@
-#include "page/sha256.h"
+#include "base/sha256.h"
 
 #include <bit>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
-namespace glibra::page {
+namespace glibra::base {
 namespace {
 
 using Words = std::array<std::uint32_t, 64>;
@@ -72,4 +73,14 @@ std::array<std::byte, 32> sha256(std::span<const std::byte> bytes) {
     return digest;
 }
 
-}  // namespace glibra::page
+std::string sha256Text(std::span<const std::byte> bytes) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (const std::byte each : sha256(bytes)) {
+        text += kDigits[std::to_integer<std::size_t>(each >> 4)];
+        text += kDigits[std::to_integer<std::size_t>(each & std::byte{15})];
+    }
+    return text;
+}
+
+}  // namespace glibra::base
