@@ -13,8 +13,12 @@
 #include "classroom/class_page.h"
 #include "classroom/compare_sources.h"
 #include "classroom/moments.h"
+#include "classroom/reference_pictures.h"
 #include "classroom/review.h"
+#include "image/png/png_writer.h"
+#include "image/read.h"
 #include "suite/run/run.h"
+#include "suite/write_below.h"
 
 namespace glibra::classroom {
 namespace {
@@ -82,6 +86,7 @@ class ClassRun {
         room.leftOut = plan.submissions.leftOut;
         room.reference.submission = {
             plan.reference.filename().generic_string(), plan.reference.parent_path(), plan.reference, {}};
+        if (!plan.pictures.empty()) room.reference.submission.scene.clear();  // there is nothing to read
         for (const Submission& each : plan.submissions.all) {
             room.entries.emplace_back().submission = each;
             if (!each.scene.empty()) room.entries.back().pictures.resize(plan.moments.size());
@@ -103,7 +108,9 @@ class ClassRun {
             return std::move(end_);
         }
         removeLinks(plan_.site);
-        if (!plan_.reference.empty() && (!knowsNames() || !drawReference())) return std::move(end_);
+        if (!plan_.pictures.empty() ? !takePictures()
+                                    : !plan_.reference.empty() && (!knowsNames() || !drawReference()))
+            return std::move(end_);
         removeEarlier(plan_.site, end_.classroom.reference);
         drawSubmissions();
         if (!end_.stopped && !end_.noDriver && !end_.misspelt) reviewAll();
@@ -269,11 +276,44 @@ class ClassRun {
                                                  {plan_.reference.generic_string(), 1, 1}));
             return false;
         }
+        useSizes();
+        return true;
+    }
+
+    /// Submissions are drawn in the sizes of the reference.
+    void useSizes() {
         for (std::size_t i = moments(); i < suite_.shots.size(); ++i) {
-            const Picture& picture = reference.pictures[i % moments()];
+            const Picture& picture = end_.classroom.reference.pictures[i % moments()];
             suite_.shots[i].options.width = picture.width;
             suite_.shots[i].options.height = picture.height;
         }
+    }
+
+    /// Copies the pictures of the reference into the site.
+    bool takePictures() {
+        for (std::size_t moment = 0; moment < moments(); ++moment) {
+            const fs::path& from = plan_.pictures[moment];
+            Result<image::Image> read =
+                image::readImage(from, {(from.parent_path() / kReferenceFile).generic_string(), 1, 1});
+            append(end_.diagnostics, read.diagnostics);
+            if (!read) return false;
+            const std::string file = fmt::format("{}/{}.png", kPictures, suite_.shots[moment].name);
+            const std::vector<std::byte> png = image::encodePng(*read);
+            if (png.empty()) {
+                end_.diagnostics.push_back(withoutId(Severity::error,
+                                                     "the picture of the reference is none of 8 or 16 bits",
+                                                     {from.generic_string(), 1, 1}));
+                return false;
+            }
+            append(end_.diagnostics, suite::writeBelow(plan_.site, file, png));
+            if (hasError(end_.diagnostics)) return false;
+            Picture& picture = end_.classroom.reference.pictures[moment];
+            picture.verdict = Verdict::passed;
+            picture.file = file;
+            picture.width = read->width;
+            picture.height = read->height;
+        }
+        useSizes();
         return true;
     }
 
@@ -416,7 +456,8 @@ class ClassRun {
 std::size_t pictureCount(const ClassPlan& plan) {
     const auto scenes = std::ranges::count_if(plan.submissions.all,
                                               [](const Submission& each) { return !each.scene.empty(); });
-    return (static_cast<std::size_t>(scenes) + (plan.reference.empty() ? 0 : 1)) * plan.moments.size();
+    const bool drawsReference = !plan.reference.empty() && plan.pictures.empty();
+    return (static_cast<std::size_t>(scenes) + (drawsReference ? 1 : 0)) * plan.moments.size();
 }
 
 ClassEnd runClass(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events) {

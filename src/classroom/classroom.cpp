@@ -11,7 +11,7 @@ namespace glibra::classroom {
 using suite::Verdict;
 
 bool hasReference(const Classroom& classroom) {
-    return !classroom.reference.submission.scene.empty();
+    return !classroom.reference.submission.scene.empty() || !classroom.reference.pictures.empty();
 }
 
 std::optional<double> pointsOf(const Entry& entry) {

@@ -18,6 +18,7 @@
 #include "classroom/class_page.h"
 #include "classroom/grades.h"
 #include "classroom/moments.h"
+#include "classroom/reference_pictures.h"
 #include "cli/commands.h"
 #include "cli/untrusted.h"
 #include "glib/text.h"
@@ -28,22 +29,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The moments, and the reference's scene. Without a value, the reason has been printed.
+/// The folder of --reference, if it has pictures in place of a scene.
+bool isOfPictures(const ClassArguments& arguments) {
+    std::error_code failure;
+    return fs::is_directory(arguments.reference, failure);
+}
+
+/// The moments of the pictures that --reference names, with what this machine adds to them.
+Result<std::vector<classroom::Moment>> momentsOfPictures(const ClassArguments& arguments,
+                                                         classroom::ClassPlan& plan) {
+    if (!classroom::hasReferencePictures(arguments.reference))
+        return withoutId(Severity::error,
+                         fmt::format("'{}' is a folder without the pictures of a reference ({}); 'glibra "
+                                     "class --reference SCENE --hand-out {}' writes them",
+                                     arguments.reference, classroom::kReferenceFile, arguments.reference));
+    Result<classroom::ReferencePictures> read = classroom::readReferencePictures(arguments.reference);
+    if (!read) return std::move(read.diagnostics);
+    plan.reference = read->scene;
+    plan.pictures = std::move(read->files);
+    for (classroom::Moment& each : read->moments) {
+        each.shot.memory = arguments.made.picture.memory;
+        each.shot.options.libraryRoots = arguments.made.picture.options.libraryRoots;
+    }
+    return std::move(read->moments);
+}
+
+/// The moments, and the reference's scene or pictures. Without a value, the reason has been printed.
 std::optional<std::vector<classroom::Moment>> momentsOf(const ClassArguments& arguments,
-                                                        fs::path& reference) {
+                                                        classroom::ClassPlan& plan) {
     const suite::Shot& picture = arguments.made.picture;
+    const bool hasPictures = isOfPictures(arguments);
     const bool isSuite = glib::sameWord(fs::path(arguments.reference).extension().generic_string(), ".toml");
-    if (isSuite && (!arguments.times.empty() || !arguments.sweeps.empty() || !picture.options.set.empty() ||
-                    picture.options.width > 0)) {
-        printError("--time, --set, --sweep and --size belong into the suite that --reference names");
+    if ((isSuite || hasPictures) && (!arguments.times.empty() || !arguments.sweeps.empty() ||
+                                     !picture.options.set.empty() || picture.options.width > 0)) {
+        printError(hasPictures
+                       ? "--time, --set, --sweep and --size do not go with the pictures that --reference "
+                         "names: they say what is drawn"
+                       : "--time, --set, --sweep and --size belong into the suite that --reference names");
         return std::nullopt;
     }
     Result<std::vector<classroom::Moment>> moments =
-        isSuite ? classroom::momentsOfSuite(arguments.reference)
-                : classroom::momentsOf(picture, arguments.times, arguments.sweeps);
+        hasPictures ? momentsOfPictures(arguments, plan)
+        : isSuite   ? classroom::momentsOfSuite(arguments.reference)
+                    : classroom::momentsOf(picture, arguments.times, arguments.sweeps);
     print(moments.diagnostics);
     if (!moments) return std::nullopt;
-    reference = isSuite ? moments->front().shot.script : fs::path(arguments.reference);
+    if (!hasPictures) plan.reference = isSuite ? moments->front().shot.script : fs::path(arguments.reference);
     for (classroom::Moment& each : *moments) {
         std::vector<fs::path>& roots = each.shot.options.libraryRoots;
         if (isSuite) {
@@ -83,17 +114,45 @@ int readNames(const ClassArguments& arguments, ClassInput& input) {
     return kDone;
 }
 
-/// Reads --rubric, and what the teacher has typed. The exit status; kDone if all is well.
-int readChecks(const ClassArguments& arguments, ClassInput& input) {
+/// Reads what the teacher has typed, which does not count for one's own submission. The exit status; kDone if
+/// all is well.
+int readOwnMarks(const ClassArguments& arguments, ClassInput& input) {
+    if (arguments.isOwn || !arguments.handOut.empty()) return kDone;
     Result<classroom::TeacherMarks> own = classroom::readTeacherMarks(input.plan.site);
     print(own.diagnostics);
     if (!own) return kSceneIsWrong;
     input.own = std::move(*own);
-    if (arguments.rubric.empty()) {
-        if (suite::readExercise(arguments.reference)) input.rubric = classroom::solvedRubric();
-        return kDone;
+    return kDone;
+}
+
+/// The file of --rubric, or the one that was handed out with the pictures of the reference; empty if there is
+/// none.
+fs::path rubricFile(const ClassArguments& arguments) {
+    if (!arguments.rubric.empty() || !isOfPictures(arguments)) return arguments.rubric;
+    const fs::path beside = fs::path(arguments.reference) / classroom::kReferenceRubric;
+    std::error_code failure;
+    return fs::exists(beside, failure) ? beside : fs::path();
+}
+
+/// Reads the rubric. The exit status; kDone if all is well.
+int readChecks(const ClassArguments& arguments, ClassInput& input) {
+    const fs::path file = rubricFile(arguments);
+    Result<classroom::Rubric> rubric = classroom::solvedRubric();
+    if (!file.empty()) {
+        constexpr std::uint64_t kLargestRubric = 1U << 20U;
+        const Result<std::string> text = classroom::givenText(file, kLargestRubric);
+        print(text.diagnostics);
+        if (!text) return kWrongUsage;
+        input.rubricText = *text;
+        rubric = classroom::readRubricText(*text, file.generic_string());
+    } else if (!isOfPictures(arguments) && suite::readExercise(arguments.reference)) {
+        input.rubricText = "[[check]]\nsolved = true\n";
+    } else {
+        if (!arguments.isOwn) return kDone;
+        return refuse(
+            fmt::format("--mine needs the checks: --rubric FILE, or {} in the folder of --reference",
+                        classroom::kReferenceRubric));
     }
-    Result<classroom::Rubric> rubric = classroom::readRubric(arguments.rubric);
     print(rubric.diagnostics);
     if (!rubric) return kWrongUsage;
     if (printErrors(classroom::problemsOf(*rubric, input.plan.moments,
@@ -159,9 +218,15 @@ int useNamesOfRoster(const std::vector<std::string>& scenesOf, const classroom::
 
 /// Finds the submissions. The exit status; kDone if all is well.
 int findAll(const ClassArguments& arguments, ClassInput& input) {
-    Result<classroom::Submissions> found = classroom::findSubmissions(input.plan.folder, input.find);
+    Result<classroom::Submissions> found = arguments.isOwn
+                                               ? classroom::ownSubmission(input.plan.folder, input.find)
+                                               : classroom::findSubmissions(input.plan.folder, input.find);
     print(found.diagnostics);
     if (!found) return kWrongUsage;
+    if (arguments.isOwn) {
+        input.plan.submissions = std::move(*found);
+        return kDone;
+    }
     const std::size_t patterns = input.find.sceneOf.size();
     if (const int status = useNamesOfRoster(arguments.scenesOf, *found, input); status != kDone)
         return status;
@@ -190,22 +255,26 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
             "another one",
             arguments.made.site));
     if (!mayWriteSite(arguments.made)) return kSceneIsWrong;
-    std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan.reference);
+    std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan);
     if (!moments) return kWrongUsage;
     plan.moments = std::move(*moments);
     if (const int status = readNames(arguments, input); status != kDone) return status;
+    if (const int status = readOwnMarks(arguments, input); status != kDone) return status;
     if (const int status = readChecks(arguments, input); status != kDone) return status;
+    if (!arguments.handOut.empty()) return kDone;
     input.find.reference = plan.reference;
     input.find.others = plan.given;
     input.find.others.emplace_back(plan.site);
     input.find.others.emplace_back(arguments.roster);
     input.find.others.emplace_back(arguments.rubric);
-    if (!plan.reference.empty()) {
+    if (!plan.pictures.empty()) {
+        input.find.others.emplace_back(arguments.reference);
+    } else if (!plan.reference.empty()) {
         input.find.others.emplace_back(plan.reference.has_parent_path() ? plan.reference.parent_path()
                                                                         : fs::path("."));
         input.find.others.emplace_back(arguments.reference);
     }
-    if (!unpackExport(arguments, plan)) return kWrongUsage;
+    if (!arguments.isOwn && !unpackExport(arguments, plan)) return kWrongUsage;
     return findAll(arguments, input);
 }
 
