@@ -91,6 +91,12 @@ class ClassRun {
             room.entries.emplace_back().submission = each;
             if (!each.scene.empty()) room.entries.back().pictures.resize(plan.moments.size());
         }
+        for (const EarlierClass& earlier : plan.earlier)
+            for (const Submission& each : earlier.submissions.all) {
+                room.earlier.emplace_back().submission = each;
+                room.earlier.back().submission.name = earlier.name + "/" + each.name;
+                earlierFolders_.push_back(earlier.folder);
+            }
         if (!plan.reference.empty()) room.reference.pictures.resize(plan.moments.size());
         suite_.name = "class";
         suite_.file = plan.folder;
@@ -122,6 +128,7 @@ class ClassRun {
         return index == 0 ? end_.classroom.reference : end_.classroom.entries[index - 1];
     }
     [[nodiscard]] std::size_t moments() const { return plan_.moments.size(); }
+    [[nodiscard]] std::size_t givenTask() const { return end_.classroom.entries.size() + 1; }
 
     /// The shot of an entry at a moment is number entry * moments() + moment.
     void makeShots() {
@@ -132,7 +139,7 @@ class ClassRun {
                 shot.script = entryOf(entry).submission.scene;
                 shot.ownUniforms.clear();  // what a submission lacks is a warning
                 if (entry > 0) {
-                    confine(entryOf(entry).submission, shot.options);
+                    confine(entryOf(entry).submission, plan_.folder, shot.options);
                     shot.options.incomplete = true;
                 }
                 suite_.shots.push_back(std::move(shot));
@@ -141,7 +148,7 @@ class ClassRun {
 
     /// A submission reads its own folder, the library, and what was given to all: the hand-out, and `shaders`
     /// and `textures` beside the submissions. What lies above is the teacher's, as is the reference.
-    void confine(const Submission& submission, RenderOptions& options) const {
+    void confine(const Submission& submission, const fs::path& beside, RenderOptions& options) const {
         options.within = submission.folder;
         if (submission.scene.empty()) return;
         for (const fs::path& each : plan_.given)
@@ -155,7 +162,7 @@ class ClassRun {
                 return;
             if (each == own || each == each.parent_path()) break;
         }
-        options.libraryRoots.push_back(plan_.folder);
+        options.libraryRoots.push_back(beside);
     }
 
     /// Draws the first picture once more, small and with all names that any moment sets, and reports those
@@ -342,11 +349,20 @@ class ClassRun {
         if (!others.empty()) draw(others);
     }
 
+    /// The reference is number 0, the entries follow, then the given code, then the earlier submissions.
     ReviewTask taskOf(std::size_t index) {
         ReviewTask task;
         task.site = plan_.site;
-        if (index > end_.classroom.entries.size()) {
+        if (index == givenTask()) {
             task.sources = plan_.given;
+            return task;
+        }
+        if (index > givenTask()) {
+            const std::size_t number = index - givenTask() - 1;
+            const Submission& earlier = end_.classroom.earlier[number].submission;
+            task.scene = earlier.scene;
+            task.options = plan_.moments.front().shot.options;
+            confine(earlier, earlierFolders_[number], task.options);
             return task;
         }
         const Entry& entry = entryOf(index);
@@ -372,9 +388,9 @@ class ClassRun {
     }
 
     void reviewAll() {
-        // One piece per entry, the reference first, and one for the given code.
         std::vector<ReviewTask> tasks;
-        for (std::size_t i = 0; i < end_.classroom.entries.size() + 2; ++i) tasks.push_back(taskOf(i));
+        for (std::size_t i = 0; i <= givenTask() + end_.classroom.earlier.size(); ++i)
+            tasks.push_back(taskOf(i));
         std::vector<SourceFile> given;
         base::runInWorkers(
             tasks.size(), suite::readingOptions(workers_, tasks.size(), events_.stop),
@@ -390,8 +406,10 @@ class ClassRun {
                 if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
                 std::optional<Review> found;
                 if (outcome.end == base::Outcome::End::finished) found = parseReview(outcome.answer);
-                if (index >= tasks.size() - 1) {
+                if (index == givenTask()) {
                     if (found) given = std::move(found->files);
+                } else if (index > givenTask()) {
+                    takeReview(end_.classroom.earlier[index - givenTask() - 1], std::move(found));
                 } else {
                     takeReview(entryOf(index), std::move(found));
                 }
@@ -448,6 +466,7 @@ class ClassRun {
     const suite::SiteWorkers& workers_;
     const ClassEvents& events_;
     suite::Suite suite_;
+    std::vector<fs::path> earlierFolders_;  ///< of each earlier submission
     ClassEnd end_;
 };
 

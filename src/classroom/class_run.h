@@ -14,6 +14,13 @@
 
 namespace glibra::classroom {
 
+/// An earlier class, whose code alone is compared.
+struct EarlierClass {
+    std::string name;  ///< that stands before the names of its students: "2025"
+    std::filesystem::path folder;
+    Submissions submissions;
+};
+
 struct ClassPlan {
     std::filesystem::path folder;  ///< of the submissions
     Submissions submissions;
@@ -25,6 +32,7 @@ struct ClassPlan {
     std::size_t common = 0;                    ///< compareSources()
     std::filesystem::path site;                ///< pictures are written to SITE/pictures
     bool studentPages = false;                 ///< small pictures are made for them
+    std::vector<EarlierClass> earlier{};
 };
 
 struct ClassEvents {

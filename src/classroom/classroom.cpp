@@ -99,6 +99,11 @@ const char* name(Reacts reacts) {
     return kNames[static_cast<std::size_t>(reacts)];
 }
 
+const Entry& comparedEntry(const Classroom& classroom, std::size_t index) {
+    const std::size_t count = classroom.entries.size();
+    return index < count ? classroom.entries[index] : classroom.earlier.at(index - count);
+}
+
 std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) {
     std::optional<Nearest> nearest;
     for (const SimilarPair& each : classroom.pairs) {

@@ -52,6 +52,8 @@ system::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) 
     sandbox.readable.push_back(plan.folder);
     sandbox.readable.emplace_back(plan.site, fs::path(classroom::kUnpacked));
     sandbox.readable.insert(sandbox.readable.end(), plan.given.begin(), plan.given.end());
+    for (const classroom::EarlierClass& each : plan.earlier) sandbox.readable.push_back(each.folder);
+    if (!plan.earlier.empty()) sandbox.readable.emplace_back(plan.site, fs::path("earlier"));
     return sandbox;
 }
 
@@ -153,6 +155,20 @@ void reportMissing(const classroom::Classroom& room) {
     }
 }
 
+/// Names what of the earlier submissions cannot be compared.
+void reportEarlier(const classroom::Classroom& room) {
+    std::vector<std::string> names;
+    for (const classroom::Entry& each : room.earlier)
+        if (each.submission.scene.empty()) names.push_back(each.submission.name);
+    if (names.empty()) return;
+    constexpr std::size_t kMostNames = 6;
+    const bool isMore = names.size() > kMostNames;
+    const std::string count = base::counted(names.size(), "earlier submission");
+    if (isMore) names.resize(kMostNames);
+    printLine(base::printableText(fmt::format("glibra: note: {} without a scene cannot be compared: {}{}",
+                                              count, fmt::join(names, ", "), isMore ? ", ..." : "")));
+}
+
 /// Says which fields nobody has typed points into yet.
 void reportOpen(const classroom::Classroom& room) {
     std::map<std::string, std::size_t> open;
@@ -189,6 +205,7 @@ void report(const classroom::Classroom& room, const fs::path& site) {
             printLine(base::printableText(fmt::format("{}: {}: {}", each.submission.name,
                                                       classroom::stateOf(each), classroom::reasonOf(each))));
     reportMissing(room);
+    reportEarlier(room);
     reportOpen(room);
     for (const classroom::Entry& each : room.entries)
         if (const Diagnostics hint = libraryHint(each.submission.scene, each.diagnostics); !hint.empty()) {
@@ -431,6 +448,12 @@ void addClass(CommandLine& program, int& status) {
         "--template", to.templates,
         "file or folder of code that was given to all; it does not count as similar; may be repeated");
     command
+        .repeated(
+            "--earlier", to.earlier,
+            "folder of an earlier class (or its zip file), with whose code this one's is compared, too; "
+            "may be repeated")
+        .placeholder("FOLDER");
+    command
         .option("--common", to.common,
                 "code that more submissions than this have does not count as similar; by default a third of "
                 "the class, at least 4 and at most 10")
@@ -455,7 +478,7 @@ void addClass(CommandLine& program, int& status) {
     addSiteOptions(command, to.made, "folder for index.html, grades.csv and the pictures",
                    {"set", "size", "samples", "strict", "library", "memory"});
     for (const char* each : {"--scene-of", "--names", "--roster", "--grade-book", "--assignment",
-                             "--student-pages", "--serve", "--anonymous", "--common"})
+                             "--student-pages", "--serve", "--anonymous", "--common", "--earlier"})
         command.find("--mine").excludes(command.find(each));
     command.find("--mine").excludes(command.find("--hand-out"));
     command.onRun([arguments, site = command.find("--output"), &status] {

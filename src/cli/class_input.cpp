@@ -157,26 +157,71 @@ int readChecks(const ClassArguments& arguments, ClassInput& input) {
     return kDone;
 }
 
-/// What confines the processes that unpack into a folder of the site; nothing without --untrusted.
-std::optional<system::Sandbox> unpackingSandbox(const ClassArguments& arguments,
-                                                const classroom::ClassPlan& plan, std::string_view into) {
+/// What confines the processes that unpack submissions into a folder of a site; nothing without --untrusted.
+std::optional<system::Sandbox> unpackingSandbox(const ClassArguments& arguments, const fs::path& from,
+                                                const fs::path& site, std::string_view into) {
     if (!arguments.made.untrusted) return std::nullopt;
     system::Sandbox sandbox;
-    sandbox.readable.push_back(plan.folder);
-    sandbox.writable.emplace_back(plan.site, fs::path(into));
+    sandbox.readable.push_back(from);
+    sandbox.writable.emplace_back(site, fs::path(into));
     return sandbox;
 }
 
-/// If the submissions are one zip file, as a learning platform exports them, unpacks it. False: it cannot be.
-bool unpackExport(const ClassArguments& arguments, classroom::ClassPlan& plan) {
+/// If the submissions are one zip file, as a learning platform exports them, unpacks it to the site, and
+/// `from` is then its folder. False: it cannot be.
+bool unpackExport(const ClassArguments& arguments, fs::path& from, const fs::path& site) {
     std::error_code failure;
-    if (!classroom::isArchive(plan.folder) || !fs::is_regular_file(plan.folder, failure)) return true;
-    const auto sandbox = unpackingSandbox(arguments, plan, classroom::kExport);
+    if (!classroom::isArchive(from) || !fs::is_regular_file(from, failure)) return true;
+    const auto sandbox = unpackingSandbox(arguments, from, site, classroom::kExport);
     Result<fs::path> folder = classroom::unpackExport(
-        plan.folder, {.site = plan.site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
+        from, {.site = site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
     print(folder.diagnostics);
-    if (folder) plan.folder = std::move(*folder);
+    if (folder) from = std::move(*folder);
     return folder.value.has_value();
+}
+
+/// Unpacks zip files of submissions to the site. The exit status; kDone if all is well.
+int unpackAll(const ClassArguments& arguments, classroom::Submissions& submissions, const fs::path& from,
+              const fs::path& site, const classroom::SubmissionOptions& find,
+              const system::Interruption& interruption) {
+    const auto sandbox = unpackingSandbox(arguments, from, site, classroom::kUnpacked);
+    const Diagnostics problems =
+        classroom::unpackSubmissions(submissions, find,
+                                     {.site = site,
+                                      .jobs = arguments.made.jobs,
+                                      .timeout = arguments.made.timeout,
+                                      .sandbox = sandbox ? &*sandbox : nullptr,
+                                      .stop = [&] { return interruption.signal() != 0; }});
+    return printErrors(problems) ? kSceneIsWrong : kDone;
+}
+
+/// Where zip files of the earlier folder of this number are unpacked.
+fs::path earlierSite(const classroom::ClassPlan& plan, std::size_t number) {
+    return plan.site / "earlier" / std::to_string(number + 1);
+}
+
+/// Finds the submissions of --earlier. The exit status; kDone if all is well.
+int findEarlier(const ClassArguments& arguments, ClassInput& input) {
+    classroom::SubmissionOptions find = input.find;
+    find.sceneOf.clear();
+    std::size_t count = 0;
+    for (const std::string& each : arguments.earlier) {
+        fs::path folder = each;
+        if (std::error_code failure; fs::equivalent(folder, arguments.folder, failure))
+            return refuse(fmt::format("--earlier {}: these are the submissions themselves", each));
+        if (!unpackExport(arguments, folder, earlierSite(input.plan, input.plan.earlier.size())))
+            return kWrongUsage;
+        Result<classroom::Submissions> found = classroom::findSubmissions(folder, find);
+        print(found.diagnostics);
+        if (!found) return kWrongUsage;
+        count += found->all.size();
+        if (count > 2 * classroom::kMostSubmissions)
+            return refuse(fmt::format("--earlier: there are more than {} earlier submissions",
+                                      2 * classroom::kMostSubmissions));
+        const fs::path named = fs::path(each).has_filename() ? fs::path(each) : fs::path(each).parent_path();
+        input.plan.earlier.push_back({named.stem().generic_string(), std::move(folder), std::move(*found)});
+    }
+    return kDone;
 }
 
 /// "; did you mean 'Bob Ng'?", or nothing.
@@ -268,19 +313,26 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
                                                                         : fs::path("."));
         input.find.others.emplace_back(arguments.reference);
     }
-    if (!arguments.isOwn && !unpackExport(arguments, plan)) return kWrongUsage;
-    return findAll(arguments, input);
+    if (!arguments.isOwn && !unpackExport(arguments, plan.folder, plan.site)) return kWrongUsage;
+    // An earlier folder may lie beside this year's.
+    for (const std::string& each : arguments.earlier) input.find.others.emplace_back(each);
+    if (const int status = findAll(arguments, input); status != kDone) return status;
+    return findEarlier(arguments, input);
 }
 
 int unpack(const ClassArguments& arguments, ClassInput& input, const system::Interruption& interruption) {
-    const auto sandbox = unpackingSandbox(arguments, input.plan, classroom::kUnpacked);
-    if (printErrors(classroom::unpackSubmissions(input.plan.submissions, input.find,
-                                                 {.site = input.plan.site,
-                                                  .jobs = arguments.made.jobs,
-                                                  .timeout = arguments.made.timeout,
-                                                  .sandbox = sandbox ? &*sandbox : nullptr,
-                                                  .stop = [&] { return interruption.signal() != 0; }})))
-        return kSceneIsWrong;
+    classroom::ClassPlan& plan = input.plan;
+    if (const int status =
+            unpackAll(arguments, plan.submissions, plan.folder, plan.site, input.find, interruption);
+        status != kDone)
+        return status;
+    for (std::size_t i = 0; i < plan.earlier.size(); ++i) {
+        auto& [name, folder, submissions] = plan.earlier[i];
+        if (const int status =
+                unpackAll(arguments, submissions, folder, earlierSite(plan, i), input.find, interruption);
+            status != kDone)
+            return status;
+    }
     if (input.roster) input.handed = classroom::applyRoster(*input.roster, input.plan.submissions);
     return kDone;
 }

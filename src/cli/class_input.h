@@ -27,7 +27,7 @@ struct ClassArguments {
     std::vector<std::string> scenes, scenesOf;
     std::string names, roster, assignment, rubric;
     classroom::GradeBook book = classroom::GradeBook::none;
-    std::vector<std::string> templates;
+    std::vector<std::string> templates, earlier;
     int common = 0;
     bool studentPages = false, isAnonymous = false, serves = false;
     bool isOwn = false;   ///< --mine: SUBMISSIONS is one submission
