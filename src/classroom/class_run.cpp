@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -387,11 +389,39 @@ class ClassRun {
         return task;
     }
 
+    /// The reference and the given code come first: what they have is not looked for in the others.
     void reviewAll() {
-        std::vector<ReviewTask> tasks;
-        for (std::size_t i = 0; i <= givenTask() + end_.classroom.earlier.size(); ++i)
-            tasks.push_back(taskOf(i));
         std::vector<SourceFile> given;
+        std::set<std::uint64_t> functions;
+        const auto isGiven = [&](std::size_t index) { return index == 0 || index == givenTask(); };
+        for (const bool first : {true, false}) {
+            std::vector<std::size_t> indices;
+            for (std::size_t i = 0; i <= givenTask() + end_.classroom.earlier.size(); ++i)
+                if (isGiven(i) == first) indices.push_back(i);
+            reviewSome(indices, functions, [&](std::size_t index, std::optional<Review> found) {
+                if (found && first) functions.insert(found->functions.begin(), found->functions.end());
+                if (index != givenTask())
+                    takeReview(reviewedEntry(index), std::move(found));
+                else if (found)
+                    given = std::move(found->files);
+            });
+        }
+        end_.stopped = end_.stopped || (events_.stop && events_.stop());
+        findEmpty();
+        if (!end_.stopped) compareSources(end_.classroom, given, plan_.common);
+    }
+
+    /// The entry of a task that is not that of the given code.
+    Entry& reviewedEntry(std::size_t index) {
+        return index < givenTask() ? entryOf(index) : end_.classroom.earlier[index - givenTask() - 1];
+    }
+
+    using TakeReview = std::function<void(std::size_t index, std::optional<Review>)>;
+    void reviewSome(const std::vector<std::size_t>& indices, const std::set<std::uint64_t>& functions,
+                    const TakeReview& taken) {
+        std::vector<ReviewTask> tasks;
+        for (const std::size_t each : indices) tasks.push_back(taskOf(each));
+        for (ReviewTask& each : tasks) each.givenFunctions = functions;
         base::runInWorkers(
             tasks.size(), suite::readingOptions(workers_, tasks.size(), events_.stop),
             [&](std::size_t index, const base::Step& step) -> std::string {
@@ -404,20 +434,11 @@ class ClassRun {
             },
             [&](std::size_t index, const base::Outcome& outcome) {
                 if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
-                std::optional<Review> found;
-                if (outcome.end == base::Outcome::End::finished) found = parseReview(outcome.answer);
-                if (index == givenTask()) {
-                    if (found) given = std::move(found->files);
-                } else if (index > givenTask()) {
-                    takeReview(end_.classroom.earlier[index - givenTask() - 1], std::move(found));
-                } else {
-                    takeReview(entryOf(index), std::move(found));
-                }
+                taken(indices[index], outcome.end == base::Outcome::End::finished
+                                          ? parseReview(outcome.answer)
+                                          : std::nullopt);
             },
             [](std::size_t, const std::string&) {});
-        end_.stopped = end_.stopped || (events_.stop && events_.stop());
-        findEmpty();
-        if (!end_.stopped) compareSources(end_.classroom, given, plan_.common);
     }
 
     void takeReview(Entry& entry, std::optional<Review> found) {
