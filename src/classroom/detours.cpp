@@ -22,6 +22,7 @@ constexpr std::size_t kLargestBody = 2'000;             // tokens of a function 
 constexpr std::size_t kGrowth = 4, kLeastRoom = 2'000;  // how far a text may grow, in times and in tokens
 constexpr std::size_t kDeepestCall = 60;
 constexpr std::size_t kLargestValue = 500;  // tokens of a value that takes the place of its variable
+constexpr std::size_t kFarthest = 200;      // statements between where a variable is set and its use
 constexpr std::size_t kShortArgument = 3;   // tokens that are repeated rather than named
 
 bool isControl(const Code& statement) {
@@ -142,8 +143,10 @@ class Detours {
         const std::size_t begin = bodyBegin(item);
         const std::span<const CodeToken> body =
             std::span(tokens_).subspan(begin, items_[item].end - 1 - begin);
-        const Code inlined =
-            withStatements(body, [&](std::vector<Code>& statements) { writeOut(statements, depth); });
+        const Code inlined = withStatements(body, [&](std::vector<Code>& statements) {
+            writeOut(statements, depth);
+            declareWhereSet(statements);
+        });
         std::map<std::string_view, std::size_t> counts;
         for (std::size_t i = 0; i < inlined.size(); ++i)
             if (isVariableName(inlined, i)) ++counts[inlined[i].text];
@@ -352,6 +355,35 @@ class Detours {
         return writes;
     }
 
+    /// The first place of a variable in a statement; its end if there is none.
+    static std::size_t placeOf(std::string_view name, const Code& statement) {
+        std::size_t at = 0;
+        while (at < statement.size() && !(statement[at].text == name && isVariableName(statement, at))) ++at;
+        return at;
+    }
+
+    /// "vec3 a; b; a = c;" is "b; vec3 a = c;", also if a had a value that nothing reads.
+    void declareWhereSet(std::vector<Code>& statements) const {
+        for (std::size_t i = 0; i < statements.size(); ++i) {
+            Code& declared = statements[i];
+            if (declared.size() < 3 || !declared[0].isWord || !isDeclaredName(declared, 1) ||
+                (declared[2].text != ";" && declared[2].text != "=") || callsWithEffect(declared))
+                continue;
+            const std::string_view name = declared[1].text;
+            std::size_t at = i + 1;
+            const std::size_t last = std::min(statements.size(), i + 1 + kFarthest);
+            while (at < last && placeOf(name, statements[at]) == statements[at].size()) ++at;
+            if (at == last) continue;
+            Code& set = statements[at];
+            if (set[0].text != name || set.size() < 4 || set[1].text != "=" ||
+                placeOf(name, {set.begin() + 1, set.end()}) + 1 != set.size())
+                continue;
+            set.insert(set.begin(), declared[0]);
+            declared.clear();
+        }
+        std::erase_if(statements, [](const Code& each) { return each.empty(); });
+    }
+
     /// Replaces variables that are set where they are declared and used once by their values.
     void useOnce(std::vector<Code>& statements, const std::map<std::string_view, std::size_t>& counts) {
         for (std::size_t i = 0; i < statements.size(); ++i) {
@@ -379,15 +411,11 @@ class Detours {
     /// reads changes before.
     bool replaceUse(std::vector<Code>& statements, std::size_t from, const Code& value,
                     const std::set<std::string_view>& read) const {
-        constexpr std::size_t kFarthest = 200;  // statements
         const CodeToken name = statements[from][1];
         const std::size_t last = std::min(statements.size(), from + 1 + kFarthest);
         for (std::size_t at = from + 1; at < last; ++at) {
             Code& statement = statements[at];
-            std::size_t use = 0;
-            while (use < statement.size() &&
-                   !(statement[use].text == name.text && isVariableName(statement, use)))
-                ++use;
+            const std::size_t use = placeOf(name.text, statement);
             const bool isUsed = use < statement.size();
             if (callsWithEffect(statement)) return false;
             const std::set<std::string_view> writes = writesOf(statement);

@@ -85,7 +85,8 @@ std::vector<CodeToken> withoutDeadCode(std::vector<CodeToken> tokens, const OwnF
 /// Writes functions out where they are called: those that `mayInline`, that return at their end alone, and
 /// that are not recursive. Parameters are replaced by their arguments if these are short or used once, and
 /// become variables otherwise; so do variables of the function, with names that `names` keeps. Also replaces
-/// variables that are set once and used once by their values. Code that would grow to more than a few times
+/// variables that are set once and used once by their values, and declares variables where they are set
+/// first. Code that would grow to more than a few times
 /// its size stays.
 std::vector<CodeToken> withoutDetours(std::vector<CodeToken> tokens, const OwnFunctions& own,
                                       const std::function<bool(const CodeItem& function)>& mayInline,

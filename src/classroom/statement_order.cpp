@@ -125,23 +125,6 @@ class Region {
     std::vector<std::size_t> order_;
 };
 
-/// "vec3 a; a = b;" is "vec3 a = b;".
-void joinDeclarations(std::vector<Code>& statements) {
-    std::vector<Code> made;
-    for (Code& each : statements) {
-        const bool declares = !made.empty() && made.back().size() == 3 && made.back()[2].text == ";" &&
-                              isDeclaredName(made.back(), 1);
-        if (declares && each.size() > 2 && each[0].text == made.back()[1].text && each[1].text == "=") {
-            Code& declaration = made.back();
-            declaration.resize(1);
-            declaration.insert(declaration.end(), each.begin(), each.end());
-        } else {
-            made.push_back(std::move(each));
-        }
-    }
-    statements = std::move(made);
-}
-
 }  // namespace
 
 std::vector<CodeToken> inStatementOrder(const std::vector<CodeToken>& tokens, const OwnFunctions& own) {
@@ -164,7 +147,6 @@ std::vector<CodeToken> inStatementOrder(const std::vector<CodeToken>& tokens, co
             effects.push_back(std::move(of));
         }
         finish({});
-        joinDeclarations(made);
         statements = std::move(made);
     });
 }

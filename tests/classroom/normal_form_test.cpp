@@ -61,6 +61,8 @@ TEST(NormalForm, EvasionsDoNotCount) {
         {"float u = sin(a), v = cos(b); o = u * u + v * v;",
          "float u = sin(a); float v = cos(b); o = u * u + v * v;"},
         {"float u = sin(a); o = u * u;", "float u; u = sin(a); o = u * u;"},
+        {"float u = sin(a), v = cos(b); o = u * u - v * v;",
+         "float v = 0., u; u = sin(a); v = cos(b); o = u * u - v * v;"},
         {"float u = sin(a); o = u * u;", "const float u = sin(a); o = u * u;"},
         // order of statements
         {"float u = sin(a); float v = cos(b); o = u * u - v * v;",
@@ -113,6 +115,8 @@ TEST(NormalForm, WhatHasAnEffectStays) {
         {"float u = sin(a); float v = sin(b); o = u * u - v * v * a;",
          "float u = sin(a); o = u * u; float v = sin(b); o = v * v * a;"},
         {"o = sin(a); a = b; b = cos(o);", "a = b; o = sin(a); b = cos(o);"},
+        {"float u = sin(a); o = u * u; u = cos(a); o = u * u - o;",
+         "float u = cos(a); o = u * u; o = u * u - o;"},
         {"o = cos(a); return; ", "return; o = cos(a);"},
         {"o = a - (b - sin(a));", "o = a - b - sin(a);"},
         {"o = a * (b + sin(a));", "o = a * b + sin(a);"},
