@@ -68,6 +68,52 @@ std::vector<Code> declarations(const Code& statement) {
     return made;
 }
 
+/// The sign of the only assignment of "a.b = c;"; 0 if the statement is none.
+std::size_t onlyAssignment(std::span<const CodeToken> statement) {
+    std::size_t sign = 0;
+    for (std::size_t i = 0; i < statement.size(); ++i) {
+        if (!glsl::isAssignment(statement[i].text) && !glsl::isStep(statement[i].text)) continue;
+        if (sign > 0 || statement[i].text != "=") return 0;
+        sign = i;
+    }
+    const bool isWhole = sign > 0 && sign + 2 < statement.size() && statement.back().text == ";";
+    return isWhole && !isDeclaredName(statement, 1) ? sign : 0;
+}
+
+/// "if (a) b = c; else b = d;" as "b = a ? c : d;"; nothing if it is another statement.
+std::optional<Code> asConditional(std::span<const CodeToken> statement, int nested = 0) {
+    constexpr int kMostNested = 16;
+    if (nested > kMostNested || statement.size() < 2 || statement[0].text != "if" || statement[1].text != "(")
+        return std::nullopt;
+    const Brackets brackets(statement);
+    const std::size_t condition = brackets.after(1);
+    const std::size_t other = afterStatement(statement, brackets, condition, statement.size());
+    if (other + 1 >= statement.size() || statement[other].text != "else") return std::nullopt;
+    const auto inner = [](std::span<const CodeToken> part) {
+        const bool isBlock = part.size() > 2 && part.front().text == "{" && part.back().text == "}";
+        return isBlock ? part.subspan(1, part.size() - 2) : part;
+    };
+    const std::span<const CodeToken> one = inner(statement.subspan(condition, other - condition));
+    std::span<const CodeToken> two = inner(statement.subspan(other + 1));
+    const std::optional<Code> chain = asConditional(two, nested + 1);
+    if (chain) two = *chain;
+    const std::size_t signOne = onlyAssignment(one), signTwo = onlyAssignment(two);
+    const auto isSame = [](const CodeToken& a, const CodeToken& b) { return a.text == b.text; };
+    if (signOne == 0 || signOne != signTwo ||
+        !std::equal(one.begin(), one.begin() + signOne, two.begin(), isSame))
+        return std::nullopt;
+    Code made(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(signOne) + 1);
+    const auto add = [&](std::span<const CodeToken> part) {
+        made.insert(made.end(), part.begin(), part.end());
+    };
+    add(statement.subspan(2, condition - 3));
+    made.push_back(sign("?", statement[0].line));
+    add(one.subspan(signOne + 1, one.size() - signOne - 2));
+    made.push_back(sign(":", statement[0].line));
+    add(two.subspan(signTwo + 1));
+    return made;
+}
+
 struct Parameter {
     CodeToken type;
     std::string_view name;
@@ -202,7 +248,10 @@ class Detours {
             for (Code& each : before) made.push_back(std::move(each));
             if (!own.empty()) made.push_back(std::move(own));
         };
-        for (const Code& each : statements) add(each);
+        for (const Code& each : statements) {
+            const std::optional<Code> conditional = asConditional(each);
+            add(conditional ? *conditional : each);
+        }
         statements = std::move(made);
     }
 

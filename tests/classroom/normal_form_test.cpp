@@ -73,6 +73,10 @@ TEST(NormalForm, EvasionsDoNotCount) {
          "if (a > b) { float v = cos(a); float u = sin(a); o = u * u - v * v; }"},
         {"float u = sin(a); u *= 2.; float v = cos(b); o = u * u - v * v; return;",
          "float v = cos(b); float u = sin(a); u *= 2.; o = u * u - v * v; return;"},
+        // branches that choose a value
+        {"o = a > b ? sin(a) : cos(b);", "if (a > b) o = sin(a); else { o = cos(b); }"},
+        {"float u = a > b ? a : a > o ? b : o; o = u * u;",
+         "float u; if (a > b) u = a; else if (a > o) { u = b; } else u = o; o = u * u;"},
         // constants
         {"o = a * 6.;", "o = 2. * a * 3.;"},
         {"o = a / 2.;", "o = .5 * a;"},
@@ -117,6 +121,8 @@ TEST(NormalForm, WhatHasAnEffectStays) {
         {"o = sin(a); a = b; b = cos(o);", "a = b; o = sin(a); b = cos(o);"},
         {"float u = sin(a); o = u * u; u = cos(a); o = u * u - o;",
          "float u = cos(a); o = u * u; o = u * u - o;"},
+        {"if (a > b) o = a; else b = o;", "o = a > b ? a : o;"},
+        {"if (a > b) o = a; else o += a;", "o = a > b ? a : a;"},
         {"o = cos(a); return; ", "return; o = cos(a);"},
         {"o = a - (b - sin(a));", "o = a - b - sin(a);"},
         {"o = a * (b + sin(a));", "o = a * b + sin(a);"},
