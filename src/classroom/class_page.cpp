@@ -110,9 +110,13 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
         for (Mark& each : to.marks) clean(each.reason);
         for (Diagnostic& each : to.diagnostics) clean(each.text);
     }
+    for (std::size_t i = 0; i < made.earlier.size(); ++i) {
+        made.earlier[i].submission.name = fmt::format("Earlier submission {:02}", i + 1);
+        made.earlier[i].submission.problem.clear();
+    }
     for (SimilarPair& each : made.pairs) {
         each.a = numberOf[each.a];
-        each.b = numberOf[each.b];
+        if (each.b < numberOf.size()) each.b = numberOf[each.b];
         if (each.a > each.b) {
             std::swap(each.a, each.b);
             std::swap(each.ofA, each.ofB);
@@ -135,8 +139,8 @@ std::string anchor(std::size_t entry) {
 }
 
 std::string link(const Classroom& room, std::size_t entry) {
-    return fmt::format("<a href=\"#{}\">{}</a>", anchor(entry),
-                       nameHtml(room.entries[entry].submission.name));
+    const std::string name = nameHtml(comparedEntry(room, entry).submission.name);
+    return entry < room.entries.size() ? fmt::format("<a href=\"#{}\">{}</a>", anchor(entry), name) : name;
 }
 
 std::set<DeclaredUniform> uniformsOf(const Entry& entry) {
@@ -244,8 +248,8 @@ std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines&
 }
 
 std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines& sources) {
-    const Entry& a = room.entries[pair.a];
-    const Entry& b = room.entries[pair.b];
+    const Entry& a = comparedEntry(room, pair.a);
+    const Entry& b = comparedEntry(room, pair.b);
     const std::vector<SharedPassage> passages = sharedPassages(a.files, room.fingerprints[pair.a], b.files,
                                                                room.fingerprints[pair.b], kMostPassages + 1);
     std::size_t tokens = 0;
@@ -318,7 +322,7 @@ std::string overviewHtml(const Classroom& room) {
         rows += cell(fmt::format("{}", countOf(entry, Severity::error))) +
                 cell(fmt::format("{}", countOf(entry, Severity::warning))) +
                 cell(nearest ? percentText(nearest->share) + " like " +
-                                   nameHtml(room.entries[nearest->entry].submission.name)
+                                   nameHtml(comparedEntry(room, nearest->entry).submission.name)
                              : "") +
                 "</tr>\n";
     }
@@ -360,7 +364,11 @@ std::string leftOutHtml(const Classroom& room) {
         for (const std::string& each : names) items += "<li>" + nameHtml(each) + "</li>";
         return items.empty() ? items : fmt::format("<p>{}</p><ul>{}</ul>", title, items);
     };
+    std::vector<std::string> earlier;
+    for (const Entry& each : room.earlier)
+        if (each.submission.scene.empty()) earlier.push_back(each.submission.name);
     return list("These files are no scenes, zip files or folders.", room.leftOut) +
+           list("These earlier submissions are not compared, because they have no scene.", earlier) +
            list("These students of the roster handed in nothing that was found.", room.absent) +
            list("These points and comments of marks.json belong to no submission or check.", room.unplaced);
 }

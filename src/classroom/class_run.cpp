@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -13,8 +15,12 @@
 #include "classroom/class_page.h"
 #include "classroom/compare_sources.h"
 #include "classroom/moments.h"
+#include "classroom/reference_pictures.h"
 #include "classroom/review.h"
+#include "image/png/png_writer.h"
+#include "image/read.h"
 #include "suite/run/run.h"
+#include "suite/write_below.h"
 
 namespace glibra::classroom {
 namespace {
@@ -82,10 +88,17 @@ class ClassRun {
         room.leftOut = plan.submissions.leftOut;
         room.reference.submission = {
             plan.reference.filename().generic_string(), plan.reference.parent_path(), plan.reference, {}};
+        if (!plan.pictures.empty()) room.reference.submission.scene.clear();  // there is nothing to read
         for (const Submission& each : plan.submissions.all) {
             room.entries.emplace_back().submission = each;
             if (!each.scene.empty()) room.entries.back().pictures.resize(plan.moments.size());
         }
+        for (const EarlierClass& earlier : plan.earlier)
+            for (const Submission& each : earlier.submissions.all) {
+                room.earlier.emplace_back().submission = each;
+                room.earlier.back().submission.name = earlier.name + "/" + each.name;
+                earlierFolders_.push_back(earlier.folder);
+            }
         if (!plan.reference.empty()) room.reference.pictures.resize(plan.moments.size());
         suite_.name = "class";
         suite_.file = plan.folder;
@@ -103,7 +116,9 @@ class ClassRun {
             return std::move(end_);
         }
         removeLinks(plan_.site);
-        if (!plan_.reference.empty() && (!knowsNames() || !drawReference())) return std::move(end_);
+        if (!plan_.pictures.empty() ? !takePictures()
+                                    : !plan_.reference.empty() && (!knowsNames() || !drawReference()))
+            return std::move(end_);
         removeEarlier(plan_.site, end_.classroom.reference);
         drawSubmissions();
         if (!end_.stopped && !end_.noDriver && !end_.misspelt) reviewAll();
@@ -115,6 +130,7 @@ class ClassRun {
         return index == 0 ? end_.classroom.reference : end_.classroom.entries[index - 1];
     }
     [[nodiscard]] std::size_t moments() const { return plan_.moments.size(); }
+    [[nodiscard]] std::size_t givenTask() const { return end_.classroom.entries.size() + 1; }
 
     /// The shot of an entry at a moment is number entry * moments() + moment.
     void makeShots() {
@@ -125,7 +141,7 @@ class ClassRun {
                 shot.script = entryOf(entry).submission.scene;
                 shot.ownUniforms.clear();  // what a submission lacks is a warning
                 if (entry > 0) {
-                    confine(entryOf(entry).submission, shot.options);
+                    confine(entryOf(entry).submission, plan_.folder, shot.options);
                     shot.options.incomplete = true;
                 }
                 suite_.shots.push_back(std::move(shot));
@@ -134,7 +150,7 @@ class ClassRun {
 
     /// A submission reads its own folder, the library, and what was given to all: the hand-out, and `shaders`
     /// and `textures` beside the submissions. What lies above is the teacher's, as is the reference.
-    void confine(const Submission& submission, RenderOptions& options) const {
+    void confine(const Submission& submission, const fs::path& beside, RenderOptions& options) const {
         options.within = submission.folder;
         if (submission.scene.empty()) return;
         for (const fs::path& each : plan_.given)
@@ -148,7 +164,7 @@ class ClassRun {
                 return;
             if (each == own || each == each.parent_path()) break;
         }
-        options.libraryRoots.push_back(plan_.folder);
+        options.libraryRoots.push_back(beside);
     }
 
     /// Draws the first picture once more, small and with all names that any moment sets, and reports those
@@ -269,11 +285,44 @@ class ClassRun {
                                                  {plan_.reference.generic_string(), 1, 1}));
             return false;
         }
+        useSizes();
+        return true;
+    }
+
+    /// Submissions are drawn in the sizes of the reference.
+    void useSizes() {
         for (std::size_t i = moments(); i < suite_.shots.size(); ++i) {
-            const Picture& picture = reference.pictures[i % moments()];
+            const Picture& picture = end_.classroom.reference.pictures[i % moments()];
             suite_.shots[i].options.width = picture.width;
             suite_.shots[i].options.height = picture.height;
         }
+    }
+
+    /// Copies the pictures of the reference into the site.
+    bool takePictures() {
+        for (std::size_t moment = 0; moment < moments(); ++moment) {
+            const fs::path& from = plan_.pictures[moment];
+            Result<image::Image> read =
+                image::readImage(from, {(from.parent_path() / kReferenceFile).generic_string(), 1, 1});
+            append(end_.diagnostics, read.diagnostics);
+            if (!read) return false;
+            const std::string file = fmt::format("{}/{}.png", kPictures, suite_.shots[moment].name);
+            const std::vector<std::byte> png = image::encodePng(*read);
+            if (png.empty()) {
+                end_.diagnostics.push_back(withoutId(Severity::error,
+                                                     "the picture of the reference is none of 8 or 16 bits",
+                                                     {from.generic_string(), 1, 1}));
+                return false;
+            }
+            append(end_.diagnostics, suite::writeBelow(plan_.site, file, png));
+            if (hasError(end_.diagnostics)) return false;
+            Picture& picture = end_.classroom.reference.pictures[moment];
+            picture.verdict = Verdict::passed;
+            picture.file = file;
+            picture.width = read->width;
+            picture.height = read->height;
+        }
+        useSizes();
         return true;
     }
 
@@ -302,11 +351,20 @@ class ClassRun {
         if (!others.empty()) draw(others);
     }
 
+    /// The reference is number 0, the entries follow, then the given code, then the earlier submissions.
     ReviewTask taskOf(std::size_t index) {
         ReviewTask task;
         task.site = plan_.site;
-        if (index > end_.classroom.entries.size()) {
+        if (index == givenTask()) {
             task.sources = plan_.given;
+            return task;
+        }
+        if (index > givenTask()) {
+            const std::size_t number = index - givenTask() - 1;
+            const Submission& earlier = end_.classroom.earlier[number].submission;
+            task.scene = earlier.scene;
+            task.options = plan_.moments.front().shot.options;
+            confine(earlier, earlierFolders_[number], task.options);
             return task;
         }
         const Entry& entry = entryOf(index);
@@ -331,11 +389,39 @@ class ClassRun {
         return task;
     }
 
+    /// The reference and the given code come first: what they have is not looked for in the others.
     void reviewAll() {
-        // One piece per entry, the reference first, and one for the given code.
-        std::vector<ReviewTask> tasks;
-        for (std::size_t i = 0; i < end_.classroom.entries.size() + 2; ++i) tasks.push_back(taskOf(i));
         std::vector<SourceFile> given;
+        std::set<std::uint64_t> functions;
+        const auto isGiven = [&](std::size_t index) { return index == 0 || index == givenTask(); };
+        for (const bool first : {true, false}) {
+            std::vector<std::size_t> indices;
+            for (std::size_t i = 0; i <= givenTask() + end_.classroom.earlier.size(); ++i)
+                if (isGiven(i) == first) indices.push_back(i);
+            reviewSome(indices, functions, [&](std::size_t index, std::optional<Review> found) {
+                if (found && first) functions.insert(found->functions.begin(), found->functions.end());
+                if (index != givenTask())
+                    takeReview(reviewedEntry(index), std::move(found));
+                else if (found)
+                    given = std::move(found->files);
+            });
+        }
+        end_.stopped = end_.stopped || (events_.stop && events_.stop());
+        findEmpty();
+        if (!end_.stopped) compareSources(end_.classroom, given, plan_.common);
+    }
+
+    /// The entry of a task that is not that of the given code.
+    Entry& reviewedEntry(std::size_t index) {
+        return index < givenTask() ? entryOf(index) : end_.classroom.earlier[index - givenTask() - 1];
+    }
+
+    using TakeReview = std::function<void(std::size_t index, std::optional<Review>)>;
+    void reviewSome(const std::vector<std::size_t>& indices, const std::set<std::uint64_t>& functions,
+                    const TakeReview& taken) {
+        std::vector<ReviewTask> tasks;
+        for (const std::size_t each : indices) tasks.push_back(taskOf(each));
+        for (ReviewTask& each : tasks) each.givenFunctions = functions;
         base::runInWorkers(
             tasks.size(), suite::readingOptions(workers_, tasks.size(), events_.stop),
             [&](std::size_t index, const base::Step& step) -> std::string {
@@ -348,18 +434,11 @@ class ClassRun {
             },
             [&](std::size_t index, const base::Outcome& outcome) {
                 if (outcome.end == base::Outcome::End::stopped) end_.stopped = true;
-                std::optional<Review> found;
-                if (outcome.end == base::Outcome::End::finished) found = parseReview(outcome.answer);
-                if (index >= tasks.size() - 1) {
-                    if (found) given = std::move(found->files);
-                } else {
-                    takeReview(entryOf(index), std::move(found));
-                }
+                taken(indices[index], outcome.end == base::Outcome::End::finished
+                                          ? parseReview(outcome.answer)
+                                          : std::nullopt);
             },
             [](std::size_t, const std::string&) {});
-        end_.stopped = end_.stopped || (events_.stop && events_.stop());
-        findEmpty();
-        if (!end_.stopped) compareSources(end_.classroom, given, plan_.common);
     }
 
     void takeReview(Entry& entry, std::optional<Review> found) {
@@ -408,6 +487,7 @@ class ClassRun {
     const suite::SiteWorkers& workers_;
     const ClassEvents& events_;
     suite::Suite suite_;
+    std::vector<fs::path> earlierFolders_;  ///< of each earlier submission
     ClassEnd end_;
 };
 
@@ -416,7 +496,8 @@ class ClassRun {
 std::size_t pictureCount(const ClassPlan& plan) {
     const auto scenes = std::ranges::count_if(plan.submissions.all,
                                               [](const Submission& each) { return !each.scene.empty(); });
-    return (static_cast<std::size_t>(scenes) + (plan.reference.empty() ? 0 : 1)) * plan.moments.size();
+    const bool drawsReference = !plan.reference.empty() && plan.pictures.empty();
+    return (static_cast<std::size_t>(scenes) + (drawsReference ? 1 : 0)) * plan.moments.size();
 }
 
 ClassEnd runClass(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events) {

@@ -14,15 +14,25 @@
 
 namespace glibra::classroom {
 
+/// An earlier class, whose code alone is compared.
+struct EarlierClass {
+    std::string name;  ///< that stands before the names of its students: "2025"
+    std::filesystem::path folder;
+    Submissions submissions;
+};
+
 struct ClassPlan {
     std::filesystem::path folder;  ///< of the submissions
     Submissions submissions;
     std::filesystem::path reference;  ///< its scene; empty: nothing to compare with
-    std::vector<Moment> moments;      ///< Shot::ownUniforms are the names that the reference must have
+    /// The reference's pictures, one per moment, instead of drawing its scene, which then need not exist.
+    std::vector<std::filesystem::path> pictures{};
+    std::vector<Moment> moments;  ///< Shot::ownUniforms are the names that the reference must have
     std::vector<std::filesystem::path> given;  ///< files and folders of code that all submissions start from
     std::size_t common = 0;                    ///< compareSources()
     std::filesystem::path site;                ///< pictures are written to SITE/pictures
     bool studentPages = false;                 ///< small pictures are made for them
+    std::vector<EarlierClass> earlier{};
 };
 
 struct ClassEvents {
@@ -42,12 +52,12 @@ struct ClassEnd {
 /// The number of pictures that runClass draws.
 std::size_t pictureCount(const ClassPlan& plan);
 
-/// Draws the reference, then every submission at the same moments and in the same size, then reviews all.
-/// Submissions with errors are drawn as far as that is possible (RenderOptions::incomplete). If a picture of
-/// a submission crashes or is late, its other pictures are not drawn. Pictures, page and table of an earlier
-/// run are removed once the reference is drawn. A name that is set and that the reference does not have (or,
-/// without a reference, none of the submissions) ends the run before that. Call it before any thread or GL
-/// context exists.
+/// Draws the reference, or takes its pictures, then every submission at the same moments and in the same
+/// size, then reviews all. Submissions with errors are drawn as far as that is possible
+/// (RenderOptions::incomplete). If a picture of a submission crashes or is late, its other pictures are not
+/// drawn. Pictures, page and table of an earlier run are removed once the reference is drawn. A name that is
+/// set and that the reference does not have (or, without a reference, none of the submissions) ends the run
+/// before that. Call it before any thread or GL context exists.
 ClassEnd runClass(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events);
 
 }  // namespace glibra::classroom

@@ -11,7 +11,7 @@ namespace glibra::classroom {
 using suite::Verdict;
 
 bool hasReference(const Classroom& classroom) {
-    return !classroom.reference.submission.scene.empty();
+    return !classroom.reference.submission.scene.empty() || !classroom.reference.pictures.empty();
 }
 
 std::optional<double> pointsOf(const Entry& entry) {
@@ -97,6 +97,11 @@ Reacts reactsOf(const Classroom& classroom, const Entry& entry, std::size_t slid
 const char* name(Reacts reacts) {
     constexpr const char* kNames[] = {"", "no", "weakly", "yes"};
     return kNames[static_cast<std::size_t>(reacts)];
+}
+
+const Entry& comparedEntry(const Classroom& classroom, std::size_t index) {
+    const std::size_t count = classroom.entries.size();
+    return index < count ? classroom.entries[index] : classroom.earlier.at(index - count);
 }
 
 std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry) {

@@ -115,15 +115,18 @@ struct Classroom {
     Entry reference;     ///< without a scene if the class has none
     std::vector<Entry> entries;
     std::vector<Moment> moments;
-    std::vector<Slider> sliders{};                       ///< that the moments vary
-    std::vector<std::string> leftOut;                    ///< files that are no submissions
-    std::vector<std::string> absent;                     ///< students of the roster who handed nothing in
-    std::vector<std::string> unplaced{};                 ///< typed points that belong to nobody here
-    std::vector<std::vector<Fingerprint>> fingerprints;  ///< of each entry, without given code
+    std::vector<Slider> sliders{};        ///< that the moments vary
+    std::vector<std::string> leftOut;     ///< files that are no submissions
+    std::vector<Entry> earlier{};         ///< of earlier folders: their code alone
+    std::vector<std::string> absent;      ///< students of the roster who handed nothing in
+    std::vector<std::string> unplaced{};  ///< typed points that belong to nobody here
+    /// Of each entry, and of each earlier one after them, without given code.
+    std::vector<std::vector<Fingerprint>> fingerprints;
     std::size_t common = 0;              ///< what more submissions than this have does not count as similar
     std::size_t commonFingerprints = 0;  ///< how many were left out for that
-    std::vector<SimilarPair> pairs;      ///< of entries, the most similar first
-    bool isAnonymous = false;            ///< names are numbers (student_page.h)
+    /// The most similar first, of two entries, or of an entry and an earlier one (comparedEntry).
+    std::vector<SimilarPair> pairs;
+    bool isAnonymous = false;  ///< names are numbers (student_page.h)
     std::string driver, machine, command, began;
     double seconds = 0;
 };
@@ -165,9 +168,12 @@ const char* name(Reacts reacts);
 /// A mean that nobody sees.
 inline constexpr double kLeastReaction = 5e-4;
 
+/// What a number in a pair stands for: the entries come first, then the earlier ones.
+const Entry& comparedEntry(const Classroom& classroom, std::size_t index);
+
 /// The other entry of the listed pairs that has the largest share of this one's code, and that share (0..1).
 struct Nearest {
-    std::size_t entry = 0;
+    std::size_t entry = 0;  ///< as comparedEntry counts
     double share = 0;
 };
 std::optional<Nearest> nearestOf(const Classroom& classroom, std::size_t entry);

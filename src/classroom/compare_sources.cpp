@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <system_error>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace glibra::classroom {
@@ -43,21 +45,39 @@ void nameShared(Classroom& room, std::size_t index, const std::string& place,
                                             users.size() == 2 ? "uses" : "use"));
 }
 
-/// Removes fingerprints that more than `most` submissions have, and counts them.
-void removeCommon(Classroom& room, std::size_t most) {
+/// The hashes that more than `most` of these submissions have.
+std::unordered_set<std::uint64_t> commonHashes(std::span<const std::vector<Fingerprint>> submissions,
+                                               std::size_t most) {
     std::unordered_map<std::uint64_t, std::pair<std::size_t, std::size_t>>
         owners;  // the last one, and how many
-    for (std::size_t i = 0; i < room.fingerprints.size(); ++i)
-        for (const Fingerprint& each : room.fingerprints[i]) {
+    std::unordered_set<std::uint64_t> common;
+    for (std::size_t i = 0; i < submissions.size(); ++i)
+        for (const Fingerprint& each : submissions[i]) {
             auto& [last, count] = owners[each.hash];
             if (count > 0 && last == i) continue;
             last = i;
-            ++count;
+            if (++count > most) common.insert(each.hash);
         }
-    room.common = most;
-    for (const auto& [hash, owner] : owners) room.commonFingerprints += owner.second > most ? 1 : 0;
+    return common;
+}
+
+/// Removes fingerprints that many of the class have, or many of the earlier submissions.
+void removeCommon(Classroom& room, std::size_t wanted) {
+    const std::span<const std::vector<Fingerprint>> all(room.fingerprints);
+    const auto most = [&](std::size_t count) { return wanted > 0 ? wanted : usualCommon(count); };
+    room.common = most(room.entries.size());
+    std::unordered_set<std::uint64_t> common = commonHashes(all.first(room.entries.size()), room.common);
+    room.commonFingerprints = common.size();
+    common.merge(commonHashes(all.subspan(room.entries.size()), most(room.earlier.size())));
     for (std::vector<Fingerprint>& each : room.fingerprints)
-        std::erase_if(each, [&](const Fingerprint& one) { return owners[one.hash].second > most; });
+        std::erase_if(each, [&](const Fingerprint& one) { return common.contains(one.hash); });
+}
+
+/// Sets the places of the files of an entry, and returns them.
+std::vector<std::string> setPlaces(Entry& entry) {
+    std::vector<std::string> places;
+    for (SourceFile& file : entry.files) places.push_back(file.place = placeOf(file.path));
+    return places;
 }
 
 }  // namespace
@@ -75,11 +95,9 @@ void compareSources(Classroom& room, const std::vector<SourceFile>& given, std::
     std::map<std::string, std::vector<std::size_t>> users;
     std::vector<std::vector<std::string>> places;
     for (std::size_t i = 0; i < room.entries.size(); ++i) {
-        places.emplace_back();
-        for (SourceFile& file : room.entries[i].files) {
-            file.place = placeOf(file.path);
-            places.back().push_back(file.place);
-            std::vector<std::size_t>& of = users[places.back().back()];
+        places.push_back(setPlaces(room.entries[i]));
+        for (const std::string& place : places.back()) {
+            std::vector<std::size_t>& of = users[place];
             if (of.empty() || of.back() != i) of.push_back(i);
         }
         room.fingerprints.push_back(fingerprintsOf(room.entries[i].files, code));
@@ -87,8 +105,13 @@ void compareSources(Classroom& room, const std::vector<SourceFile>& given, std::
     // Scenes that lie in one folder may share a shader. Between those that read it, it is no copy.
     for (const auto& [place, of] : users)
         for (const std::size_t each : of) nameShared(room, each, place, of, ofReference.contains(place));
-    removeCommon(room, common > 0 ? common : usualCommon(room.entries.size()));
+    for (Entry& each : room.earlier) {
+        places.push_back(setPlaces(each));
+        room.fingerprints.push_back(fingerprintsOf(each.files, code));
+    }
+    removeCommon(room, common);
     room.pairs = similarPairs(room.fingerprints, places);
+    std::erase_if(room.pairs, [&](const SimilarPair& each) { return each.a >= room.entries.size(); });
 }
 
 }  // namespace glibra::classroom

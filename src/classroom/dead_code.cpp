@@ -34,7 +34,7 @@ class DeadCode {
             read += tokens_.size();
             dead_.assign(tokens_.size(), false);
             known_ = knownValues(tokens_);
-            matchBrackets();
+            brackets_.emplace(tokens_);
             outer_.clear();
             findBodies();
             killUnreadGlobals();
@@ -61,25 +61,7 @@ class DeadCode {
                   dead_.begin() + static_cast<std::ptrdiff_t>(end), true);
     }
 
-    /// Finds for each bracket the token after the one that closes it.
-    void matchBrackets() {
-        after_.assign(tokens_.size(), tokens_.size());
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (glsl::opensBracket(tokens_[i].text)) {
-                open.push_back(i);
-            } else if (glsl::closesBracket(tokens_[i].text) && !open.empty()) {
-                after_[open.back()] = i + 1;
-                open.pop_back();
-            }
-        }
-    }
-
-    /// The token after the bracket that closes the one at `open`; the one after it if it is no bracket.
-    [[nodiscard]] std::size_t afterBracket(std::size_t open) const {
-        if (open >= tokens_.size()) return tokens_.size();
-        return glsl::opensBracket(tokens_[open].text) ? after_[open] : open + 1;
-    }
+    [[nodiscard]] std::size_t afterBracket(std::size_t open) const { return brackets_->after(open); }
 
     void findBodies() {
         for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
@@ -336,26 +318,8 @@ class DeadCode {
         kill(close - 1, close);
     }
 
-    /// The token after a statement of any kind.
-    [[nodiscard]] std::size_t afterStatement(std::size_t at, std::size_t end, int nested = 0) const {
-        constexpr int kDeepestStatement = 200;
-        if (at >= end || nested > kDeepestStatement) return end;
-        const std::string_view each = text(at);
-        if (each == "{") return std::min(afterBracket(at), end);
-        if (each == "if" || each == "while" || each == "for" || each == "switch") {
-            const std::size_t after = afterStatement(std::min(afterBracket(at + 1), end), end, nested + 1);
-            return each == "if" && text(after) == "else" ? afterStatement(after + 1, end, nested + 1) : after;
-        }
-        if (each == "do") at = afterStatement(at + 1, end, nested + 1);
-        int depth = 0;
-        for (; at < end; ++at) {
-            depth += text(at) == "(" || text(at) == "[" || text(at) == "{"   ? 1
-                     : text(at) == ")" || text(at) == "]" || text(at) == "}" ? -1
-                                                                             : 0;
-            if (depth < 0) return at;
-            if (depth == 0 && text(at) == ";") return at + 1;
-        }
-        return end;
+    [[nodiscard]] std::size_t afterStatement(std::size_t at, std::size_t end) const {
+        return classroom::afterStatement(tokens_, *brackets_, at, end);
     }
 
     /// Removes what a constant condition keeps from running, and the condition itself. Returns the token to
@@ -395,7 +359,7 @@ class DeadCode {
     std::vector<CodeToken> tokens_;
     const OwnFunctions& own_;
     std::vector<bool> dead_;
-    std::vector<std::size_t> after_;  ///< of brackets
+    std::optional<Brackets> brackets_;
     KnownValues known_;
     std::map<std::string_view, std::vector<Statement>> outer_;  ///< of variables that no function declares
 };

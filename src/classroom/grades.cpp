@@ -109,7 +109,7 @@ std::string gradesCsv(const Classroom& classroom) {
         line.text(fmt::format("{}", fmt::join(stages, " ")));
         line.text(fmt::format("{}", fmt::join(uniforms, " ")));
         const std::optional<Nearest> nearest = nearestOf(classroom, i);
-        line.text(nearest ? classroom.entries[nearest->entry].submission.name : "");
+        line.text(nearest ? comparedEntry(classroom, nearest->entry).submission.name : "");
         line.score(nearest ? std::optional(nearest->share) : std::nullopt);
         line.text(fmt::format("{}", fmt::join(entry.notCompared, "; ")));
         for (std::size_t slider = 0; slider < classroom.sliders.size(); ++slider)

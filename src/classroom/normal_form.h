@@ -1,11 +1,15 @@
 #pragma once
-// Brings shader code into a form that stays the same when somebody adds statements without effect, swaps
-// operands of a sum or a product, or writes a constant differently. It is a form for comparing, not a
-// program: products of matrices are sorted, too.
+// Brings shader code into a form that stays the same when somebody adds statements without effect, puts
+// independent statements or operands of a sum or a product into another order, writes a function out where it
+// is called, gives a value a name that is used once, or writes a constant differently. It is a form for
+// comparing, not a program: products of matrices are sorted, too.
 
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <map>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +38,27 @@ struct CodeItem {
 };
 std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens);
 
+/// Where brackets are closed, whether or not they are the right ones.
+class Brackets {
+  public:
+    explicit Brackets(std::span<const CodeToken> tokens);
+    /// The token after the bracket that closes the one at `open`; the one after it if it is no bracket.
+    [[nodiscard]] std::size_t after(std::size_t open) const;
+
+  private:
+    std::vector<std::size_t> after_;  ///< 0: it is no opening bracket
+};
+/// The token after the statement of any kind that begins at `at`, at most `end`.
+std::size_t afterStatement(std::span<const CodeToken> tokens, const Brackets& brackets, std::size_t at,
+                           std::size_t end);
+
+/// True for a word that the text may declare, and that is no member.
+bool isVariableName(std::span<const CodeToken> tokens, std::size_t index);
+/// True for a name that is declared there: after a type, as x of "vec3 x".
+bool isDeclaredName(std::span<const CodeToken> tokens, std::size_t index);
+/// The variable that the assignment at `sign` changes: a of `a.b[i] = c` and `++a`.
+std::string_view targetOf(std::span<const CodeToken> tokens, std::size_t begin, std::size_t sign);
+
 /// The functions that a text defines or declares, and the structures, whose constructors are called likewise;
 /// true: a call may have an effect besides its value.
 using OwnFunctions = std::map<std::string_view, bool>;
@@ -41,16 +66,36 @@ OwnFunctions ownFunctions(std::span<const CodeToken> tokens);
 
 /// Leaves out global declarations of uniforms, inputs and outputs, and sets what the others are compared by.
 std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const OwnFunctions& own);
-inline constexpr std::uint32_t kNumberCode = 2;
+inline constexpr std::uint32_t kNameCode = 1, kNumberCode = 2;
+/// What words and signs that are neither are compared by.
+std::uint32_t codeOfText(std::string_view text);
 
 /// True for the built-in functions whose call has an effect besides its value.
 bool hasEffect(std::string_view builtIn);
+
+/// Splits the declarations of several local variables: "float a, b = 2.;" is "float a; float b = 2.;".
+std::vector<CodeToken> withoutLists(std::span<const CodeToken> tokens);
 
 /// Removes from the functions of a text what has no effect: statements after return, discard, break or
 /// continue, what a constant condition keeps from running, expressions that assign nothing, assignments of a
 /// variable to itself, and variables that are never read with all that is assigned to them; also the words of
 /// conditions that always hold, and the braces of blocks that nothing controls.
 std::vector<CodeToken> withoutDeadCode(std::vector<CodeToken> tokens, const OwnFunctions& own);
+
+/// Writes functions out where they are called: those that `mayInline`, that return at their end alone, and
+/// that are not recursive. Parameters are replaced by their arguments if these are short or used once, and
+/// become variables otherwise; so do variables of the function, with names that `names` keeps. Also replaces
+/// variables that are set once and used once by their values, and declares variables where they are set
+/// first. Code that would grow to more than a few times
+/// its size stays.
+std::vector<CodeToken> withoutDetours(std::vector<CodeToken> tokens, const OwnFunctions& own,
+                                      const std::function<bool(const CodeItem& function)>& mayInline,
+                                      std::deque<std::string>& names);
+
+/// Puts the statements of each block into an order that depends on nothing but their code and what they read
+/// and write: each stands as soon before the first one that needs it as the others let it. Nothing passes a
+/// return, a discard or a call with an effect.
+std::vector<CodeToken> inStatementOrder(const std::vector<CodeToken>& tokens, const OwnFunctions& own);
 
 /// Sorts the operands of sums and products, computes with numbers, drops what adds 0 or multiplies by 1 and
 /// parentheses around one operand, and writes "a += b" as "a = a + b". All numbers are compared by `number`.

@@ -5,15 +5,15 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "classroom/code_blocks.h"
 #include "classroom/normal_form.h"
 
 namespace glibra::classroom {
 namespace {
 
-using Code = std::vector<CodeToken>;
-
-constexpr int kDeepestNesting = 32;
+constexpr int kDeepestNesting = 32, kMostParentheses = 8;
 
 /// What stands between expressions, and is left where it is.
 bool separates(const CodeToken& token) {
@@ -22,13 +22,6 @@ bool separates(const CodeToken& token) {
         ">>=", "?", ":", "<",  ">",  "<=", ">=", "==", "!=",     "&&",   "||",   "^^", "!",    "&",
         "|",   "^", "~", "<<", ">>", "%",  "++", "--", "return", "else", "case", "do", "const"};
     return kSigns.contains(token.text);
-}
-
-/// True if `a` comes before `b`: by what the tokens are compared by.
-bool isBefore(const Code& a, const Code& b) {
-    return std::lexicographical_compare(
-        a.begin(), a.end(), b.begin(), b.end(),
-        [](const CodeToken& one, const CodeToken& other) { return one.code < other.code; });
 }
 
 std::optional<double> numberOf(const Code& code) {
@@ -66,7 +59,10 @@ class Sorter {
                 continue;
             }
             const std::size_t end = endOfExpression(tokens, i);
-            append(made, sum(tokens.subspan(i, end - i)));
+            const std::span<const CodeToken> expression = tokens.subspan(i, end - i);
+            const bool isAlone =
+                (i == 0 || standsBefore(tokens[i - 1])) && (end == tokens.size() || standsAfter(tokens[end]));
+            append(made, isAlone && isGroup(expression) ? sorted(inside(expression)) : sum(expression));
             i = end;
         }
         --depth_;
@@ -94,11 +90,7 @@ class Sorter {
         return std::max(i, begin + 1);
     }
 
-    [[nodiscard]] CodeToken sign(std::string_view text, CodeLine line) const {
-        std::uint32_t code = 2166136261U;  // as comparableTokens codes it
-        for (const char each : text) code = (code ^ static_cast<unsigned char>(each)) * 16777619U;
-        return {text, code, line};
-    }
+    static CodeToken sign(std::string_view text, CodeLine line) { return {text, codeOfText(text), line}; }
 
     /// "a += b" as "a = a + b". Returns the token after b.
     std::size_t writeOut(std::span<const CodeToken> tokens, std::size_t at, const Code& target, Code& made) {
@@ -120,6 +112,35 @@ class Sorter {
         Code code;
         bool isInverse = false;  ///< subtracted, or divided by
     };
+
+    /// True for what stands before a whole expression, and after one.
+    static bool standsBefore(const CodeToken& token) {
+        return token.text == "=" || token.text == "," || token.text == "return";
+    }
+    static bool standsAfter(const CodeToken& token) { return token.text == ";" || token.text == ","; }
+
+    /// True for one pair of parentheses and what is in it.
+    static bool isGroup(std::span<const CodeToken> tokens) {
+        return tokens.size() > 2 && tokens.front().text == "(" && afterBracket(tokens, 0) == tokens.size() &&
+               tokens.back().text == ")";
+    }
+    static std::span<const CodeToken> inside(std::span<const CodeToken> group) {
+        return group.subspan(1, group.size() - 2);
+    }
+
+    /// What the parentheses of a group hold together, as far as signs show it.
+    enum class Strength { anything, sum, product, operand };
+    static Strength strengthOf(std::span<const CodeToken> tokens) {
+        Strength found = Strength::operand;
+        for (std::size_t i = 0; i < tokens.size();) {
+            const std::string_view each = tokens[i].text;
+            if (separates(tokens[i])) return Strength::anything;
+            if (each == "+" || each == "-") found = Strength::sum;
+            if ((each == "*" || each == "/") && found == Strength::operand) found = Strength::product;
+            i = each == "(" || each == "[" ? afterBracket(tokens, i) : i + 1;
+        }
+        return found;
+    }
 
     /// Splits at the signs outside of brackets.
     static std::vector<std::pair<std::span<const CodeToken>, bool>> split(std::span<const CodeToken> tokens,
@@ -153,7 +174,7 @@ class Sorter {
         double constant = 0;
         bool hasConstant = false;
         CodeLine line = tokens.front().line;
-        for (const auto& [part, isInverse] : split(tokens, "+", "-")) {
+        for (const auto& [part, isInverse] : flat(tokens, "+", "-", Strength::sum)) {
             Code term = product(part);
             if (const std::optional<double> value = numberOf(term)) {
                 constant += isInverse ? -*value : *value;
@@ -173,7 +194,7 @@ class Sorter {
         double constant = 1;
         bool hasConstant = false;
         CodeLine line = tokens.front().line;
-        for (const auto& [part, isInverse] : split(tokens, "*", "/")) {
+        for (const auto& [part, isInverse] : flat(tokens, "*", "/", Strength::product)) {
             Code factor = atom(part);
             if (const std::optional<double> value = numberOf(factor); value && (!isInverse || *value != 0)) {
                 constant *= isInverse ? 1 / *value : *value;
@@ -189,10 +210,40 @@ class Sorter {
         return joined(std::move(factors), "*", "/", tokens.front().line);
     }
 
+    using Part = std::pair<std::span<const CodeToken>, bool>;
+    static bool isSamePart(const Part& a, const Part& b) {
+        return a.first.data() == b.first.data() && a.first.size() == b.first.size();
+    }
+    /// The operands of a sum or product, also those of groups in it that are one themselves.
+    static std::vector<Part> flat(std::span<const CodeToken> tokens, std::string_view plain,
+                                  std::string_view inverse, Strength strength) {
+        std::vector<Part> parts = split(tokens, plain, inverse);
+        for (int round = 0; round < kMostParentheses; ++round) {
+            std::vector<Part> made;
+            for (const auto& [part, isInverse] : parts) {
+                if (!isGroup(part) || strengthOf(inside(part)) < strength) {
+                    made.emplace_back(part, isInverse);
+                    continue;
+                }
+                for (const auto& [inner, isInnerInverse] : split(inside(part), plain, inverse))
+                    made.emplace_back(inner, isInnerInverse != isInverse);
+            }
+            if (made.size() == parts.size() &&
+                std::equal(made.begin(), made.end(), parts.begin(), isSamePart))
+                break;
+            parts = std::move(made);
+        }
+        return parts;
+    }
+
     /// A factor: its brackets are sorted, and those around one operand are left out.
     Code atom(std::span<const CodeToken> tokens) {
-        if (tokens.size() > 2 && tokens.front().text == "(" && afterBracket(tokens, 0) == tokens.size()) {
-            Code inner = sorted(tokens.subspan(1, tokens.size() - 2));
+        for (int round = 0;
+             round < kMostParentheses && isGroup(tokens) && strengthOf(inside(tokens)) == Strength::operand;
+             ++round)
+            tokens = inside(tokens);
+        if (isGroup(tokens)) {
+            Code inner = sorted(inside(tokens));
             if (inner.size() == 1) return inner;
             Code made{tokens.front()};
             append(made, inner);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "base/hash.h"
+#include "classroom/code_blocks.h"
 #include "classroom/normal_form.h"
 #include "glsl/parse/types.h"
 #include "glsl/parse/usage.h"
@@ -17,8 +20,6 @@
 
 namespace glibra::classroom {
 namespace {
-
-using Code = std::vector<CodeToken>;
 
 std::string_view textAt(std::span<const CodeToken> tokens, std::size_t index) {
     return index < tokens.size() ? tokens[index].text : std::string_view{};
@@ -121,30 +122,9 @@ void addCalls(std::span<const CodeToken> code, std::span<const CodeItem> items,
     }
 }
 
-/// The variable that the assignment at `sign` changes: a of `a.b[i] = c` and `++a`.
-std::string_view targetOf(std::span<const CodeToken> tokens, std::size_t begin, std::size_t sign) {
-    constexpr std::size_t kLongest = 1'000;  // tokens of what is assigned to
-    begin = std::max(begin, sign - std::min(sign, kLongest));
-    for (std::size_t at = sign; at > begin;) {
-        if (tokens[at - 1].text == "]") {
-            for (int depth = 0; at > begin;) {
-                --at;
-                depth += tokens[at].text == "]" ? 1 : tokens[at].text == "[" ? -1 : 0;
-                if (depth == 0) break;
-            }
-        } else if (tokens[at - 1].isWord) {
-            if (at < begin + 2 || tokens[at - 2].text != ".") return tokens[at - 1].text;
-            at -= 2;
-        } else {
-            break;
-        }
-    }
-    return textAt(tokens, sign + 1);
-}
-
 SourceFile runOf(const Code& tokens, const std::vector<std::string>& files) {
     SourceFile run{files.at(tokens.front().line.file), {}};
-    for (const CodeToken& each : inOrder(tokens, kNumberCode)) {
+    for (const CodeToken& each : tokens) {
         SourceToken& token = run.tokens.emplace_back(SourceToken{each.code, each.line.number, 0});
         const std::string& path = files.at(each.line.file);
         if (path == run.path) continue;
@@ -155,8 +135,46 @@ SourceFile runOf(const Code& tokens, const std::vector<std::string>& files) {
     return run;
 }
 
-void read(const glsl::StageSource& stage, const glsl::IncludeReader& include, bool hasExtensions,
-          std::set<std::string>& calls, ReachedCode& result) {
+std::uint64_t hashOf(std::span<const CodeToken> tokens) {
+    std::uint64_t hash = 0;
+    for (const CodeToken& each : tokens) hash = base::murmurMixed(hash * base::kGolden + each.code);
+    return hash;
+}
+
+/// Adds what runs, in normal form: each function on its own, so that their order does not matter, and of each
+/// file what is no function.
+void addRuns(const Code& code, const OwnFunctions& own, const std::vector<std::string>& files,
+             const InlineRule& rule, ReachedCode& result) {
+    std::map<std::uint32_t, bool> isOwn;
+    const auto mayInline = [&](const CodeItem& item) {
+        const CodeToken& first = item.parameters.empty() ? *(item.parameters.data() - 1) : item.parameters[0];
+        const auto [known, isNew] = isOwn.try_emplace(first.line.file);
+        if (isNew) known->second = rule.isOwn && rule.isOwn(files.at(first.line.file));
+        return known->second &&
+               !rule.given.contains(hashOf(std::span(code).subspan(item.begin, item.end - item.begin)));
+    };
+    std::deque<std::string> names;
+    const Code normal =
+        inStatementOrder(inOrder(withoutDetours(code, own, mayInline, names), kNumberCode), own);
+    const std::vector<CodeItem> items = itemsOf(normal);
+    const std::vector<bool> reached = reachedItems(normal, items);
+    std::map<std::uint32_t, Code> others;  // by file
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (!reached[i]) continue;
+        const Code item(normal.begin() + static_cast<std::ptrdiff_t>(items[i].begin),
+                        normal.begin() + static_cast<std::ptrdiff_t>(items[i].end));
+        if (items[i].isFunction) {
+            result.runs.push_back(runOf(item, files));
+            continue;
+        }
+        Code& run = others[item.front().line.file];
+        run.insert(run.end(), item.begin(), item.end());
+    }
+    for (const auto& [file, run] : others) result.runs.push_back(runOf(run, files));
+}
+
+void read(const glsl::StageSource& stage, const glsl::IncludeReader& include, const InlineRule& rule,
+          bool hasExtensions, std::set<std::string>& calls, ReachedCode& result) {
     glsl::ProgramRequest request;
     request.include = include;
     if (hasExtensions) request.target.hasExtension = [](std::string_view) { return true; };
@@ -168,26 +186,17 @@ void read(const glsl::StageSource& stage, const glsl::IncludeReader& include, bo
         result.isWhole = result.isWhole && each.id != "glsl-E11" && each.id != "file-E09";
     const Code written = codeOf(text);
     const OwnFunctions own = ownFunctions(written);
-    const Code code = withoutDeadCode(comparedCode(written, own), own);
+    const Code code = withoutDeadCode(withoutLists(comparedCode(written, own)), own);
     const std::vector<CodeItem> items = itemsOf(code);
     const std::vector<bool> reached = reachedItems(code, items);
     if (!hasExtensions) addCalls(code, items, reached, calls);
-    Code run;
-    const auto finish = [&] {
-        if (!run.empty()) result.runs.push_back(runOf(run, text.files));
-        run.clear();
-    };
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (!reached[i] || (!run.empty() && code[items[i].begin].line.file != run.front().line.file))
-            finish();
-        if (!reached[i]) continue;
-        run.insert(run.end(), code.begin() + static_cast<std::ptrdiff_t>(items[i].begin),
-                   code.begin() + static_cast<std::ptrdiff_t>(items[i].end));
-    }
-    finish();
+    for (const CodeItem& each : items)
+        if (each.isFunction)
+            result.functions.push_back(hashOf(std::span(code).subspan(each.begin, each.end - each.begin)));
+    addRuns(code, own, text.files, rule, result);
     const bool asksForExtensions = std::ranges::any_of(
         text.storage, [](const std::string& each) { return each.find("GL_") != std::string::npos; });
-    if (!hasExtensions && asksForExtensions) read(stage, include, true, calls, result);
+    if (!hasExtensions && asksForExtensions) read(stage, include, rule, true, calls, result);
 }
 
 }  // namespace
@@ -245,10 +254,17 @@ OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {
         const std::string_view name = item.names.front();
         bool& effect = own.try_emplace(name, false).first->second;
         std::set<std::string_view> locals;
+        int depth = 0, declared = -1;  // where the list of a declaration stands
         for (std::size_t i = item.begin + 1; i < item.end; ++i) {
             const std::string_view each = tokens[i].text;
-            if (tokens[i].isWord && tokens[i - 1].isWord && !glsl::isStatementWord(tokens[i - 1].text))
+            depth += glsl::opensBracket(each) ? 1 : glsl::closesBracket(each) ? -1 : 0;
+            if (each == ";") declared = -1;
+            if (tokens[i].isWord && tokens[i - 1].isWord && !glsl::isStatementWord(tokens[i - 1].text)) {
                 locals.insert(each);
+                declared = depth;
+            } else if (tokens[i].isWord && tokens[i - 1].text == "," && declared == depth) {
+                locals.insert(each);
+            }
             if (tokens[i].isWord && textAt(tokens, i + 1) == "(") {
                 callers.emplace(each, name);
                 effect = effect || hasEffect(each);
@@ -271,10 +287,11 @@ OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {
     return own;
 }
 
-ReachedCode reachedCode(const glsl::StageSource& stage, const glsl::IncludeReader& include) {
+ReachedCode reachedCode(const glsl::StageSource& stage, const glsl::IncludeReader& include,
+                        const InlineRule& rule) {
     ReachedCode result;
     std::set<std::string> calls;
-    read(stage, include, false, calls, result);
+    read(stage, include, rule, false, calls, result);
     result.calls.assign(calls.begin(), calls.end());
     return result;
 }

@@ -47,8 +47,11 @@ std::optional<std::string> textOf(const system::File& file) {
 /// The shaders of one scene, each read once.
 class Sources {
   public:
-    Sources(const scene::Scene& scene, const RenderOptions& options)
+    Sources(const scene::Scene& scene, const RenderOptions& options, const std::set<std::uint64_t>& given)
         : scene_(scene), options_{options.libraryRoots, options.within} {
+        rule_.given = given;
+        if (!options.within.empty())
+            rule_.isOwn = [this](const std::string& path) { return own_.contains(path); };
         const scene::SearchFolders folders = scene::searchFolders(scene.path, options_);
         readable_ = scene::shownRoots(folders);
         if (!options.within.empty()) {
@@ -92,15 +95,18 @@ class Sources {
         const auto include = [this](std::string_view name, std::string_view includingPath) {
             return included(name, includingPath);
         };
-        ReachedCode code = reachedCode({stage, file.path.generic_string(), *text}, include);
+        ReachedCode code = reachedCode({stage, file.path.generic_string(), *text}, include, rule_);
         if (!code.isWhole) leaveOut(file.path, "after what the preprocessor reads of it");
         for (SourceFile& each : code.runs) compare(std::move(each));
+        if (options_.within.empty())
+            functions_.insert(functions_.end(), code.functions.begin(), code.functions.end());
         for (std::string& each : code.calls)
             if (counts && calls_.size() < kMostCalls) calls_.insert(std::move(each));
     }
 
     void takeInto(Review& review) {
         review.files = std::move(files_);
+        review.functions = std::move(functions_);
         review.notCompared = std::move(notCompared_);
         review.calls.assign(calls_.begin(), calls_.end());
     }
@@ -152,6 +158,8 @@ class Sources {
     std::set<std::pair<std::string, std::vector<SourceToken>>> compared_;
     std::set<std::string> calls_;
     std::vector<SourceFile> files_;
+    InlineRule rule_;
+    std::vector<std::uint64_t> functions_;  ///< of the reference
     std::vector<std::string> notCompared_;
     std::size_t count_ = 0;  ///< of tokens
 };
@@ -178,8 +186,9 @@ void addGivenFile(const fs::path& path, std::size_t& tokens, Review& result) {
     if (!text) return;
     // As it is written, and as a stage of it would run: copies of both are no copies.
     result.files.push_back({path.generic_string(), comparableTokens(*text)});
-    for (SourceFile& each : reachedCode({glsl::Stage::fragment, path.generic_string(), *text}).runs)
-        result.files.push_back(std::move(each));
+    ReachedCode code = reachedCode({glsl::Stage::fragment, path.generic_string(), *text});
+    for (SourceFile& each : code.runs) result.files.push_back(std::move(each));
+    result.functions.insert(result.functions.end(), code.functions.begin(), code.functions.end());
     tokens += result.files.back().tokens.size();
 }
 
@@ -365,7 +374,7 @@ void reviewScene(const ReviewTask& task, const std::vector<SmallPictures>& small
     }
     const scene::Scene& scene = read->scene;
     const DrawnStages drawn = drawnStages(task, scene);
-    Sources sources(scene, task.options);
+    Sources sources(scene, task.options, task.givenFunctions);
     for (const scene::Program& program : scene.programs) {
         UsedProgram used{program.name, {}, {}};
         for (const scene::StageFile& stage : program.stages) {
@@ -454,6 +463,7 @@ std::string toText(const Review& review) {
     for (const ReadPicture& each : review.readPictures)
         json["readPictures"].push_back({each.name, each.digest, each.isLikeReference});
     json["digest"] = review.digest;
+    json["functions"] = review.functions;
     json["small"] = review.small;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -509,6 +519,7 @@ std::optional<Review> parseReview(std::string_view text) try {
         result.readPictures.push_back(
             {each.at(0).get<std::string>(), each.at(1).get<std::string>(), each.at(2).get<bool>()});
     result.digest = json.at("digest").get<std::string>();
+    result.functions = json.at("functions").get<std::vector<std::uint64_t>>();
     result.small = json.at("small").get<std::vector<std::string>>();
     for (std::string& each : result.small)
         if (!isSmallPicture(each)) each.clear();

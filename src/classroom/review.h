@@ -5,9 +5,11 @@
 
 #include <glibra/render.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,12 +30,14 @@ struct ReviewTask {
     std::vector<Slider> sliders;                                ///< whose pairs are indices of `pictures`
     std::vector<std::filesystem::path> sources;                 ///< files and folders of given code
     std::filesystem::path handedIn{};                           ///< the folder or file of the submission
+    std::set<std::uint64_t> givenFunctions{};                   ///< ReachedCode::functions of given code
     std::vector<std::string> shown{};                           ///< pictures that a page to be sent shows
 };
 
 struct Review {
     std::vector<UsedProgram> programs;
     std::vector<SourceFile> files;             ///< what runs of them, with a `within` only of that folder
+    std::vector<std::uint64_t> functions{};    ///< ReachedCode::functions of the reference or of given code
     std::vector<std::string> notCompared;      ///< the other shaders, and what is too large: one phrase each
     std::vector<std::optional<Score>> scores;  ///< one per pair of pictures; nothing if one cannot be read
     std::vector<bool> showNothing{};           ///< one per picture of the submission

@@ -188,6 +188,38 @@ Judgement judge(const Check& check, const Classroom& room, const Entry& entry) {
 
 }  // namespace
 
+std::string adviceOf(const Check& check) {
+    constexpr const char* kPictures = "compare the two pictures on the page";
+    switch (check.kind) {
+        case Check::Kind::drawn:
+            return "correct the errors, and see that something is in the window";
+        case Check::Kind::slider:
+            return check.range ? fmt::format("write '{} <{:g} VALUE {:g}>' after the program", check.of,
+                                             check.range->first, check.range->second)
+                               : fmt::format("write '{} <LEAST VALUE MOST>' after the program", check.of);
+        case Check::Kind::stage:
+            return fmt::format("draw with a program that has a {} shader", check.of);
+        case Check::Kind::reacts:
+            return fmt::format("let '{}' change the picture as it changes the reference's", check.of);
+        case Check::Kind::ignores:
+            return fmt::format("let '{}' change nothing", check.of);
+        case Check::Kind::like:
+            return fmt::format("{}; all points begin at {} {:g}", kPictures,
+                               check.of == "flip" ? "FLIP" : "likeness", check.full);
+        case Check::Kind::without:
+            return "correct what the message says";
+        case Check::Kind::uses:
+            return fmt::format("call '{}' in a shader that is drawn with", check.of);
+        case Check::Kind::avoids:
+            return fmt::format("do it without '{}'", check.of);
+        case Check::Kind::solved:
+            return kPictures;
+        case Check::Kind::byHand:
+            return "a person gives these points";
+    }
+    return {};
+}
+
 void giveMarks(const Rubric& rubric, const Classroom& room, const HandedIn& handedIn, Entry& entry) {
     entry.marks.clear();
     for (const Check& check : rubric.checks) {

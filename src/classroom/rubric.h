@@ -74,6 +74,9 @@ struct HandedIn {
     std::string status{};             ///< Moodle's column of that name
 };
 
+/// What a student does to get all points of a check: one phrase, without a verb's subject.
+std::string adviceOf(const Check& check);
+
 /// Sets marks, lateFactor and lateReason of an entry.
 void giveMarks(const Rubric& rubric, const Classroom& classroom, const HandedIn& handedIn, Entry& entry);
 

@@ -206,4 +206,29 @@ Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOpti
     return found;
 }
 
+Result<Submissions> ownSubmission(const fs::path& path, const SubmissionOptions& options) {
+    std::error_code failure;
+    const fs::path whole = fs::weakly_canonical(path, failure);
+    const fs::path named = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    Submission made{named.stem().generic_string(), path.has_parent_path() ? path.parent_path() : ".", {}, {}};
+    if (fs::is_directory(path, failure)) {
+        made.name = named.generic_string();
+        made.folder = path;
+        findScene(made, options);
+    } else if (fs::is_regular_file(path, failure) && isScene(path)) {
+        made.scene = path;
+    } else if (fs::is_regular_file(path, failure) && isArchive(path)) {
+        made.parts.push_back({path, {}});
+    } else {
+        return problem(fmt::format("{} '{}'; expected a folder, a zip file or a .glib file",
+                                   fs::exists(path, failure) ? "this is no submission:" : "there is no",
+                                   path.generic_string()));
+    }
+    if (made.name.empty()) made.name = "submission";
+    made.key = made.name;
+    Submissions found;
+    found.all.push_back(std::move(made));
+    return found;
+}
+
 }  // namespace glibra::classroom

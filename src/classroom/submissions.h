@@ -66,6 +66,10 @@ inline constexpr std::size_t kMostSubmissions = 2'000;
 /// Errors: the folder cannot be read, has no submission, or has more than kMostSubmissions.
 Result<Submissions> findSubmissions(const std::filesystem::path& folder, const SubmissionOptions& options);
 
+/// What one student is about to hand in: a folder, a zip file or a .glib file, as one of many would be found.
+/// Error: it is none of these.
+Result<Submissions> ownSubmission(const std::filesystem::path& path, const SubmissionOptions& options);
+
 /// Gives a submission the scene of its folder, or the problem why there is none.
 void findScene(Submission& submission, const SubmissionOptions& options);
 

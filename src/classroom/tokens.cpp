@@ -17,15 +17,6 @@ namespace {
 using glsl::Token;
 using glsl::TokenKind;
 
-constexpr std::uint32_t kName = 1;
-
-/// FNV-1a, by Fowler, Noll and Vo.
-std::uint32_t codeOf(std::string_view text) {
-    std::uint32_t code = 2166136261U;
-    for (const char each : text) code = (code ^ static_cast<unsigned char>(each)) * 16777619U;
-    return code;
-}
-
 /// The significant tokens of a text, and its preprocessor lines.
 class Text {
   public:
@@ -98,6 +89,13 @@ std::vector<CodeToken> codeOf(std::span<const Token* const> tokens) {
 
 }  // namespace
 
+/// FNV-1a, by Fowler, Noll and Vo.
+std::uint32_t codeOfText(std::string_view text) {
+    std::uint32_t code = 2166136261U;
+    for (const char each : text) code = (code ^ static_cast<unsigned char>(each)) * 16777619U;
+    return code;
+}
+
 std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const OwnFunctions& own) {
     const auto text = [&](std::size_t i) { return i < tokens.size() ? tokens[i].text : std::string_view{}; };
     std::vector<CodeToken> kept;
@@ -117,13 +115,13 @@ std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const Own
             continue;
         }
         CodeToken& one = kept.emplace_back(token);
-        one.code = codeOf(token.text);
+        one.code = codeOfText(token.text);
         if (token.isNumber) {
             one.code = kNumberCode;
         } else if (token.isWord) {
             const bool isBuiltIn =
                 token.text.starts_with("gl_") || (text(i + 1) == "(" && !own.contains(token.text));
-            if (glsl::keywordSince(token.text) == 0 && !isBuiltIn) one.code = kName;
+            if (glsl::keywordSince(token.text) == 0 && !isBuiltIn) one.code = kNameCode;
         }
         if (braces <= 0 && (token.text == ";" || token.text == "}")) statement = kept.size();
     }
@@ -134,7 +132,10 @@ std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t mos
     const Text text(glsl);
     const std::vector<CodeToken> written = codeOf(text.code()), macros = codeOf(text.macros());
     const OwnFunctions own = ownFunctions(written);
-    std::vector<CodeToken> all = inOrder(withoutDeadCode(comparedCode(written, own), own), kNumberCode);
+    std::deque<std::string> names;
+    std::vector<CodeToken> all =
+        withoutDetours(withoutDeadCode(withoutLists(comparedCode(written, own)), own), own, {}, names);
+    all = inStatementOrder(inOrder(all, kNumberCode), own);
     const std::vector<CodeToken> last = inOrder(comparedCode(macros, own), kNumberCode);
     all.insert(all.end(), last.begin(), last.end());
     std::vector<SourceToken> tokens;

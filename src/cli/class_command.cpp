@@ -6,7 +6,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,6 +18,8 @@
 #include "classroom/class_run.h"
 #include "classroom/hand_in_time.h"
 #include "classroom/import_table.h"
+#include "classroom/own_results.h"
+#include "classroom/reference_pictures.h"
 #include "classroom/rubric.h"
 #include "classroom/teacher_marks.h"
 #include "cli/class_input.h"
@@ -28,6 +33,7 @@
 #include "suite/golden/hash_list.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
+#include "suite/write_below.h"
 #include "system/interruption.h"
 
 namespace glibra::cli {
@@ -39,13 +45,15 @@ namespace fs = std::filesystem;
 /// its own, because the file look-up refuses the others.
 system::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
     std::vector<std::string> scenes;
-    if (!plan.reference.empty()) scenes.push_back(plan.reference.generic_string());
+    if (!plan.reference.empty() && plan.pictures.empty()) scenes.push_back(plan.reference.generic_string());
     for (const classroom::Submission& each : plan.submissions.all)
         if (!each.scene.empty()) scenes.push_back(each.scene.generic_string());
     system::Sandbox sandbox = sandboxOf(scenes, plan.moments.front().shot.options, driver);
     sandbox.readable.push_back(plan.folder);
     sandbox.readable.emplace_back(plan.site, fs::path(classroom::kUnpacked));
     sandbox.readable.insert(sandbox.readable.end(), plan.given.begin(), plan.given.end());
+    for (const classroom::EarlierClass& each : plan.earlier) sandbox.readable.push_back(each.folder);
+    if (!plan.earlier.empty()) sandbox.readable.emplace_back(plan.site, fs::path("earlier"));
     return sandbox;
 }
 
@@ -147,6 +155,20 @@ void reportMissing(const classroom::Classroom& room) {
     }
 }
 
+/// Names what of the earlier submissions cannot be compared.
+void reportEarlier(const classroom::Classroom& room) {
+    std::vector<std::string> names;
+    for (const classroom::Entry& each : room.earlier)
+        if (each.submission.scene.empty()) names.push_back(each.submission.name);
+    if (names.empty()) return;
+    constexpr std::size_t kMostNames = 6;
+    const bool isMore = names.size() > kMostNames;
+    const std::string count = base::counted(names.size(), "earlier submission");
+    if (isMore) names.resize(kMostNames);
+    printLine(base::printableText(fmt::format("glibra: note: {} without a scene cannot be compared: {}{}",
+                                              count, fmt::join(names, ", "), isMore ? ", ..." : "")));
+}
+
 /// Says which fields nobody has typed points into yet.
 void reportOpen(const classroom::Classroom& room) {
     std::map<std::string, std::size_t> open;
@@ -183,6 +205,7 @@ void report(const classroom::Classroom& room, const fs::path& site) {
             printLine(base::printableText(fmt::format("{}: {}: {}", each.submission.name,
                                                       classroom::stateOf(each), classroom::reasonOf(each))));
     reportMissing(room);
+    reportEarlier(room);
     reportOpen(room);
     for (const classroom::Entry& each : room.entries)
         if (const Diagnostics hint = libraryHint(each.submission.scene, each.diagnostics); !hint.empty()) {
@@ -193,8 +216,81 @@ void report(const classroom::Classroom& room, const fs::path& site) {
     printLine("page: " + (site / "index.html").generic_string());
 }
 
+/// Prints what the checks say about the one submission, and writes it for platforms. The exit status.
+int reportOwn(const ClassArguments& arguments, const ClassInput& input, const classroom::Classroom& room) {
+    const classroom::Entry& own = room.entries.front();
+    print(own.diagnostics);
+    if (const std::string why = classroom::reasonOf(own); !why.empty() && own.diagnostics.empty())
+        printLine(base::printableText("glibra: note: " + why));
+    for (const std::string& each : classroom::resultLines(*input.rubric, room))
+        printLine(base::printableText(each));
+    for (const auto& [format, file] : arguments.results) {
+        const std::string text = classroom::resultText(format, *input.rubric, room);
+        const fs::path path(file);
+        if (printErrors(suite::writeBelow(path.has_parent_path() ? path.parent_path() : fs::path("."),
+                                          path.filename(), std::as_bytes(std::span(text)))))
+            return kSceneIsWrong;
+    }
+    printLine("page: " + (input.plan.site / "index.html").generic_string());
+    return classroom::reachesAll(room) ? kDone : kDiffers;
+}
+
+/// Why the folder of --hand-out is not written; empty if it may be.
+std::string whyNotHandedOut(const fs::path& folder) {
+    std::error_code failure;
+    if (!fs::exists(folder, failure) || classroom::hasReferencePictures(folder)) return {};
+    if (!fs::is_directory(folder, failure)) return "it is no folder";
+    return fs::is_empty(folder, failure) ? "" : "it has other files; name a new or empty folder";
+}
+
+/// Draws the reference alone, for students. The exit status.
+int handOut(const ClassArguments& given) {
+    ClassArguments arguments = given;
+    const fs::path folder = arguments.handOut;
+    if (!arguments.folder.empty())
+        return refuse("--hand-out draws the reference alone; leave out the folder of the submissions");
+    if (arguments.reference.empty()) return refuse("--hand-out needs --reference");
+    if (const std::string why = whyNotHandedOut(folder); !why.empty())
+        return refuse(fmt::format("--hand-out {}: {}", arguments.handOut, why));
+    arguments.made.site = (folder / ".drawn").generic_string();
+    ClassInput input;
+    if (const int status = readInput(arguments, input); status != kDone) return status;
+    if (!input.plan.pictures.empty()) return refuse("--hand-out draws the scene of --reference");
+    Confinement confined;
+    if (arguments.made.untrusted)
+        confined = confinement(drawingSandbox(input.plan, arguments.made.driver), input.plan.site);
+    const system::Interruption interruption;
+    classroom::ClassEvents events;
+    events.stop = [&] { return interruption.signal() != 0; };
+    const classroom::ClassEnd end =
+        classroom::runClass(input.plan, siteWorkers(arguments.made, confined), events);
+    print(end.diagnostics);
+    const bool isDrawn = !end.noDriver && !end.stopped && !end.misspelt && !hasError(end.diagnostics);
+    Diagnostics problems;
+    if (isDrawn) problems = classroom::writeReferencePictures(end.classroom, input.plan.site, folder);
+    if (isDrawn && problems.empty() && !input.rubricText.empty())
+        problems = suite::writeBelow(folder, classroom::kReferenceRubric,
+                                     std::as_bytes(std::span(input.rubricText)));
+    std::error_code stays;
+    fs::remove_all(input.plan.site, stays);
+    if (!isDrawn) fs::remove(folder, stays);  // unless something was there before
+    if (end.stopped) interruption.obey();
+    if (end.noDriver) return kNoDriver;
+    if (end.misspelt) return kWrongUsage;
+    if (printErrors(problems) || !isDrawn) return kSceneIsWrong;
+    printLine(base::printableText(fmt::format(
+        "{}: {} of '{}'{}; students run: glibra class . --mine --reference {}", folder.generic_string(),
+        base::counted(input.plan.moments.size(), "picture"), input.plan.reference.filename().generic_string(),
+        input.rubricText.empty() ? " without a rubric" : " and the rubric",
+        suite::shellWord(folder.filename().generic_string()))));
+    return kDone;
+}
+
 int runClassCommand(const ClassArguments& arguments, const std::string& command) {
     if (arguments.made.untrusted && !prepareUntrusted()) return kNoDriver;
+    if (!arguments.handOut.empty()) return handOut(arguments);
+    if (arguments.folder.empty()) return refuse("SUBMISSIONS is missing");
+    if (!arguments.results.empty() && !arguments.isOwn) return refuse("--results needs --mine");
     ClassInput input;
     if (const int status = readInput(arguments, input); status != kDone) return status;
     const system::Interruption interruption;
@@ -227,17 +323,18 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     room.began = utcNow();
     room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     nameAbsent(input, room);
-    keepDigests(input, room);
+    if (!arguments.isOwn) keepDigests(input, room);
     const Marked marked = mark(input, room);
     print(marked.remarks);
     noteWholePictures(input, room);
-    if (!marked.knowsTimes)
+    if (!marked.knowsTimes && !arguments.isOwn)
         printLine(
             "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a "
             "roster "
             "says it in a column 'submitted' or 'days late'");
     noteImport(importOptions(arguments, input), room);
     if (const int status = writeFiles(arguments, input, room); status != kDone) return status;
+    if (arguments.isOwn) return reportOwn(arguments, input, room);
     report(room, plan.site);
     if (arguments.serves) {
         const int status = serveClass({.room = room,
@@ -281,6 +378,40 @@ void addNameOptions(CommandLine& command, ClassArguments& to) {
                    "column of Canvas that gets the points; by default the folder's name");
 }
 
+void addOwnOptions(CommandLine& command, ClassArguments& to) {
+    command.flag(
+        "--mine", to.isOwn,
+        "SUBMISSIONS is one submission: says what its automatic checks give; the exit status is 1 if "
+        "points are missing");
+    using classroom::ResultFormat;
+    static constexpr std::pair<std::string_view, ResultFormat> kFormats[] = {
+        {"gradescope", ResultFormat::gradescope},
+        {"submitty", ResultFormat::submitty},
+        {"github", ResultFormat::github}};
+    command
+        .repeated(
+            "--results",
+            [&to](const std::string& text) -> std::string {
+                const std::size_t equals = std::min(text.find('='), text.size());
+                for (const auto& [word, format] : kFormats) {
+                    if (text.substr(0, equals) != word || equals + 1 >= text.size()) continue;
+                    to.results.emplace_back(format, text.substr(equals + 1));
+                    return {};
+                }
+                return fmt::format("expected gradescope=FILE, submitty=FILE or github=FILE, found '{}'",
+                                   text);
+            },
+            "with --mine: also writes what Gradescope, Submitty or GitHub Classroom reads, as "
+            "'gradescope=results.json'; may be repeated")
+        .placeholder("FORMAT=FILE");
+    command
+        .option("--hand-out", to.handOut,
+                "only draws the reference: writes its pictures and the rubric, without its source, for "
+                "students to run --mine")
+        .written()
+        .placeholder("FOLDER");
+}
+
 }  // namespace
 
 void addClass(CommandLine& program, int& status) {
@@ -290,15 +421,17 @@ void addClass(CommandLine& program, int& status) {
         "glibra class submissions/ --reference solution.glib -o site/   # a page and a table for the grade "
         "book\n"
         "glibra class submissions/ --reference solution.glib --time 0 --time 2.5 --untrusted\n"
-        "glibra class export/ --names moodle --roster grades.csv        # a learning platform's own names");
+        "glibra class export/ --names moodle --roster grades.csv        # a learning platform's own names\n"
+        "glibra class --reference solution.glib --rubric class.toml --hand-out reference/\n"
+        "glibra class . --mine --reference reference/                   # a student, before handing in");
     ClassArguments& to = *arguments;
-    command
-        .option("SUBMISSIONS", to.folder,
-                "folder with a folder, a zip file or a .glib file per student; or a zip file of all")
-        .required();
-    command.option(
-        "--reference", to.reference,
-        "the scene to compare with; or a suite of it or an exercise (.toml), which says what to draw");
+    command.option("SUBMISSIONS", to.folder,
+                   "folder with a folder, a zip file or a .glib file per student; or a zip file of all; with "
+                   "--mine one of these");
+    command.option("--reference", to.reference,
+                   "the scene to compare with; or a suite of it or an exercise (.toml), which says what to "
+                   "draw; or a folder that --hand-out wrote");
+    addOwnOptions(command, to);
     command
         .option("--rubric", to.rubric,
                 "checks with points for the table and the page (.toml); see the page 'A class'")
@@ -314,6 +447,12 @@ void addClass(CommandLine& program, int& status) {
     command.repeated(
         "--template", to.templates,
         "file or folder of code that was given to all; it does not count as similar; may be repeated");
+    command
+        .repeated(
+            "--earlier", to.earlier,
+            "folder of an earlier class (or its zip file), with whose code this one's is compared, too; "
+            "may be repeated")
+        .placeholder("FOLDER");
     command
         .option("--common", to.common,
                 "code that more submissions than this have does not count as similar; by default a third of "
@@ -338,6 +477,10 @@ void addClass(CommandLine& program, int& status) {
         .placeholder("'NAME = LIST'");
     addSiteOptions(command, to.made, "folder for index.html, grades.csv and the pictures",
                    {"set", "size", "samples", "strict", "library", "memory"});
+    for (const char* each : {"--scene-of", "--names", "--roster", "--grade-book", "--assignment",
+                             "--student-pages", "--serve", "--anonymous", "--common", "--earlier"})
+        command.find("--mine").excludes(command.find(each));
+    command.find("--mine").excludes(command.find("--hand-out"));
     command.onRun([arguments, site = command.find("--output"), &status] {
         arguments->made.siteIsNamed = site.isGiven();
         status = runClassCommand(*arguments, commandLine());

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,38 +10,65 @@
 #include <utility>
 #include <vector>
 
-#include "base/contained.h"
 #include "base/suggest.h"
 #include "classroom/archive.h"
-#include "classroom/class_page.h"
-#include "classroom/grades.h"
 #include "classroom/moments.h"
+#include "classroom/reference_pictures.h"
 #include "cli/commands.h"
 #include "cli/untrusted.h"
 #include "glib/text.h"
-#include "suite/serve/loopback_server.h"
 
 namespace glibra::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The moments, and the reference's scene. Without a value, the reason has been printed.
+/// The folder of --reference, if it has pictures in place of a scene.
+bool isOfPictures(const ClassArguments& arguments) {
+    std::error_code failure;
+    return fs::is_directory(arguments.reference, failure);
+}
+
+/// The moments of the pictures that --reference names, with what this machine adds to them.
+Result<std::vector<classroom::Moment>> momentsOfPictures(const ClassArguments& arguments,
+                                                         classroom::ClassPlan& plan) {
+    if (!classroom::hasReferencePictures(arguments.reference))
+        return withoutId(Severity::error,
+                         fmt::format("'{}' is a folder without the pictures of a reference ({}); 'glibra "
+                                     "class --reference SCENE --hand-out {}' writes them",
+                                     arguments.reference, classroom::kReferenceFile, arguments.reference));
+    Result<classroom::ReferencePictures> read = classroom::readReferencePictures(arguments.reference);
+    if (!read) return std::move(read.diagnostics);
+    plan.reference = read->scene;
+    plan.pictures = std::move(read->files);
+    for (classroom::Moment& each : read->moments) {
+        each.shot.memory = arguments.made.picture.memory;
+        each.shot.options.libraryRoots = arguments.made.picture.options.libraryRoots;
+    }
+    return std::move(read->moments);
+}
+
+/// The moments, and the reference's scene or pictures. Without a value, the reason has been printed.
 std::optional<std::vector<classroom::Moment>> momentsOf(const ClassArguments& arguments,
-                                                        fs::path& reference) {
+                                                        classroom::ClassPlan& plan) {
     const suite::Shot& picture = arguments.made.picture;
+    const bool hasPictures = isOfPictures(arguments);
     const bool isSuite = glib::sameWord(fs::path(arguments.reference).extension().generic_string(), ".toml");
-    if (isSuite && (!arguments.times.empty() || !arguments.sweeps.empty() || !picture.options.set.empty() ||
-                    picture.options.width > 0)) {
-        printError("--time, --set, --sweep and --size belong into the suite that --reference names");
+    if ((isSuite || hasPictures) && (!arguments.times.empty() || !arguments.sweeps.empty() ||
+                                     !picture.options.set.empty() || picture.options.width > 0)) {
+        printError(hasPictures
+                       ? "--time, --set, --sweep and --size do not go with the pictures that --reference "
+                         "names: they say what is drawn"
+                       : "--time, --set, --sweep and --size belong into the suite that --reference names");
         return std::nullopt;
     }
     Result<std::vector<classroom::Moment>> moments =
-        isSuite ? classroom::momentsOfSuite(arguments.reference)
-                : classroom::momentsOf(picture, arguments.times, arguments.sweeps);
+        hasPictures ? momentsOfPictures(arguments, plan)
+        : isSuite   ? classroom::momentsOfSuite(arguments.reference)
+                    : classroom::momentsOf(picture, arguments.times, arguments.sweeps);
     print(moments.diagnostics);
     if (!moments) return std::nullopt;
-    reference = isSuite ? moments->front().shot.script : fs::path(arguments.reference);
+    if (!hasPictures) plan.reference = isSuite ? moments->front().shot.script : fs::path(arguments.reference);
     for (classroom::Moment& each : *moments) {
         std::vector<fs::path>& roots = each.shot.options.libraryRoots;
         if (isSuite) {
@@ -83,17 +108,45 @@ int readNames(const ClassArguments& arguments, ClassInput& input) {
     return kDone;
 }
 
-/// Reads --rubric, and what the teacher has typed. The exit status; kDone if all is well.
-int readChecks(const ClassArguments& arguments, ClassInput& input) {
+/// Reads what the teacher has typed, which does not count for one's own submission. The exit status; kDone if
+/// all is well.
+int readOwnMarks(const ClassArguments& arguments, ClassInput& input) {
+    if (arguments.isOwn || !arguments.handOut.empty()) return kDone;
     Result<classroom::TeacherMarks> own = classroom::readTeacherMarks(input.plan.site);
     print(own.diagnostics);
     if (!own) return kSceneIsWrong;
     input.own = std::move(*own);
-    if (arguments.rubric.empty()) {
-        if (suite::readExercise(arguments.reference)) input.rubric = classroom::solvedRubric();
-        return kDone;
+    return kDone;
+}
+
+/// The file of --rubric, or the one that was handed out with the pictures of the reference; empty if there is
+/// none.
+fs::path rubricFile(const ClassArguments& arguments) {
+    if (!arguments.rubric.empty() || !isOfPictures(arguments)) return arguments.rubric;
+    const fs::path beside = fs::path(arguments.reference) / classroom::kReferenceRubric;
+    std::error_code failure;
+    return fs::exists(beside, failure) ? beside : fs::path();
+}
+
+/// Reads the rubric. The exit status; kDone if all is well.
+int readChecks(const ClassArguments& arguments, ClassInput& input) {
+    const fs::path file = rubricFile(arguments);
+    Result<classroom::Rubric> rubric = classroom::solvedRubric();
+    if (!file.empty()) {
+        constexpr std::uint64_t kLargestRubric = 1U << 20U;
+        const Result<std::string> text = classroom::givenText(file, kLargestRubric);
+        print(text.diagnostics);
+        if (!text) return kWrongUsage;
+        input.rubricText = *text;
+        rubric = classroom::readRubricText(*text, file.generic_string());
+    } else if (!isOfPictures(arguments) && suite::readExercise(arguments.reference)) {
+        input.rubricText = "[[check]]\nsolved = true\n";
+    } else {
+        if (!arguments.isOwn) return kDone;
+        return refuse(
+            fmt::format("--mine needs the checks: --rubric FILE, or {} in the folder of --reference",
+                        classroom::kReferenceRubric));
     }
-    Result<classroom::Rubric> rubric = classroom::readRubric(arguments.rubric);
     print(rubric.diagnostics);
     if (!rubric) return kWrongUsage;
     if (printErrors(classroom::problemsOf(*rubric, input.plan.moments,
@@ -104,26 +157,71 @@ int readChecks(const ClassArguments& arguments, ClassInput& input) {
     return kDone;
 }
 
-/// What confines the processes that unpack into a folder of the site; nothing without --untrusted.
-std::optional<system::Sandbox> unpackingSandbox(const ClassArguments& arguments,
-                                                const classroom::ClassPlan& plan, std::string_view into) {
+/// What confines the processes that unpack submissions into a folder of a site; nothing without --untrusted.
+std::optional<system::Sandbox> unpackingSandbox(const ClassArguments& arguments, const fs::path& from,
+                                                const fs::path& site, std::string_view into) {
     if (!arguments.made.untrusted) return std::nullopt;
     system::Sandbox sandbox;
-    sandbox.readable.push_back(plan.folder);
-    sandbox.writable.emplace_back(plan.site, fs::path(into));
+    sandbox.readable.push_back(from);
+    sandbox.writable.emplace_back(site, fs::path(into));
     return sandbox;
 }
 
-/// If the submissions are one zip file, as a learning platform exports them, unpacks it. False: it cannot be.
-bool unpackExport(const ClassArguments& arguments, classroom::ClassPlan& plan) {
+/// If the submissions are one zip file, as a learning platform exports them, unpacks it to the site, and
+/// `from` is then its folder. False: it cannot be.
+bool unpackExport(const ClassArguments& arguments, fs::path& from, const fs::path& site) {
     std::error_code failure;
-    if (!classroom::isArchive(plan.folder) || !fs::is_regular_file(plan.folder, failure)) return true;
-    const auto sandbox = unpackingSandbox(arguments, plan, classroom::kExport);
+    if (!classroom::isArchive(from) || !fs::is_regular_file(from, failure)) return true;
+    const auto sandbox = unpackingSandbox(arguments, from, site, classroom::kExport);
     Result<fs::path> folder = classroom::unpackExport(
-        plan.folder, {.site = plan.site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
+        from, {.site = site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
     print(folder.diagnostics);
-    if (folder) plan.folder = std::move(*folder);
+    if (folder) from = std::move(*folder);
     return folder.value.has_value();
+}
+
+/// Unpacks zip files of submissions to the site. The exit status; kDone if all is well.
+int unpackAll(const ClassArguments& arguments, classroom::Submissions& submissions, const fs::path& from,
+              const fs::path& site, const classroom::SubmissionOptions& find,
+              const system::Interruption& interruption) {
+    const auto sandbox = unpackingSandbox(arguments, from, site, classroom::kUnpacked);
+    const Diagnostics problems =
+        classroom::unpackSubmissions(submissions, find,
+                                     {.site = site,
+                                      .jobs = arguments.made.jobs,
+                                      .timeout = arguments.made.timeout,
+                                      .sandbox = sandbox ? &*sandbox : nullptr,
+                                      .stop = [&] { return interruption.signal() != 0; }});
+    return printErrors(problems) ? kSceneIsWrong : kDone;
+}
+
+/// Where zip files of the earlier folder of this number are unpacked.
+fs::path earlierSite(const classroom::ClassPlan& plan, std::size_t number) {
+    return plan.site / "earlier" / std::to_string(number + 1);
+}
+
+/// Finds the submissions of --earlier. The exit status; kDone if all is well.
+int findEarlier(const ClassArguments& arguments, ClassInput& input) {
+    classroom::SubmissionOptions find = input.find;
+    find.sceneOf.clear();
+    std::size_t count = 0;
+    for (const std::string& each : arguments.earlier) {
+        fs::path folder = each;
+        if (std::error_code failure; fs::equivalent(folder, arguments.folder, failure))
+            return refuse(fmt::format("--earlier {}: these are the submissions themselves", each));
+        if (!unpackExport(arguments, folder, earlierSite(input.plan, input.plan.earlier.size())))
+            return kWrongUsage;
+        Result<classroom::Submissions> found = classroom::findSubmissions(folder, find);
+        print(found.diagnostics);
+        if (!found) return kWrongUsage;
+        count += found->all.size();
+        if (count > 2 * classroom::kMostSubmissions)
+            return refuse(fmt::format("--earlier: there are more than {} earlier submissions",
+                                      2 * classroom::kMostSubmissions));
+        const fs::path named = fs::path(each).has_filename() ? fs::path(each) : fs::path(each).parent_path();
+        input.plan.earlier.push_back({named.stem().generic_string(), std::move(folder), std::move(*found)});
+    }
+    return kDone;
 }
 
 /// "; did you mean 'Bob Ng'?", or nothing.
@@ -159,9 +257,15 @@ int useNamesOfRoster(const std::vector<std::string>& scenesOf, const classroom::
 
 /// Finds the submissions. The exit status; kDone if all is well.
 int findAll(const ClassArguments& arguments, ClassInput& input) {
-    Result<classroom::Submissions> found = classroom::findSubmissions(input.plan.folder, input.find);
+    Result<classroom::Submissions> found = arguments.isOwn
+                                               ? classroom::ownSubmission(input.plan.folder, input.find)
+                                               : classroom::findSubmissions(input.plan.folder, input.find);
     print(found.diagnostics);
     if (!found) return kWrongUsage;
+    if (arguments.isOwn) {
+        input.plan.submissions = std::move(*found);
+        return kDone;
+    }
     const std::size_t patterns = input.find.sceneOf.size();
     if (const int status = useNamesOfRoster(arguments.scenesOf, *found, input); status != kDone)
         return status;
@@ -190,176 +294,46 @@ int readInput(const ClassArguments& arguments, ClassInput& input) {
             "another one",
             arguments.made.site));
     if (!mayWriteSite(arguments.made)) return kSceneIsWrong;
-    std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan.reference);
+    std::optional<std::vector<classroom::Moment>> moments = momentsOf(arguments, plan);
     if (!moments) return kWrongUsage;
     plan.moments = std::move(*moments);
     if (const int status = readNames(arguments, input); status != kDone) return status;
+    if (const int status = readOwnMarks(arguments, input); status != kDone) return status;
     if (const int status = readChecks(arguments, input); status != kDone) return status;
+    if (!arguments.handOut.empty()) return kDone;
     input.find.reference = plan.reference;
     input.find.others = plan.given;
     input.find.others.emplace_back(plan.site);
     input.find.others.emplace_back(arguments.roster);
     input.find.others.emplace_back(arguments.rubric);
-    if (!plan.reference.empty()) {
+    if (!plan.pictures.empty()) {
+        input.find.others.emplace_back(arguments.reference);
+    } else if (!plan.reference.empty()) {
         input.find.others.emplace_back(plan.reference.has_parent_path() ? plan.reference.parent_path()
                                                                         : fs::path("."));
         input.find.others.emplace_back(arguments.reference);
     }
-    if (!unpackExport(arguments, plan)) return kWrongUsage;
-    return findAll(arguments, input);
+    if (!arguments.isOwn && !unpackExport(arguments, plan.folder, plan.site)) return kWrongUsage;
+    // An earlier folder may lie beside this year's.
+    for (const std::string& each : arguments.earlier) input.find.others.emplace_back(each);
+    if (const int status = findAll(arguments, input); status != kDone) return status;
+    return findEarlier(arguments, input);
 }
 
 int unpack(const ClassArguments& arguments, ClassInput& input, const system::Interruption& interruption) {
-    const auto sandbox = unpackingSandbox(arguments, input.plan, classroom::kUnpacked);
-    if (printErrors(classroom::unpackSubmissions(input.plan.submissions, input.find,
-                                                 {.site = input.plan.site,
-                                                  .jobs = arguments.made.jobs,
-                                                  .timeout = arguments.made.timeout,
-                                                  .sandbox = sandbox ? &*sandbox : nullptr,
-                                                  .stop = [&] { return interruption.signal() != 0; }})))
-        return kSceneIsWrong;
+    classroom::ClassPlan& plan = input.plan;
+    if (const int status =
+            unpackAll(arguments, plan.submissions, plan.folder, plan.site, input.find, interruption);
+        status != kDone)
+        return status;
+    for (std::size_t i = 0; i < plan.earlier.size(); ++i) {
+        auto& [name, folder, submissions] = plan.earlier[i];
+        if (const int status =
+                unpackAll(arguments, submissions, folder, earlierSite(plan, i), input.find, interruption);
+            status != kDone)
+            return status;
+    }
     if (input.roster) input.handed = classroom::applyRoster(*input.roster, input.plan.submissions);
-    return kDone;
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-using suite::WebReply;
-using suite::WebRequest;
-
-constexpr std::uint64_t kLargestPicture = std::uint64_t{1} << 28U;
-constexpr std::size_t kLongestComment = 10'000;
-
-WebReply wrong(const std::string& why) {
-    return {400, "application/json", Json{{"error", why}}.dump()};
-}
-
-/// The class as the page shows it, and the names of its entries.
-struct Shown {
-    classroom::Classroom room;
-    std::vector<std::string> names;
-};
-
-Shown shownBy(const ClassService& service) {
-    Shown shown;
-    if (service.isAnonymous) {
-        shown.room = classroom::anonymous(service.room, shown.names);
-        return shown;
-    }
-    shown.room = service.room;
-    for (const classroom::Entry& each : service.room.entries) shown.names.push_back(each.submission.name);
-    return shown;
-}
-
-WebReply pictureReply(const fs::path& site, const std::string& file) {
-    const system::File opened = base::openBeneath(site, file);
-    std::vector<std::byte> bytes;
-    if (!opened || base::readAll(opened, kLargestPicture, bytes) != 0)
-        return {404, "text/plain", "no picture"};
-    return {200, "image/png", std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
-}
-
-/// What one POST changes: {"entry": 3, "check": "is drawn", "points": 1.5} or {"entry": 3, "comment": "..."}.
-/// Points null: those of the check again.
-std::string change(const Json& asked, const classroom::Entry& entry, classroom::OwnMarks& marks) {
-    if (asked.contains("comment")) {
-        if (!asked["comment"].is_string() || asked["comment"].get<std::string>().size() > kLongestComment)
-            return "expected a comment of at most 10,000 bytes";
-        marks.comment = asked["comment"].get<std::string>();
-    }
-    if (!asked.contains("check")) return {};
-    if (!asked["check"].is_string() || !asked.contains("points")) return "expected a check and its points";
-    const auto check = asked["check"].get<std::string>();
-    const auto mark = std::find_if(entry.marks.begin(), entry.marks.end(),
-                                   [&](const classroom::Mark& each) { return each.check == check; });
-    if (mark == entry.marks.end()) return "there is no such check";
-    if (asked["points"].is_null()) {
-        classroom::typePoints(marks, entry, check, std::nullopt);
-        return {};
-    }
-    if (!asked["points"].is_number() || !std::isfinite(asked["points"].get<double>()))
-        return "expected points as a number";
-    const auto points = asked["points"].get<double>();
-    if (points < 0 || points > mark->most)
-        return fmt::format("expected points from 0 to {:g}, found {:g}", mark->most, points);
-    classroom::typePoints(marks, entry, check, points);
-    return {};
-}
-
-/// The number of the entry that a request names; nothing if there is none.
-std::optional<std::size_t> entryOf(const Json& asked, const ClassService& service) {
-    if (!asked.is_object() || !asked.contains("entry") || !asked["entry"].is_number_unsigned())
-        return std::nullopt;
-    const auto index = asked["entry"].get<std::size_t>();
-    const std::vector<std::string> names = shownBy(service).names;
-    if (index >= names.size()) return std::nullopt;
-    const std::vector<classroom::Entry>& all = service.room.entries;
-    const auto entry = std::find_if(all.begin(), all.end(), [&](const classroom::Entry& each) {
-        return each.submission.name == names[index];
-    });
-    if (entry == all.end()) return std::nullopt;
-    return static_cast<std::size_t>(entry - all.begin());
-}
-
-WebReply takeMarks(const ClassService& service, const WebRequest& request) {
-    const Json asked = Json::parse(request.body, nullptr, false);
-    const std::optional<std::size_t> index = entryOf(asked, service);
-    if (!index) return wrong("expected the number of an entry");
-    const classroom::Entry* const entry = &service.room.entries[*index];
-    classroom::TeacherMarks changed = service.own;
-    if (const std::string problem = change(asked, *entry, classroom::marksOf(changed, service.room, *index));
-        !problem.empty())
-        return wrong(problem);
-    if (classroom::writeTeacherMarks(changed, service.site) != 0)
-        return {500, "application/json", Json{{"error", "cannot write marks.json"}}.dump()};
-    service.own = std::move(changed);
-    service.mark();
-    if (!service.write()) return {500, "application/json", Json{{"error", "cannot write the page"}}.dump()};
-    Json reply = {{"marks", Json::array()}, {"comment", entry->comment}};
-    for (const classroom::Mark& each : entry->marks)
-        reply["marks"].push_back({{"check", each.check},
-                                  {"points", each.points},
-                                  {"own", each.isOwn},
-                                  {"open", each.isOpen && !each.isBonus}});
-    if (const std::optional<double> points = classroom::pointsOf(*entry)) reply["points"] = *points;
-    return {200, "application/json", reply.dump(-1, ' ', false, Json::error_handler_t::replace)};
-}
-
-}  // namespace
-
-int serveClass(const ClassService& service) {
-    Result<suite::LoopbackServer> opened = suite::LoopbackServer::open();
-    print(opened.diagnostics);
-    if (!opened) return kSceneIsWrong;
-    suite::LoopbackServer& server = *opened;
-    server.get("", [&](const WebRequest&) {
-        return WebReply{200, "text/html; charset=utf-8", classroom::classPage(shownBy(service).room, true)};
-    });
-    server.get("class.js", [](const WebRequest&) {
-        return WebReply{200, "text/javascript", std::string(classroom::classScript())};
-    });
-    server.get("grade.js", [](const WebRequest&) {
-        return WebReply{200, "text/javascript", std::string(classroom::gradeScript())};
-    });
-    server.get("grades.csv", [&](const WebRequest&) {
-        return WebReply{200, "text/csv; charset=utf-8", classroom::gradesCsv(service.room)};
-    });
-    const auto addPictures = [&](const classroom::Entry& entry) {
-        for (const classroom::Picture& each : entry.pictures)
-            if (!each.file.empty())
-                server.get(each.file, [&service, file = each.file](const WebRequest&) {
-                    return pictureReply(service.site, file);
-                });
-    };
-    addPictures(service.room.reference);
-    for (const classroom::Entry& each : service.room.entries) addPictures(each);
-    server.post("marks", [&](const WebRequest& request) { return takeMarks(service, request); });
-    printLine("points and comments: " + server.address());
-    printLine("they are kept in " + (service.site / classroom::kMarksFile).generic_string() +
-              "; Ctrl-C ends the server");
-    server.run(service.stop);
     return kDone;
 }
 

@@ -5,11 +5,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "classroom/class_run.h"
 #include "classroom/classroom.h"
 #include "classroom/names.h"
+#include "classroom/own_results.h"
 #include "classroom/roster.h"
 #include "classroom/rubric.h"
 #include "classroom/submissions.h"
@@ -25,9 +27,12 @@ struct ClassArguments {
     std::vector<std::string> scenes, scenesOf;
     std::string names, roster, assignment, rubric;
     classroom::GradeBook book = classroom::GradeBook::none;
-    std::vector<std::string> templates;
+    std::vector<std::string> templates, earlier;
     int common = 0;
     bool studentPages = false, isAnonymous = false, serves = false;
+    bool isOwn = false;   ///< --mine: SUBMISSIONS is one submission
+    std::string handOut;  ///< a folder for the reference's pictures; empty: the class is drawn
+    std::vector<std::pair<classroom::ResultFormat, std::string>> results;  ///< with their files
     std::vector<double> times;
     std::vector<std::string> sweeps;
     SiteOptions made{.site = "glibra-class"};
@@ -40,6 +45,7 @@ struct ClassInput {
     std::optional<classroom::Roster> roster;
     std::vector<std::optional<std::size_t>> handed;  ///< of the students of the roster
     std::optional<classroom::Rubric> rubric;
+    std::string rubricText;  ///< that it was read from
     classroom::TeacherMarks own;
 };
 

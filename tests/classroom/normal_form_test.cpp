@@ -33,6 +33,7 @@ struct SamePair {
 TEST(NormalForm, EvasionsDoNotCount) {
     const SamePair kPairs[] = {
         // dead statements
+        {"o = a * b;", "float u = 3., v = a; o = a * b;"},
         {"o = a * b;", "float unused = 3.; o = a * b;"},
         {"o = a * b;", "float u = 3.; u = u * 2. + a; u += 1.; o = a * b;"},
         {"o = a * b;", "float u = a; float v = u * 2.; float w = v + u; o = a * b;"},
@@ -49,6 +50,33 @@ TEST(NormalForm, EvasionsDoNotCount) {
         {"o += a * sin(b);", "o = o + sin(b) * a;"},
         {"o *= a + sin(b);", "o = (sin(b) + a) * o;"},
         {"o = (a) * (b);", "o = a * b;"},
+        // parentheses
+        {"o = (a + sin(b)) + (b - 2. * a);", "o = a + sin(b) + b - 2. * a;"},
+        {"o = a - (b - sin(a));", "o = a - b + sin(a);"},
+        {"o = (a * sin(b)) / (cos(a));", "o = a * sin(b) / cos(a);"},
+        {"o = (a > b ? sin(a) : b);", "o = a > b ? sin(a) : b;"},
+        // names for values that are used once, and declarations
+        {"o = a * b;", "float u = a; o = u * b;"},
+        {"o = sin(a * b) + cos(b);", "float u = a * b; float v = cos(b); o = sin(u) + v;"},
+        {"float u = sin(a), v = cos(b); o = u * u + v * v;",
+         "float u = sin(a); float v = cos(b); o = u * u + v * v;"},
+        {"float u = sin(a); o = u * u;", "float u; u = sin(a); o = u * u;"},
+        {"float u = sin(a), v = cos(b); o = u * u - v * v;",
+         "float v = 0., u; u = sin(a); v = cos(b); o = u * u - v * v;"},
+        {"float u = sin(a); o = u * u;", "const float u = sin(a); o = u * u;"},
+        // order of statements
+        {"float u = sin(a); float v = cos(b); o = u * u - v * v;",
+         "float v = cos(b); float u = sin(a); o = u * u - v * v;"},
+        {"float u = sin(a); float v = sin(b); o = u * u - v * v * a;",
+         "float w = sin(b); float k = sin(a); o = k * k - w * w * a;"},
+        {"if (a > b) { float u = sin(a); float v = cos(a); o = u * u - v * v; }",
+         "if (a > b) { float v = cos(a); float u = sin(a); o = u * u - v * v; }"},
+        {"float u = sin(a); u *= 2.; float v = cos(b); o = u * u - v * v; return;",
+         "float v = cos(b); float u = sin(a); u *= 2.; o = u * u - v * v; return;"},
+        // branches that choose a value
+        {"o = a > b ? sin(a) : cos(b);", "if (a > b) o = sin(a); else { o = cos(b); }"},
+        {"float u = a > b ? a : a > o ? b : o; o = u * u;",
+         "float u; if (a > b) u = a; else if (a > o) { u = b; } else u = o; o = u * u;"},
         // constants
         {"o = a * 6.;", "o = 2. * a * 3.;"},
         {"o = a / 2.;", "o = .5 * a;"},
@@ -85,7 +113,19 @@ TEST(NormalForm, WhatHasAnEffectStays) {
         {"o = a / sin(b);", "o = sin(b) / a;"},
         {"o = a * b;", "helper(a); o = a * b;"},
         {"o = a * b;", "float u = helper(a); o = a * b;"},
-        {"o = a * b;", "float u = a; o = u * b;"},
+        {"o = a * b;", "float u = a; u += b; o = u * b;"},
+        {"float u = a; a = b; o = u * b;", "a = b; o = a * b;"},
+        {"float u = a * b; if (b > o) { a = 2.; o = u; }", "if (b > o) { a = 2.; o = a * b; }"},
+        {"float u = sin(a); float v = sin(b); o = u * u - v * v * a;",
+         "float u = sin(a); o = u * u; float v = sin(b); o = v * v * a;"},
+        {"o = sin(a); a = b; b = cos(o);", "a = b; o = sin(a); b = cos(o);"},
+        {"float u = sin(a); o = u * u; u = cos(a); o = u * u - o;",
+         "float u = cos(a); o = u * u; o = u * u - o;"},
+        {"if (a > b) o = a; else b = o;", "o = a > b ? a : o;"},
+        {"if (a > b) o = a; else o += a;", "o = a > b ? a : a;"},
+        {"o = cos(a); return; ", "return; o = cos(a);"},
+        {"o = a - (b - sin(a));", "o = a - b - sin(a);"},
+        {"o = a * (b + sin(a));", "o = a * b + sin(a);"},
         {"o = a * b;", "EmitVertex(); o = a * b;"},
         {"if (a > b) o = a; o = b;", "if (a > b) ; o = b;"},
         {"if (a > b) return; o = b;", "if (a > b) return;"},
@@ -100,8 +140,8 @@ TEST(NormalForm, WhatHasAnEffectStays) {
 }
 
 TEST(NormalForm, EndsInTimeForWhatIsNoCode) {
-    for (const char* each :
-         {"(", ")", "{", "}", "[", "+", "*", "a=", "if(", "f(){", "+=", "case ", "-", "#define x ("}) {
+    for (const char* each : {"(", ")", "{", "}", "[", "+", "*", "a=", "if(", "f(){", "+=", "case ", "-",
+                             "#define x (", "float u=a;o=u;", "float a,", "if(a){"}) {
         std::string text = "void main() {";
         for (int i = 0; i < 100'000; ++i) text += each;
         (void)comparableTokens(text);
@@ -109,6 +149,8 @@ TEST(NormalForm, EndsInTimeForWhatIsNoCode) {
     std::string sum = "void main() { o = a";
     for (int i = 0; i < 100'000; ++i) sum += "+b*a";
     EXPECT_GT(comparableTokens(sum + "; }").size(), 100'000U);
+    const std::string open(100'000, '('), close(100'000, ')');
+    (void)comparableTokens("void main() { o = " + open + "a" + close + "; }");
 }
 
 TEST(NormalForm, ACopyWithDeadStatementsBetweenItsOwnIsWhollySimilar) {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -178,6 +180,45 @@ TEST(Copies, AreFoundBehindThePreprocessor) {
     EXPECT_GE(similarity(own, included + "}\n", include), .8) << "each line in a file of its own";
 }
 
+/// The same with functions written out, as for a student's own file.
+double ownSimilarity(const std::string& a, const std::string& b, const std::set<std::uint64_t>& given = {}) {
+    const InlineRule rule{.isOwn = [](const std::string&) { return true; }, .given = given};
+    std::vector<std::vector<Fingerprint>> prints;
+    for (const std::string& each : {a, b})
+        prints.push_back(
+            fingerprintsOf(reachedCode({glsl::Stage::fragment, "a.frag", each}, {}, rule).runs, {}));
+    const std::vector<SimilarPair> pairs = similarPairs(prints);
+    return pairs.empty() ? 0 : std::min(pairs[0].ofA, pairs[0].ofB);
+}
+
+TEST(Copies, AreFoundWithFunctionsWrittenOutAndStatementsInAnotherOrder) {
+    const std::string own = shaderOf("");
+    const std::string inlined =
+        std::string(kHead) +
+        "void main() {\n  float q = uAd / 2.;\n  int many = int(vST.s / uAd);\n"
+        "  float middle = float(many) * uAd + q;\n  float far = (vST.s - middle) / q;\n"
+        "  float x = clamp((far * far - (1. - uTol)) / (1. + uTol - (1. - uTol)), 0., 1.);\n"
+        "  float k = (3. - 2. * x) * x * x;\n  vec3 paint = mix(vec3(1., .5, 0.), vec3(.2, .2, 1.), k);\n"
+        "  f = vec4((.7 * max(dot(normalize(vN), vec3(0., 0., 1.)), 0.) + .3) * paint, 1.);\n}\n";
+    EXPECT_GE(ownSimilarity(own, inlined), .7);
+    std::string reordered = std::string(kHead) + "void main() {\n";
+    for (const std::size_t line : {6U, 1U, 0U, 2U, 3U, 4U, 5U, 7U}) reordered += kLines[line] + "\n";
+    reordered += "}\n";
+    const std::string swapped = reordered + kBlend;
+    EXPECT_EQ(ownSimilarity(own, std::string(kHead) + "float blend(float a, float b, float x);\n" +
+                                     swapped.substr(std::string(kHead).size())),
+              1);
+    // What all have is not written out: it would differ by its arguments.
+    const std::string other = std::string(kHead) + kBlend +
+                              "void main() { f = vec4(blend(uAd, uBd, vN.x) + blend(0., 1., vST.t)); }\n";
+    const ReachedCode given = codeOf("#version 330\n" + std::string(kBlend));
+    const InlineRule rule{.isOwn = [](const std::string&) { return true; },
+                          .given = {given.functions.begin(), given.functions.end()}};
+    EXPECT_EQ(reachedCode({glsl::Stage::fragment, "a.frag", other}, {}, rule).runs.size(), 2U);
+    EXPECT_EQ(reachedCode({glsl::Stage::fragment, "a.frag", other}, {}, {.isOwn = rule.isOwn}).runs.size(),
+              1U);
+}
+
 TEST(Copies, AreNotCodeThatNeverRuns) {
     const std::string own = shaderOf("");
     const std::string other =
@@ -198,12 +239,15 @@ TEST(ReachedCode, LinesAreThoseThatAReaderLooksFor) {
     EXPECT_EQ(code.runs[0].path, "a.frag");
 }
 
-TEST(ReachedCode, FunctionsThatAreLeftOutSeparateWhatIsAroundThem) {
+TEST(ReachedCode, EachFunctionThatIsReachedStandsAlone) {
     const std::string text =
-        "#version 330\nout vec4 f;\nvec4 a() { return vec4(1.); }\nvec4 b() { return vec4(2.); }\n"
-        "vec4 c() { return vec4(3.); }\nvoid main() { f = a() + c(); }\n";
-    EXPECT_EQ(codeOf(text).runs.size(), 2U);
-    EXPECT_EQ(codeOf("#version 330\nfloat a() { return 1.; }\nfloat b() { return 2.; }\n").runs.size(), 1U)
+        "#version 330\nout vec4 f;\nconst float k = 2.;\nvec4 a() { return vec4(1.); }\nvec4 b() { return "
+        "vec4(2.); }\nvec4 c() { return k * vec4(3.); }\nconst float l = 3.;\nvoid main() { f = a() + c() * "
+        "l; "
+        "}\n";
+    EXPECT_EQ(codeOf(text).runs.size(), 4U) << "a, c, main, and the constants together";
+    EXPECT_EQ(codeOf(text).functions.size(), 4U) << "also of the one that is not reached";
+    EXPECT_EQ(codeOf("#version 330\nfloat a() { return 1.; }\nfloat b() { return 2.; }\n").runs.size(), 2U)
         << "without a main all of them count";
 }
 
@@ -214,6 +258,29 @@ TEST(ReachedCode, EndsInTimeForWhatIsNoCode) {
         for (int i = 0; i < 20'000; ++i) text += each;
         (void)codeOf(text);
     }
+    const InlineRule all{.isOwn = [](const std::string&) { return true; }};
+    const auto endsInTime = [&](const std::string& text) {
+        return reachedCode({glsl::Stage::fragment, "a.frag", "#version 330\nout float o;\n" + text}, {}, all);
+    };
+    std::string twice = "float f0(float x) { return x + 1.; }\n", chain = twice, circle;
+    for (int i = 1; i < 500; ++i) {
+        const std::string name = std::to_string(i), last = "f" + std::to_string(i - 1);
+        twice += "float f" + name + "(float x) { return " + last + "(x * 2.) + " + last + "(x); }\n";
+        chain += "float f" + name + "(float x) { float y = x; y += " + last + "(y); return y; }\n";
+        circle += "float f" + name + "(float x) { return f" + std::to_string((i + 1) % 500) + "(x); }\n";
+    }
+    for (const std::string& each : {twice, chain, circle}) {
+        std::size_t tokens = 0;
+        for (const SourceFile& run : endsInTime(each + "void main() { o = f499(o); }\n").runs)
+            tokens += run.tokens.size();
+        EXPECT_LT(tokens, 200'000U);
+    }
+    std::string calls = "float f(float x) { float y = x * x; return y * y; }\nvoid main() { o = ", ends;
+    for (int i = 0; i < 10'000; ++i) {
+        calls += "f(";
+        ends += ")";
+    }
+    (void)endsInTime(calls + "1." + ends + "; }\n");
 }
 
 }  // namespace

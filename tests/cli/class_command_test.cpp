@@ -378,6 +378,54 @@ TEST_F(ClassCommand, AWrongReferenceIsAnErrorAndTheSiteStaysAsItWas) {
     EXPECT_EQ(glibra(folder.path(), "class nowhere --reference solution.glib").status, 2);
 }
 
+TEST_F(ClassCommand, CodeOfEarlierClassesIsComparedAndNamedAsTheirs) {
+    const std::string own =
+        "vec3 tint(vec3 at, float by) {\n    vec3 sum = vec3(0.);\n    for (int i = 0; i < 4; ++i) {\n"
+        "        sum += mix(at, at.zxy, by) * float(i) / 6.;\n        at = reflect(at, normalize(sum + "
+        ".1));\n    }\n    return clamp(sum, 0., 1.);\n}\nvoid main() {\n    f = vec4(tint(vN, uTone), "
+        "1.);\n}\n";
+    const std::string head = "#version 330 core\nin vec3 vN;\nuniform float uTone;\nout vec4 f;\n";
+    hand("ana", head + own);
+    hand("bob", fragment("uTone"));
+    for (const char* each : {"dora", "emil"}) {
+        folder.write("2025/" + std::string(each) + "/a.vert", kVertex);
+        folder.write("2025/" + std::string(each) + "/a.frag",
+                     head + (each == std::string("dora") ? own : "void main() { f = vec4(uTone); }\n"));
+        folder.write("2025/" + std::string(each) + "/a.glib", scene("a"));
+    }
+    folder.write("2025/fred/readme.txt", "no scene");
+    ASSERT_EQ(run("").status, 0);
+    EXPECT_EQ(grade("ana", "most similar"), "");
+    const Finished done = run("--earlier 2025/");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "most similar"), "2025/dora");
+    EXPECT_EQ(grade("ana", "similarity"), "1.00000");
+    EXPECT_EQ(grade("bob", "most similar"), "");
+    EXPECT_EQ(grades().size(), 3U) << "earlier submissions are none of the class";
+    EXPECT_TRUE(contains(done.err, "1 earlier submission without a scene cannot be compared: 2025/fred"))
+        << done.err;
+    const std::string html = page();
+    EXPECT_TRUE(contains(html, "100 % of <bdi>ana</bdi>, 100 % of <bdi>2025/dora</bdi>"));
+    EXPECT_TRUE(contains(html, "<h4><bdi>2025/dora</bdi>, a.frag</h4>")) << "its lines are shown";
+    EXPECT_FALSE(contains(html, "data-name=\"2025/dora\""));
+    ASSERT_EQ(run("--earlier 2025 --anonymous").status, 0);
+    EXPECT_FALSE(contains(page(), "dora"));
+    EXPECT_TRUE(contains(page(), "Earlier submission 01"));
+    // An export as a zip file, with a zip file in it.
+    ASSERT_EQ(shell(folder / "2025/dora", "python3 -m zipfile -c ../../dora.zip a.vert a.frag a.glib").status,
+              0);
+    ASSERT_EQ(shell(folder.path(), "python3 -m zipfile -c old.zip dora.zip").status, 0);
+    ASSERT_EQ(run("--earlier old.zip").status, 0);
+    EXPECT_EQ(grade("ana", "most similar"), "old/dora");
+    EXPECT_EQ(run("--earlier all").status, 2);
+    EXPECT_EQ(run("--earlier nowhere").status, 2);
+    // Beside this year's it is none of this year's submissions.
+    fs::rename(folder / "2025", folder / "all/2025");
+    ASSERT_EQ(run("--earlier all/2025").status, 0);
+    EXPECT_EQ(grades().size(), 3U);
+    EXPECT_EQ(grade("ana", "most similar"), "2025/dora");
+}
+
 TEST_F(ClassCommand, PicturesOfAnEarlierRunDoNotStay) {
     hand("ana", fragment("uTone"));
     hand("bob", fragment("uTone"));

@@ -521,7 +521,7 @@ for wrong in ({"entry": 7, "comment": ""}, {"entry": -1, "comment": ""}, {"entry
               {"entry": 1, "check": "report"}, {"entry": 1, "check": "report", "points": "many"}, {}):
     assert ask("marks", wrong)[0] == 400, wrong
 status, reply = ask("marks", change)
-assert status == 200 and json.loads(reply)["points"] == 4.5, reply
+assert status == 200 and json.loads(reply)["entries"][0]["points"] == 4.5, reply
 assert ask("marks", {"entry": 0, "comment": "well <done>"})[0] == 200
 assert "well &lt;done&gt;" in ask("")[1].decode()
 run.send_signal(signal.SIGINT)

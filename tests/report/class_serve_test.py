@@ -217,6 +217,87 @@ class Served(unittest.TestCase):
         self.assertEqual(json.loads(self.read("site/marks.json"))["Bo"]["comment"], "Good dots.\nNo lighting.")
         self.assertEqual(browser.run(options, f"#{bo} .bank option"), [""], "what it says already is left out")
 
+    def test_one_judgement_serves_all_with_the_same_pictures_and_is_undone(self):
+        browser = self.open()
+        browser.wait("return document.body.dataset.ready === 'true'")
+        ada, bo, cy = self.card(browser, "Ada"), self.card(browser, "Bo"), self.card(browser, CY)
+        alike = "return [...document.querySelectorAll('.alike')].map((each) => [each.closest('.card').dataset.name, each.firstChild.textContent])"
+        self.assertEqual(dict(browser.run(alike)), {"Ada": f"The same pictures: {CY}. ", CY: "The same pictures: Ada. "},
+                         "which, and nothing for one that has no picture")
+        self.assertIn("0 of 3 marked", browser.run("return document.querySelector('.progress').textContent"))
+        self.type(browser, POINTS % (cy, "report"), "1")
+        self.type(browser, POINTS % (ada, "report"), "4.5")
+        self.type(browser, f"#{ada} .commentField", "No lighting.")
+        before = json.loads(self.read("site/marks.json"))
+        browser.click(f"#{ada} .alike button")
+        browser.wait("return /^saved for/.test(document.querySelector('.saved').textContent)")
+        self.assertEqual(browser.run("return document.querySelector('.saved').textContent"), f"saved for {CY}")
+        kept = json.loads(self.read("site/marks.json"))
+        self.assertEqual((kept[CY]["points"], kept[CY]["comment"]), ({"report": 4.5}, "No lighting."))
+        self.assertEqual(kept["Ada"], before["Ada"])
+        self.assertEqual(self.grades()[CY]["points"], "8.50000")
+        self.assertEqual(browser.run("return document.querySelector(arguments[0]).value", POINTS % (cy, "report")), "4.5")
+        self.assertEqual(browser.run(f"return document.querySelector('#{cy} .commentField').value"), "No lighting.")
+        self.assertIn("2 of 3 marked", browser.run("return document.querySelector('.progress').textContent"))
+        browser.click(".undo")
+        browser.wait("return /^undone/.test(document.querySelector('.saved').textContent)")
+        self.assertEqual(browser.run("return document.querySelector('.saved').textContent"), f"undone for {CY}")
+        self.assertEqual(json.loads(self.read("site/marks.json")), before)
+        self.assertEqual(browser.run("return document.querySelector(arguments[0]).value", POINTS % (cy, "report")), "1")
+        self.assertEqual(browser.run(f"return document.querySelector('#{cy} .commentField').value"), "")
+        # One step after another, by the key, down to what was there before.
+        for _ in range(3):
+            browser.run("document.querySelector('.saved').textContent = ''; document.activeElement.blur()")
+            browser.press("u")
+            browser.wait("return /^undone/.test(document.querySelector('.saved').textContent)")
+        self.assertEqual(json.loads(self.read("site/marks.json")), {})
+        self.assertTrue(browser.run("return document.querySelector('.undo').hidden"))
+        self.assertEqual(self.grades()["Ada"]["not marked"], "1")
+        own, json_type = f"/{self.token}/", {"Content_Type": "application/json"}
+        self.assertEqual(self.ask("POST", own + "undo", b"{}", **json_type)[0], 400)
+        shown = browser.run("return [...document.querySelectorAll('.card')].map((each) => [each.dataset.name, Number(each.id.slice(1)) - 1])")
+        nobody = json.dumps({"entry": dict(shown)["Bo"], "alike": True}).encode()
+        self.assertEqual(self.ask("POST", own + "marks", nobody, **json_type)[0], 400)
+        self.assertEqual([each["message"] for each in browser.logs("browser") if "400" not in each["message"]], [])
+        self.assertNotEqual(bo, ada)
+
+    def test_kept_comments_are_added_by_click_and_key_and_outlive_the_server(self):
+        browser = self.open()
+        browser.wait("return document.body.dataset.ready === 'true'")
+        ada, bo = self.card(browser, "Ada"), self.card(browser, "Bo")
+        saved = "return /saved/.test(document.querySelector('.saved').textContent)"
+
+        def press(selector):
+            browser.run("document.querySelector('.saved').textContent = ''")
+            browser.click(selector)
+            browser.wait(saved)
+        for text in ("No lighting.", 'Say <why> "here".'):
+            self.type(browser, f"#{ada} .commentField", text)
+            press(f"#{ada} .kept .keep")
+        self.assertEqual(json.loads(self.read("site/comments.json")), ["No lighting.", 'Say <why> "here".'])
+        browser.run("document.querySelector(arguments[0]).focus()", f"#{bo} .commentField")
+        texts = "return [...document.querySelectorAll('.kept .add')].map((each) => each.textContent)"
+        self.assertEqual(browser.run(texts), ["No lighting.", 'Say <why> "here".'])
+        press(f"#{bo} .kept li:nth-child(2) .add")
+        browser.run("document.querySelector('.saved').textContent = ''; document.querySelector(arguments[0]).focus()", f"#{bo} .commentField")
+        browser.run("""document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {code: 'Digit1', key: '1', altKey: true, bubbles: true}));""")
+        browser.wait(saved)
+        self.assertEqual(json.loads(self.read("site/marks.json"))["Bo"]["comment"], 'Say <why> "here".\nNo lighting.')
+        self.end()
+        self.serve()
+        again = self.open()
+        again.wait("return document.body.dataset.ready === 'true'")
+        again.run("document.querySelector(arguments[0]).focus()", f"#{ada} .commentField")
+        self.assertEqual(again.run(texts), ["No lighting.", 'Say <why> "here".'])
+        again.run("document.querySelector('.saved').textContent = ''")
+        again.click(".kept li:nth-child(1) button:last-child")
+        again.wait(saved)
+        self.assertEqual(json.loads(self.read("site/comments.json")), ['Say <why> "here".'])
+        own, json_type = f"/{self.token}/", {"Content_Type": "application/json"}
+        for wrong in (b"[]", b"{", b"{}", b'{"add": 3}', b'{"add": ""}', b'{"add": "' + b"x" * 10_001 + b'"}'):
+            self.assertEqual(self.ask("POST", own + "comments", wrong, **json_type)[0], 400, wrong[:20])
+        self.assertEqual([each["message"] for each in again.logs("browser")], [], "the console is silent")
+
     def test_points_stay_in_their_card_in_every_window(self):
         browser = self.open()
         for width in (320, 500, 760, 1024, 1400, 1920):

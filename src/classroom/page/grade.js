@@ -6,15 +6,27 @@ saved.className = "saved";
 saved.setAttribute("role", "status");
 document.querySelector("header h1").after(saved);
 
+const progress = document.createElement("span");
+progress.className = "progress";
+saved.before(progress);
+
+const undoButton = document.createElement("button");
+undoButton.type = "button";
+undoButton.className = "undo";
+undoButton.textContent = "undo";
+undoButton.title = "takes the last change of points or comments back (u)";
+undoButton.hidden = true;
+saved.after(undoButton);
+
 function say(words, failed = false) {
     saved.textContent = words;
     saved.classList.toggle("failed", failed);
 }
 
-async function send(change) {
+async function post(name, change) {
     say("saving ...");
     try {
-        const reply = await fetch("marks", {
+        const reply = await fetch(name, {
             method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(change)});
         const answer = await reply.json();
         if (!reply.ok) throw new Error(answer.error || reply.statusText);
@@ -25,6 +37,18 @@ async function send(change) {
         return null;
     }
 }
+
+// Sends a change of marks, and shows what all submissions that it changed have now. True if it was saved.
+async function send(change, name = "marks") {
+    const answer = await post(name, change);
+    if (!answer) return false;
+    for (const each of answer.entries) show(cardOf(each.entry), each);
+    undoButton.hidden = !answer.canUndo;
+    return answer;
+}
+
+const cardOf = entry => document.getElementById(`s${String(entry + 1).padStart(4, "0")}`);
+const nameOf = entry => cardOf(entry).dataset.name;
 
 // The points that a text says: null if it is empty, and what is wrong with it otherwise. A comma is a decimal point,
 // whatever the language of the browser.
@@ -37,7 +61,8 @@ function pointsOf(text, most) {
 }
 
 function show(card, answer) {
-    if (!answer) return;
+    const comment = card.querySelector(".commentField");
+    if (document.activeElement !== comment) comment.value = answer.comment;
     for (const cell of card.querySelectorAll(".points[data-check]")) {
         const mark = answer.marks.find(each => each.check === cell.dataset.check);
         if (!mark) continue;
@@ -63,7 +88,8 @@ function count() {
     const all = Number(words.dataset.all);
     const open = [...document.querySelectorAll(".card")].filter(each => each.querySelector("tr.open")).length;
     words.textContent = `${all - open} of ${all} submissions are marked. j and k go from one to the next, n to the next with a ` +
-        "field to mark; in a field, with Alt.";
+        "field to mark; in a field, with Alt. Alt+1 to Alt+9 add a kept comment; u undoes the last change.";
+    progress.textContent = all > 0 ? `${all - open} of ${all} marked` : "";
 }
 
 // A choice of the paragraphs that other comments of this class have; one that is chosen is added to the comment.
@@ -106,7 +132,7 @@ for (const card of document.querySelectorAll(".card")) {
             const {points, problem} = pointsOf(field.value, Number(cell.dataset.most));
             field.setAttribute("aria-invalid", String(problem !== undefined));
             if (problem) return say(`not saved: ${problem}`, true);
-            show(card, await send({entry, check: cell.dataset.check, points}));
+            send({entry, check: cell.dataset.check, points});
         });
     }
     const old = card.querySelector(".comment");
@@ -118,7 +144,98 @@ for (const card of document.querySelectorAll(".card")) {
     comment.value = old ? old.textContent : "";
     if (old) old.remove();
     card.querySelector(".grading").append(comment);
-    comment.addEventListener("change", async () => show(card, await send({entry, comment: comment.value})));
+    comment.addEventListener("change", () => send({entry, comment: comment.value}));
+    comment.addEventListener("focus", () => showKept(comment));
     addBank(card, comment);
 }
 count();
+
+// Comments that are kept for this class: one panel, which stands at the comment that was last in use.
+const kept = document.createElement("div");
+kept.className = "kept";
+let keptComments = [], keptField = null;
+
+function fillKept() {
+    const list = document.createElement("ol");
+    keptComments.forEach((text, index) => {
+        const line = document.createElement("li");
+        const add = document.createElement("button"), remove = document.createElement("button");
+        add.type = remove.type = "button";
+        add.className = "add";
+        add.textContent = text;
+        if (index < 9) add.title = `Alt+${index + 1}`;
+        add.addEventListener("click", () => insertKept(index));
+        remove.textContent = "\u00d7";
+        remove.setAttribute("aria-label", `no longer keep: ${text}`);
+        remove.addEventListener("click", () => changeKept({remove: text}));
+        line.append(add, remove);
+        list.append(line);
+    });
+    const keep = document.createElement("button");
+    keep.type = "button";
+    keep.className = "keep";
+    keep.textContent = "keep this comment for others";
+    keep.addEventListener("click", () => {
+        const text = keptField.value.trim();
+        if (text) changeKept({add: text});
+    });
+    kept.replaceChildren(...(keptComments.length ? [list] : []), keep);
+}
+
+async function changeKept(change) {
+    const answer = await post("comments", change);
+    if (!answer) return;
+    keptComments = answer.comments;
+    fillKept();
+}
+
+function insertKept(index) {
+    if (!keptField || index >= keptComments.length) return;
+    keptField.value += (keptField.value ? "\n" : "") + keptComments[index];
+    keptField.dispatchEvent(new Event("change"));
+}
+
+function showKept(field) {
+    keptField = field;
+    field.nextElementSibling.after(kept);  // after the choice of what others say
+}
+
+// One judgement for all submissions with the same pictures.
+function addAlike(entry, others) {
+    if (others.length === 0) return;
+    const line = document.createElement("p");
+    line.className = "alike near";
+    line.append(`The same pictures: ${others.map(nameOf).join(", ")}. `);
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = others.length === 1 ? "give it these points and this comment" : `give all ${others.length} these points and this comment`;
+    button.addEventListener("click", async () => {
+        if (await send({entry, alike: true})) say(`saved for ${others.map(nameOf).join(", ")}`);
+    });
+    line.append(button);
+    cardOf(entry).querySelector(".grading").append(line);
+}
+
+async function undo() {
+    const answer = await send({}, "undo");
+    if (answer) say(`undone for ${answer.entries.map(each => nameOf(each.entry)).join(", ")}`);
+}
+undoButton.addEventListener("click", undo);
+
+document.addEventListener("keydown", event => {
+    if (event.metaKey || event.ctrlKey) return;
+    const digit = /^Digit([1-9])$/.exec(event.code);
+    const field = event.target.closest("input, textarea, select");
+    if (event.altKey && digit && keptField) insertKept(Number(digit[1]) - 1);
+    else if (!event.altKey && !field && event.key === "u" && !undoButton.hidden) undo();
+    else return;
+    event.preventDefault();
+});
+
+fetch("facts").then(reply => reply.json()).then(facts => {
+    facts.alike.forEach((others, entry) => addAlike(entry, others));
+    keptComments = facts.comments;
+    fillKept();
+    undoButton.hidden = !facts.canUndo;
+    document.body.dataset.ready = "true";
+});
