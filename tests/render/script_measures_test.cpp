@@ -119,10 +119,10 @@ TEST(ScriptMeasures, ReportMistakesAtTheirPlace) {
               "sum: a rectangle of 'pic' needs 4 numbers, x y width height, found 1 [glib-E26]");
     EXPECT_EQ(place("sum(a, 3, 1) == 1"), "sum: the first element 3 stands after the last, 1 [glib-E29]");
     EXPECT_EQ(place("sum(v) == 1"), "'==' does not combine vec2 and number [expr-E03]");
-    EXPECT_EQ(
-        place("sum(a, 0, sum(a)) == 1"),
-        "sum: its numbers are known before anything is drawn; they cannot read what textures and buffers "
-        "hold [expr-E07]");
+    EXPECT_EQ(place("sum(a, 0, sum(a)) == 1"),
+              "sum: its numbers and times are known before anything is drawn; they cannot read what textures "
+              "and buffers hold [expr-E07]");
+    EXPECT_EQ(place("sum(a) at a[0] == 1"), place("sum(a, 0, sum(a)) == 1"));
     EXPECT_EQ(
         place("a[0] at 1 == 1"),
         "expected an operator or the end of the expression, found 'at'; a time may stand after sum, mean, "

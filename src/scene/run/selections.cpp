@@ -236,6 +236,22 @@ Value nameIn(const Value& expression, expression::Range range) {
     return name;
 }
 
+/// False with expr-E07 reported if an argument of a call reads what is known only after the picture.
+bool isKnownBefore(Interpreter& in, const Value& argument, std::string_view function) {
+    const std::vector<std::string> paths = expression::pathsIn(argument.text);
+    const auto isElement = [&](const std::string& path) {
+        const expression::Symbol* const symbol = in.names().lookUp(path);
+        return symbol != nullptr && Environment::isBuffer(*symbol) &&
+               std::ranges::find(paths, path + ".count") == paths.end();
+    };
+    if (expression::measuresIn(argument.text).empty() && std::ranges::none_of(paths, isElement)) return true;
+    return refuse(
+        in, argument, "expr-E07",
+        fmt::format("{}: its numbers and times are known before anything is drawn; they cannot read "
+                    "what textures and buffers hold",
+                    function));
+}
+
 /// What a call measures. Nothing with the reason reported.
 std::optional<Measure> measureOf(Interpreter& in, const Value& value, const expression::MeasureCall& call,
                                  bool takesTimes) {
@@ -246,12 +262,7 @@ std::optional<Measure> measureOf(Interpreter& in, const Value& value, const expr
     std::vector<Value> arguments;
     for (const expression::Range each : call.numbers) {
         arguments.push_back(partOf(value, each));
-        if (expression::measuresIn(arguments.back().text).empty()) continue;
-        in.reportAt(arguments.back(), "expr-E07",
-                    fmt::format("{}: its numbers are known before anything is drawn; they cannot read what "
-                                "textures and buffers hold",
-                                function));
-        return std::nullopt;
+        if (!isKnownBefore(in, arguments.back(), function)) return std::nullopt;
     }
     const auto numbers = wholesOf(in, arguments);
     if (!numbers) return std::nullopt;
@@ -266,6 +277,7 @@ std::optional<Measure> measureOf(Interpreter& in, const Value& value, const expr
                                 function));
         return std::nullopt;
     }
+    if (!isKnownBefore(in, time, function)) return std::nullopt;
     constexpr double kLatest = 1e12;
     const auto seconds = numberIn(in, time, fmt::format("{}: the time", function), 0, kLatest);
     if (!seconds) return std::nullopt;
