@@ -109,23 +109,6 @@ std::string expressionReference(std::string_view word) {
     return text;
 }
 
-struct WordRow {
-    std::string_view word, form, meaning;
-};
-/// Words that follow a name of the scene, and names that are supplied in one place only.
-constexpr WordRow kOtherWords[] = {
-    {"prev", "NAME.prev", "an object with history, or a camera, as it was in the frame or step before"},
-    {"size", "TEXTURE.size", "width, height, and depth or layers of a texture"},
-    {"count", "BUFFER.count", "the number of elements of a buffer"},
-    {"level", "TEXTURE.level(n)", "a mipmap level of a texture, from 0"},
-    {"layer", "TEXTURE.layer(n)", "a layer of an array, or a slice of a 3D texture, from 0"},
-    {"face", "CUBE.face(n)", "a face of a cube map: 0 to 5 are +x -x +y -y +z -z"},
-    {"index", "NAME.index", "the number of the round of a Repeat over words or values, from 0"},
-    {"vertices", "MESH.vertices", "the number of vertices of a Mesh"},
-    {"primitives", "MESH.primitives", "the number of primitives of a Mesh"},
-    {"vST", "in vec2 vST;", "the place in the target, 0 to 1, in a fragment stage of Fill"},
-};
-
 /// What a uniform or vertex input of that name reads in a modern scene that sets it nowhere
 /// (language, 12.10).
 std::string wellKnownReference(std::string_view word) {
@@ -141,8 +124,11 @@ std::string wellKnownReference(std::string_view word) {
                             attribute, "", type);
         break;
     }
-    for (const WordRow& each : kOtherWords)
-        if (each.word == word) text += fmt::format("{:<38} {}\n", each.form, each.meaning);
+    for (const expression::PartRow& each : expression::partTable())
+        if (each.word == word) text += fmt::format("{:<38} {}\n", each.form, each.summary);
+    if (word == "vST")
+        text += fmt::format("{:<38} {}\n", "in vec2 vST;",
+                            "the place in the target, 0 to 1, in a fragment stage of Fill");
     return text;
 }
 

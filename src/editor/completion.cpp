@@ -278,6 +278,66 @@ void addDeclaredNames(Collector& words, std::string_view text, std::size_t curso
     }
 }
 
+/// The name that a point follows, perhaps with parts between them: `sky.face(+x).`
+std::string_view nameBefore(std::string_view text, std::size_t point) {
+    for (;;) {
+        std::size_t end = point;
+        if (end > 0 && (text[end - 1] == ')' || text[end - 1] == ']')) {
+            int depth = 0;
+            do {
+                const char c = text[--end];
+                if (c == '\n') return {};
+                depth += c == ')' || c == ']' ? 1 : c == '(' || c == '[' ? -1 : 0;
+            } while (depth > 0 && end > 0);
+        }
+        const TextRange word = wordBefore(text, end);
+        if (word.begin == word.end) return {};
+        if (word.begin == 0 || text[word.begin - 1] != '.')
+            return text.substr(word.begin, word.end - word.begin);
+        point = word.begin - 1;
+    }
+}
+
+/// The word of the statement that declares the name; empty if none does.
+std::string_view declaringStatement(std::string_view text, std::string_view name) {
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = text.substr(begin, end - begin);
+        const std::string_view word = firstWord(line);
+        const auto after = static_cast<std::size_t>(word.data() + word.size() - line.data());
+        if (!word.empty() && firstWord(line.substr(after)) == name) return word;
+        begin = end + 1;
+    }
+    return {};
+}
+
+/// The parts and fields that may follow the name before a point.
+void addParts(Collector& words, std::string_view text, std::size_t point) {
+    const std::string_view name = nameBefore(text, point);
+    if (name.empty() || base::isDigit(name.front())) return;
+    const std::string statement = glib::lower(declaringStatement(text, name));
+    const bool isCamera = statement == "camera" || name == "camera" || name == "eye";
+    const bool isCube = statement == "cubemap";
+    const bool isTexture = isCube || statement.starts_with("texture") || name == "window";
+    for (const expression::PartRow& each : expression::partTable()) {
+        const std::string_view owner = each.form.substr(0, each.form.find('.'));
+        const bool isObject = statement == "buffer" || (isTexture && name != "window");
+        const bool fits = owner == "TEXTURE"    ? isTexture && isObject
+                          : owner == "CUBE"     ? isCube
+                          : owner == "BUFFER"   ? statement == "buffer"
+                          : owner == "MESH"     ? statement == "mesh"
+                          : each.word == "prev" ? isCamera || isObject
+                                                : false;
+        if (fits) words.add(each.word, std::string(each.form), std::string(each.summary));
+    }
+    words.nextGroup();
+    if (isCamera)
+        for (const expression::NameRow& each : expression::cameraFields())
+            words.add(each.path, expression::name(each.type), std::string(each.summary));
+    if (isTexture)
+        for (const char* each : {"r", "g", "b", "a"}) words.addInOrder(each, "component", {});
+}
+
 /// The files that the statement may name: shaders of its stage, scenes after Include, else what is neither.
 bool fits(std::string_view statement, const std::filesystem::path& file) {
     const std::optional<glsl::Stage> stage = source::stageOfEndWord("End" + std::string(statement));
@@ -413,9 +473,11 @@ std::vector<Completion> wordsAt(std::string_view text, std::size_t cursor, const
             return found;
         }
         if (isNumber || isInComment(text, cursor, at.language)) return {};
-        if (typed.begin > 0 && text[typed.begin - 1] == '.') return {};
         Collector words(text.substr(typed.begin, typed.end - typed.begin));
-        addGlib(words, text, typed, context);
+        if (typed.begin > 0 && text[typed.begin - 1] == '.')
+            addParts(words, text, typed.begin - 1);
+        else
+            addGlib(words, text, typed, context);
         return from(words.take(), typed.begin);
     }
     const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);

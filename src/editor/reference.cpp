@@ -71,6 +71,14 @@ ReferenceEntry glibEntry(std::string_view word) {
             addTo(entry, each.summary);
             entry.chapter = "docs/language.md, section 1.8";
         }
+    if (!entry.word.empty()) return entry;
+    for (const expression::PartRow& each : expression::partTable())
+        if (each.word == word) {
+            entry.word = word;
+            entry.code.emplace_back(each.form);
+            addTo(entry, each.summary);
+            entry.chapter = "docs/language.md, section 12";
+        }
     return entry;
 }
 

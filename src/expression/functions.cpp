@@ -189,6 +189,19 @@ constexpr FunctionRow kRows[] = {
     {G::motion, "number noise(T p)",
      "gradient noise in -1 to 1 for a number, a vec2 or a vec3; 0 where all coordinates are whole",
      applyNoise},
+
+    {G::data, "T sum(object)", "the sums of the components over all texels or elements", nullptr},
+    {G::data, "T sum(texture, number x, number y, number w, number h)", "", nullptr},
+    {G::data, "T sum(buffer, number first, number last)", "", nullptr},
+    {G::data, "T mean(object)", "the sums divided by the number of texels or elements", nullptr},
+    {G::data, "T mean(texture, number x, number y, number w, number h)", "", nullptr},
+    {G::data, "T mean(buffer, number first, number last)", "", nullptr},
+    {G::data, "T least(object)", "the least value of each component", nullptr},
+    {G::data, "T least(texture, number x, number y, number w, number h)", "", nullptr},
+    {G::data, "T least(buffer, number first, number last)", "", nullptr},
+    {G::data, "T largest(object)", "the largest value of each component", nullptr},
+    {G::data, "T largest(texture, number x, number y, number w, number h)", "", nullptr},
+    {G::data, "T largest(buffer, number first, number last)", "", nullptr},
 };
 
 /// Splits a prototype into its words: the result, the name, and the types of the parameters.
@@ -245,13 +258,14 @@ std::span<const FunctionRow> functionTable() {
 }
 
 std::string_view title(FunctionGroup group) {
-    static constexpr std::array<std::string_view, 7> kTitles{"Types",
+    static constexpr std::array<std::string_view, 8> kTitles{"Types",
                                                              "Numbers, and vectors component by component",
                                                              "Vectors",
                                                              "Comparisons of vectors",
                                                              "Matrices",
                                                              "Transforms and projections",
-                                                             "Motion and chance"};
+                                                             "Motion and chance",
+                                                             "What textures and buffers hold"};
     return kTitles.at(static_cast<std::size_t>(group));
 }
 

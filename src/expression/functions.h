@@ -11,7 +11,7 @@
 
 namespace glibra::expression {
 
-enum class FunctionGroup { constructors, scalars, vectors, booleans, matrices, transforms, motion };
+enum class FunctionGroup { constructors, scalars, vectors, booleans, matrices, transforms, motion, data };
 
 /// One form of a function. The prototype is written as in GLSL: "T mix(T a, T b, number t)", where
 ///
@@ -19,12 +19,15 @@ enum class FunctionGroup { constructors, scalars, vectors, booleans, matrices, t
 ///   B     a bool or a vector of 2 to 4 of them             bvec  a vector of 2 to 4 bools
 ///   mat   a matrix of 2 to 4 columns and rows
 ///
+/// In the group `data` an argument `texture`, `buffer` or `object` is a name (measures.h).
+///
 /// stand for the same number of components everywhere in the prototype.
 struct FunctionRow {
     FunctionGroup group;
     std::string_view prototype;
     std::string_view summary;  ///< empty: that of the row before
-    Apply apply;               ///< null: a constructor, which takes any components
+    /// Null: a constructor, which takes any components, or a function of the group `data`.
+    Apply apply;
     /// The time is appended to the arguments.
     bool readsTime = false;
     /// The arguments may be infinite or not a number.

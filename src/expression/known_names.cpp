@@ -32,7 +32,23 @@ constexpr NameRow kCameraFields[] = {
     {"aspect", Type::number(), D::camera, "width / height of the picture"},
 };
 
+constexpr PartRow kParts[] = {
+    {"level", "TEXTURE.level(n)", "a mipmap level of a texture, from 0"},
+    {"layer", "TEXTURE.layer(n)", "a layer of an array, or a slice of a 3D texture, from 0"},
+    {"face", "CUBE.face(n)", "a face of a cube map: 0 to 5, or +x -x +y -y +z -z"},
+    {"size", "TEXTURE.size", "width, height, and depth or layers of a texture"},
+    {"count", "BUFFER.count", "the number of elements of a buffer"},
+    {"prev", "NAME.prev", "an object with history, or a camera, as it was in the frame or step before"},
+    {"index", "NAME.index", "the number of the round of a Repeat over words or values, from 0"},
+    {"vertices", "MESH.vertices", "the number of vertices of a Mesh"},
+    {"primitives", "MESH.primitives", "the number of primitives of a Mesh"},
+};
+
 }  // namespace
+
+std::span<const PartRow> partTable() {
+    return kParts;
+}
 
 std::span<const NameRow> sceneNames() {
     return kSceneNames;

@@ -105,4 +105,12 @@ std::span<const NameRow> sceneNames();
 /// view, projection, ... without `prev`, which has these fields again.
 std::span<const NameRow> cameraFields();
 
+/// A word that follows a name of the scene and a point.
+struct PartRow {
+    std::string_view word;
+    std::string_view form;  ///< "TEXTURE.level(n)"; NAME stands for several kinds of objects
+    std::string_view summary;
+};
+std::span<const PartRow> partTable();
+
 }  // namespace glibra::expression

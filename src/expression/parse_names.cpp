@@ -15,6 +15,7 @@
 #include "base/suggest.h"
 #include "expression/apply.h"
 #include "expression/functions.h"
+#include "expression/measures.h"
 #include "expression/parser.h"
 
 namespace glibra::expression {
@@ -235,6 +236,21 @@ Construction construct(std::string_view name, std::span<const Type> arguments) {
 constexpr std::size_t kMostArguments = 16;
 
 }  // namespace
+
+Parser::Parsed Parser::measured(const MeasureCall& call) {
+    if (!call.why.empty()) return problem(call.range, "expr-E04", call.why);
+    auto symbol = names_.find(call.path);
+    if (!symbol)
+        return problem(
+            call.range, "expr-E07",
+            fmt::format("{} has no value here: only Expect (condition) and Print (expression) read "
+                        "what textures and buffers hold",
+                        quoted(code_.text, call.range)));
+    lexer_.goTo(call.range.end);
+    take();
+    lastEnd_ = call.range.end;
+    return loaded(call.path, std::move(*symbol), std::nullopt, call.range);
+}
 
 Parser::Parsed Parser::call(const Token& function) {
     const std::span<const FunctionRow> forms = functionsNamed(function.text);

@@ -9,6 +9,7 @@
 #include "base/suggest.h"
 #include "expression/apply.h"
 #include "expression/functions.h"
+#include "expression/measures.h"
 #include "expression/parser.h"
 
 namespace glibra::expression {
@@ -281,15 +282,22 @@ Parser::Parsed Parser::unary() {
 }
 
 Parser::Parsed Parser::postfix() {
-    Parsed value = primary();
+    const std::optional<MeasureCall> measure =
+        token_.kind == TokenKind::name ? measureAt(code_.text, token_.range.begin) : std::nullopt;
+    Parsed value = primary(measure ? &*measure : nullptr);
     while (value && (token_.is(".") || token_.is("["))) {
         if (!settle(*value)) return std::nullopt;
         value = withinLimits(token_.is(".") ? component(*value) : subscripted(*value));
     }
+    if (value && measure && measure->seconds) {
+        lexer_.goTo(measure->seconds->end);
+        take();
+        lastEnd_ = value->range.end = measure->seconds->end;
+    }
     return value;
 }
 
-Parser::Parsed Parser::primary() {
+Parser::Parsed Parser::primary(const MeasureCall* measure) {
     const Token first = token_;
     if (first.kind == TokenKind::number) {
         take();
@@ -297,6 +305,7 @@ Parser::Parsed Parser::primary() {
     }
     if (first.kind == TokenKind::name) {
         take();
+        if (measure) return withinLimits(measured(*measure));
         if (token_.is("(")) return withinLimits(call(first));
         return withinLimits(named(first));
     }

@@ -308,9 +308,12 @@ std::nullopt_t Parser::unexpected(std::string_view expected) {
         return problem(token_.range, "expr-E01",
                        fmt::format("{}: {}", quoted(code_.text, token_.range), token_.why));
     return problem(token_.range, "expr-E01",
-                   fmt::format("expected {}, found {}", expected,
+                   fmt::format("expected {}, found {}{}", expected,
                                token_.kind == TokenKind::end ? std::string("the end of the expression")
-                                                             : quoted(code_.text, token_.range)));
+                                                             : quoted(code_.text, token_.range),
+                               token_.text == "at" ? "; a time may stand after sum, mean, least and largest "
+                                                     "alone: sum(NAME) at 2"
+                                                   : ""));
 }
 
 std::nullopt_t Parser::tooDeep() {

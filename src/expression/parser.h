@@ -31,6 +31,8 @@ struct Operand {
     std::optional<std::size_t> choice = {};
 };
 
+struct MeasureCall;
+
 class Builder {
   public:
     Builder(Code& code, const Limits& limits) : code_(code), limits_(limits) {}
@@ -102,6 +104,8 @@ class Lexer {
   public:
     explicit Lexer(std::string_view text) : text_(text) {}
     Token next();
+    /// The next token begins there, or after blanks.
+    void goTo(std::size_t at) { at_ = at; }
 
   private:
     void skipBlanks();
@@ -181,7 +185,8 @@ class Parser {
     Parsed shortCircuit(Operand left, const Token& sign, int precedence);
     Parsed unary();
     Parsed postfix();
-    Parsed primary();
+    /// `measure`: the call that begins here, or null.
+    Parsed primary(const MeasureCall* measure);
     Parsed component(const Operand& value);
     /// The subscript in brackets: a number. A constant one must be below `count`.
     Parsed subscript(std::size_t count);
@@ -204,6 +209,8 @@ class Parser {
 
     // ---- Calls (parse_calls.cpp)
 
+    /// A call that reads what a texture or buffer holds: a name of its own.
+    Parsed measured(const MeasureCall& call);
     Parsed call(const Token& function);
     /// A function that takes the time as last argument.
     Parsed moving(std::vector<Operand> arguments, const Call& call, const Token& function, Range range);

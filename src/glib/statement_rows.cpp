@@ -399,15 +399,17 @@ constexpr StatementRow kModernRows[] = {
           Standing::outermost),
     closes({Id::endStep, "EndStep", "", "ends a Step"}, Id::step),
     // Checks
-    ofFrame({Id::expect, "Expect",
-             "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
-             "$tolerance | count color:components number:number+2 $tolerance | buffer name:object (at "
-             "index:number values:list | values:list) $within | range name:object bounds:number*2 | sum "
-             "name:object (values:list | total:number) $within | same a:object b:object $within | different "
-             "a:object b:object $within | finite name:object | primitives count:number $within | samples "
-             "count:number $within | error id:word | condition:expression) [at seconds:number]",
-             "a check of the picture, a buffer, a count or a condition"}),
-    ofFrame({Id::print, "Print", "buffer:object [range:number+2]", "reports elements of a buffer"}),
+    ofFrame(
+        {Id::expect, "Expect",
+         "(pixel place:number*2 color:components $tolerance | mean area:number*4 color:components "
+         "$tolerance | count color:components number:number+2 $parts | buffer name:object (at "
+         "index:number values:list | values:list) $within | range name:object bounds:number*2 $area | sum "
+         "name:object (values:list | total:number) $near | same a:object b:object $near | different "
+         "a:object b:object $near | finite name:object $area | primitives count:number $within | samples "
+         "count:number $within | error id:word | condition:expression) [at seconds:number]",
+         "a check of the picture, a buffer, a count or a condition"}),
+    ofFrame({Id::print, "Print", "(value:expression | object:object (in area:number+4 | [range:number+2]))",
+             "reports a value, elements of a buffer, or texels"}),
 };
 
 // ---- Fragments.
@@ -444,6 +446,9 @@ constexpr Fragment kFragments[] = {
     {"volume",
      "[width:texels/1..volume/texels height:texels/1..volume/texels depth:texels/1..volume/texels]"},
     {"tolerance", "{within tolerance:number | of target:object}"},
+    {"area", "[in area:number+4]"},
+    {"near", "{within tolerance:number | in area:number+4}"},
+    {"parts", "{within tolerance:number | of target:object | in area:number+4}"},
 };
 
 constexpr TextureFormat kFormats[] = {{"RGBA8", 4}, {"RGBA16F", 8}, {"RGBA32F", 16}, {"R32F", 4}};

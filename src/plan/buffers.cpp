@@ -26,9 +26,14 @@ class LayoutFinder {
                  std::map<scene::BufferIndex, BufferLayout>& layouts)
         : scene_(scene), plan_(plan), mostBytes_(mostBytes), fileBytes_(fileBytes), layouts_(layouts) {}
 
-    Diagnostics add() && {
+    Diagnostics add(std::span<const FramePlan* const> others) && {
+        others_ = others;
         for (const PlannedProgram& each : plan_.programs)
             for (const BlockUse& use : each.blocks) addBlock(*each.interface, use);
+        for (const FramePlan* other : others)
+            for (const PlannedProgram& each : other->programs)
+                for (const BlockUse& use : each.blocks)
+                    if (isOpen(use.buffer.buffer)) addBlock(*each.interface, use);
         for (const scene::BufferIndex each : plan_.buffers)
             if (!layouts_.contains(each) && !failed_.contains(each)) addByType(each);
         plan_.visitDraws([&](const PlannedDraw& planned, const scene::Draw& draw, const auto&) {
@@ -40,6 +45,13 @@ class LayoutFinder {
     }
 
   private:
+    /// True if the plan has the buffer, and neither a block nor a basic type says how it lies in memory.
+    bool isOpen(scene::BufferIndex buffer) const {
+        return !layouts_.contains(buffer) &&
+               std::ranges::find(plan_.buffers, buffer) != plan_.buffers.end() &&
+               !patternOf(scene_.buffers[buffer].type, glsl::MemoryStructures());
+    }
+
     void fail(scene::BufferIndex buffer, const char* id, std::string text) {
         if (failed_.insert(buffer).second)
             diagnostics_.push_back(diagnose(id, std::move(text), scene_.buffers[buffer].place));
@@ -121,6 +133,11 @@ class LayoutFinder {
             if (std::optional<MemoryPattern> known =
                     patternOf(buffer.type, each.interface->facts.memory.structures))
                 return known;
+        for (const FramePlan* other : others_)
+            for (const PlannedProgram& each : other->programs)
+                if (std::optional<MemoryPattern> known =
+                        patternOf(buffer.type, each.interface->facts.memory.structures))
+                    return known;
         return std::nullopt;
     }
 
@@ -297,6 +314,7 @@ class LayoutFinder {
     std::uint64_t mostBytes_;
     std::uint64_t (*fileBytes_)(const scene::FileReference&);
     std::map<scene::BufferIndex, BufferLayout>& layouts_;
+    std::span<const FramePlan* const> others_;
     std::set<scene::BufferIndex> failed_;
     Diagnostics diagnostics_;
 };
@@ -304,8 +322,9 @@ class LayoutFinder {
 }  // namespace
 
 Diagnostics BufferLayouts::add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
-                               std::uint64_t (*fileBytes)(const scene::FileReference& file)) {
-    return LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add();
+                               std::uint64_t (*fileBytes)(const scene::FileReference& file),
+                               std::span<const FramePlan* const> others) {
+    return LayoutFinder(scene, plan, mostBytes, fileBytes, layouts_).add(others);
 }
 
 const BufferLayout* BufferLayouts::find(scene::BufferIndex buffer) const {
@@ -322,9 +341,14 @@ void setIndex(std::string& name, std::size_t at, std::uint64_t index) {
     if (at != std::string::npos) name.replace(at, 3, fmt::format("[{}]", index));
 }
 
-/// The name of the member that begins at each byte of the block.
-std::map<std::uint64_t, std::string> namesOf(const base::StorageBlock& block) {
-    std::map<std::uint64_t, std::string> names;
+struct MemberAt {
+    std::string name;
+    int matrixColumns = 1;
+};
+
+/// The member that begins at each byte of the block.
+std::map<std::uint64_t, MemberAt> namesOf(const base::StorageBlock& block) {
+    std::map<std::uint64_t, MemberAt> names;
     const std::string prefix = block.name.substr(0, block.name.find('[')) + ".";
     for (const base::StorageMember& member : block.members) {
         const bool hasPrefix = member.name.starts_with(prefix);
@@ -342,7 +366,7 @@ std::map<std::uint64_t, std::string> namesOf(const base::StorageBlock& block) {
                 names.try_emplace(static_cast<std::uint64_t>(member.offset) +
                                       i * static_cast<std::uint64_t>(member.outerStride) +
                                       j * static_cast<std::uint64_t>(member.arrayStride),
-                                  std::move(name));
+                                  MemberAt{std::move(name), member.type.columns});
             }
     }
     return names;
@@ -356,7 +380,7 @@ std::string nameInElement(const std::string& name) {
 
 /// A column begins where a member begins.
 std::vector<BufferColumn> columnsOf(const std::vector<MemoryNumber>& numbers, std::uint64_t from,
-                                    const std::map<std::uint64_t, std::string>& names, bool isElement,
+                                    const std::map<std::uint64_t, MemberAt>& names, bool isElement,
                                     std::size_t most) {
     std::vector<BufferColumn> columns;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -367,8 +391,8 @@ std::vector<BufferColumn> columnsOf(const std::vector<MemoryNumber>& numbers, st
             continue;
         }
         std::string title = numbers.size() <= 4 ? "value" : fmt::format("numbers from {}", i);
-        if (name != names.end()) title = isElement ? nameInElement(name->second) : name->second;
-        columns.push_back({std::move(title), i, 1});
+        if (name != names.end()) title = isElement ? nameInElement(name->second.name) : name->second.name;
+        columns.push_back({std::move(title), i, 1, name != names.end() ? name->second.matrixColumns : 1});
     }
     return columns;
 }
@@ -396,6 +420,7 @@ base::StorageBlock blockOf(const BlockUse& use, const ProgramInterface& interfac
         base::StorageMember& member = add(each.isArray ? each.name + "[0]" : each.name, each.offset);
         member.arraySize = each.arraySize;
         member.arrayStride = each.arrayStride;
+        member.type = each.type;
     }
     return block;
 }
@@ -408,7 +433,7 @@ std::optional<base::StorageBlock> blockOf(const FramePlan& plan, scene::BufferIn
 }
 
 BufferTable tableOf(const BufferLayout& layout, const base::StorageBlock* block, std::size_t most) {
-    std::map<std::uint64_t, std::string> names;
+    std::map<std::uint64_t, MemberAt> names;
     if (block != nullptr) names = namesOf(*block);
     const MemoryPattern& pattern = layout.pattern;
     BufferTable table;

@@ -38,9 +38,11 @@ class BufferLayouts {
     /// Adds the buffers that the plan uses. Errors: memory-E03 for blocks that lay out one buffer
     /// differently, memory-E04 for a buffer that is too small for its block, memory-E17 for one larger than
     /// `mostBytes`, and memory-E05 for a buffer whose type is not known. `fileBytes` returns the size of a
-    /// file.
+    /// file. Blocks and structures of `others` decide about buffers without a basic type that no block of
+    /// `plan` uses.
     Diagnostics add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
-                    std::uint64_t (*fileBytes)(const scene::FileReference& file));
+                    std::uint64_t (*fileBytes)(const scene::FileReference& file),
+                    std::span<const FramePlan* const> others = {});
     /// Null if no plan uses the buffer, or with an error.
     [[nodiscard]] const BufferLayout* find(scene::BufferIndex buffer) const;
 
@@ -61,6 +63,7 @@ std::optional<base::StorageBlock> blockOf(const FramePlan& plan, scene::BufferIn
 struct BufferColumn {
     std::string name;
     std::size_t first = 0, count = 1;  ///< numbers, counted from the first one of the element or the head
+    int matrixColumns = 1;             ///< of a matrix, whose numbers come column by column; else 1
 };
 
 struct BufferTable {

@@ -143,7 +143,7 @@ Diagnostics Conductor::prepare(Result<PlanRequest> asked, bool inputsDiffer) {
     }
     if (stopsWith(diagnostics)) return diagnostics;
     add(measure());
-    add(device.prepare(plan, programs));
+    add(device.prepare(plan, programs, plans()));
     if (inputsDiffer && !isFirst && runsBlocks()) {
         add(simulation->variablesChanged(), true);
         add(measure());

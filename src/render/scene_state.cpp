@@ -134,13 +134,10 @@ Result<plan::PlanOptions> SceneState::planOptions(bool everything) {
     }
     if (options.checks) {
         for (const scene::Check& each : scene.checks)
-            for (const auto& object : {each.object, each.other})
-                if (object) made.roots.push_back(*object);
-        for (const scene::Check& check : scene.checks)
-            for (const scene::BufferIndex each : check.reads)
-                made.roots.emplace_back(scene::BufferView{each});
+            for (const scene::ObjectView& object : each.objects()) made.roots.push_back(object);
     }
-    for (const scene::Print& each : scene.prints) made.roots.emplace_back(each.buffer);
+    for (const scene::Print& each : scene.prints)
+        for (const scene::ObjectView& object : each.objects()) made.roots.push_back(object);
     made.everything = everything || !options.skip;
     made.shareMeshes = options.skip;
     made.reportsNames = !conductor.hasBlocks();

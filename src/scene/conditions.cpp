@@ -9,7 +9,6 @@
 
 #include "expression/expression.h"
 #include "glib/number.h"
-#include "scene/scene.h"
 
 namespace glibra::scene {
 namespace {
@@ -42,13 +41,22 @@ std::optional<ComparisonAt> comparisonIn(std::string_view text) {
     return found;
 }
 
-/// A number, or the components of a vector or matrix: "[1 0 2]".
+/// A number, the components of a vector, "[1 0 2]", or the rows of a matrix, "[1 0] [0 1]".
 std::string textOfValue(const expression::Value& value) {
-    if (value.type == expression::Type::boolean()) return value.truth() ? "true" : "false";
-    if (value.all().size() == 1) return glib::numberText(value.number());
+    const bool areTruths = value.type.kind == expression::Kind::boolean;
+    const auto textOf = [&](double each) {
+        return !areTruths ? glib::numberText(each) : each != 0 ? "true" : "false";
+    };
+    if (value.all().size() == 1) return textOf(value.number());
+    const std::size_t columns = value.type.columns, rows = value.type.rows;
     std::string text;
-    for (const double each : value.all()) text += (text.empty() ? "[" : " ") + glib::numberText(each);
-    return text + "]";
+    for (std::size_t row = 0; row < (columns > 1 ? rows : 1); ++row) {
+        text += row > 0 ? " [" : "[";
+        for (std::size_t k = 0; k < (columns > 1 ? columns : rows); ++k)
+            text += (k > 0 ? " " : "") + textOf(value.all()[columns > 1 ? k * rows + row : k]);
+        text += "]";
+    }
+    return text;
 }
 
 /// The two sides of a comparison with their values; empty if the text is something else.
@@ -74,18 +82,26 @@ void ConditionNames::add(Name name) {
     names_.push_back(std::move(name));
 }
 
-std::vector<std::string> ConditionNames::buffers() const {
-    std::vector<std::string> buffers;
-    for (const Name& each : names_)
-        if (!each.buffer.empty() && std::ranges::find(buffers, each.buffer) == buffers.end())
-            buffers.push_back(each.buffer);
-    return buffers;
+std::vector<ObjectView> ConditionNames::objects() const {
+    std::vector<ObjectView> objects;
+    for (const Name& each : names_) {
+        if (each.buffer) objects.emplace_back(*each.buffer);
+        if (each.measure && each.measure->of.object) objects.push_back(*each.measure->of.object);
+    }
+    return objects;
 }
 
-void ConditionNames::readBuffers(const std::function<std::vector<double>(const std::string& buffer)>& read) {
+std::vector<Measure> ConditionNames::measures() const {
+    std::vector<Measure> measures;
+    for (const Name& each : names_)
+        if (each.measure) measures.push_back(*each.measure);
+    return measures;
+}
+
+void ConditionNames::readBuffers(const std::function<std::vector<double>(const BufferView& buffer)>& read) {
     for (Name& each : names_) {
-        if (each.buffer.empty() || each.elementSize == 0) continue;
-        std::vector<double> numbers = read(each.buffer);
+        if (!each.buffer || each.elementSize == 0) continue;
+        std::vector<double> numbers = read(*each.buffer);
         const std::size_t count = numbers.size() / each.elementSize;
         if (each.symbol.count > 0) {
             each.components = std::move(numbers);
@@ -95,6 +111,17 @@ void ConditionNames::readBuffers(const std::function<std::vector<double>(const s
             each.components = {static_cast<double>(count)};
             each.has = {true};
         }
+    }
+}
+
+void ConditionNames::measure(const std::function<Measured(const Measure& measure)>& value) {
+    for (Name& each : names_) {
+        if (!each.measure) continue;
+        Measured found = value(*each.measure);
+        each.has.assign(1, !found.components.empty());
+        each.components = std::move(found.components);
+        each.why = std::move(found.why);
+        if (each.has.front()) each.symbol.type = found.type;
     }
 }
 
@@ -117,21 +144,41 @@ std::string ConditionNames::whyMissing(std::uint32_t slot, std::size_t) const {
     return names_.at(slot).why;
 }
 
-Result<ConditionAnswer> answerCondition(
-    const Check& check, const std::function<std::vector<double>(const std::string& buffer)>& read) {
-    const glib::Position begin = glib::placeIn(*check.condition, 0);
-    static constexpr expression::Type kTypes[] = {expression::Type::boolean(), expression::Type::number()};
-    const std::string& text = check.condition->text;
-    ConditionNames names = *check.names;
-    names.readBuffers(read);
-    const auto parsed =
-        expression::parse(text, {check.place.file, begin.line, begin.column}, names, {.types = kTypes});
+Result<Answer> answerTo(const glib::Value& expression, const ConditionNames& names, const std::string& file,
+                        const expression::Wanted& wanted) {
+    const glib::Position begin = glib::placeIn(expression, 0);
+    const std::string& text = expression.text;
+    const auto parsed = expression::parse(text, {file, begin.line, begin.column}, names, wanted);
     if (!parsed) return parsed.problem.message;
     const auto value = parsed->evaluate(names);
     if (!value) return value.problem.message;
     std::string found = sidesOf(text, names);
     if (found.empty()) found = textOfValue(*value);
-    return ConditionAnswer{value->truth(), std::move(found)};
+    return Answer{*value, std::move(found)};
+}
+
+std::vector<ObjectView> Check::objects() const {
+    std::vector<ObjectView> objects;
+    if (condition.names) objects = condition.names->objects();
+    for (const auto& each : {of.object, other.object})
+        if (each) objects.push_back(*each);
+    return objects;
+}
+
+std::vector<double> Check::times() const {
+    std::vector<double> times;
+    if (seconds) times.push_back(*seconds);
+    if (condition.names)
+        for (const Measure& each : condition.names->measures())
+            if (each.seconds) times.push_back(*each.seconds);
+    return times;
+}
+
+std::vector<ObjectView> Print::objects() const {
+    std::vector<ObjectView> objects;
+    if (value.names) objects = value.names->objects();
+    if (of.object) objects.push_back(*of.object);
+    return objects;
 }
 
 }  // namespace glibra::scene

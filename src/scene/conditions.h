@@ -1,5 +1,5 @@
 #pragma once
-// The conditions of checks: Expect (condition) (language, 12.9).
+// Expressions that read what was drawn: Expect (condition) and Print (expression) (language, 12.9).
 
 #include <glibra/result.h>
 
@@ -9,30 +9,45 @@
 #include <string_view>
 #include <vector>
 
-#include "expression/known_names.h"
+#include "expression/expression.h"
+#include "scene/nodes.h"
 
 namespace glibra::scene {
 
-struct Check;
+/// What a condition may be.
+inline constexpr expression::Type kConditionTypes[] = {expression::Type::boolean(),
+                                                       expression::Type::number()};
+
+/// What a function of a condition gives.
+struct Measured {
+    expression::Type type;
+    std::vector<double> components;  ///< as many as the type has; empty: there is no value
+    std::string why{};               ///< there is no value
+};
 
 /// The names that a condition reads, with the values that they have where it stands. The elements of buffers
-/// are known when the condition is answered.
+/// and what functions measure are known when the condition is answered.
 class ConditionNames final : public expression::Names, public expression::Values {
   public:
     struct Name {
         std::string path;
         expression::Symbol symbol;
-        std::vector<double> components;  ///< of all elements
-        std::vector<bool> has{};         ///< by element
-        std::string why{};               ///< a value is missing
-        std::string buffer{};            ///< of an element or of the count: the name of the buffer
-        std::size_t elementSize = 0;     ///< components of its elements; 0: they are structures
+        std::vector<double> components;      ///< of all elements
+        std::vector<bool> has{};             ///< by element
+        std::string why{};                   ///< a value is missing
+        std::optional<BufferView> buffer{};  ///< whose element or count it is
+        std::size_t elementSize = 0;         ///< components of its elements; 0: they are structures
+        std::optional<Measure> measure{};    ///< it is a call that measures something
     };
     void add(Name name);
-    /// The names of the buffers that are read, each once.
-    [[nodiscard]] std::vector<std::string> buffers() const;
+    /// The textures and buffers that are read, at any time.
+    [[nodiscard]] std::vector<ObjectView> objects() const;
+    /// What calls measure.
+    [[nodiscard]] std::vector<Measure> measures() const;
     /// Fills in the elements and counts of buffers. `read` returns the numbers of a buffer.
-    void readBuffers(const std::function<std::vector<double>(const std::string& buffer)>& read);
+    void readBuffers(const std::function<std::vector<double>(const BufferView& buffer)>& read);
+    /// Fills in what calls measure.
+    void measure(const std::function<Measured(const Measure& measure)>& value);
 
     [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override;
     [[nodiscard]] std::vector<std::string> known(std::string_view path) const override;
@@ -43,16 +58,15 @@ class ConditionNames final : public expression::Names, public expression::Values
     std::vector<Name> names_;  ///< by slot
 };
 
-/// Whether a condition is true, and what it was found to be: "5 == 7" if it compares two values, otherwise
-/// "true" or "false".
-struct ConditionAnswer {
-    bool holds = false;
+/// The value of an expression, and what was found: "5 == 7" if it compares two values, otherwise the value as
+/// text, "true" or "[1 0 2]".
+struct Answer {
+    expression::Value value;
     std::string found;
 };
 
-/// Evaluates the condition of a check. `read` returns the numbers of a buffer. Reports why the condition has
-/// no value.
-Result<ConditionAnswer> answerCondition(
-    const Check& check, const std::function<std::vector<double>(const std::string& buffer)>& read);
+/// Evaluates the expression with these names. `file`: that it stands in. Reports why it has no value.
+Result<Answer> answerTo(const glib::Value& expression, const ConditionNames& names, const std::string& file,
+                        const expression::Wanted& wanted = {});
 
 }  // namespace glibra::scene

@@ -155,6 +155,32 @@ struct ClearObject {
     std::variant<TextureIndex, BufferIndex> object;
 };
 
+/// What a check, a Print or a function of conditions looks at.
+struct Selection {
+    std::optional<ObjectView> object{};  ///< nothing: the window
+    /// Components of texels or of vectors, "rgb", or a member of the structures of a buffer, "velocity.x";
+    /// empty: all of a texel or element.
+    std::string part{};
+    /// Of a texture or the window: x, y, width and height in texels, counted from the lower left corner. Of a
+    /// buffer: the first and the last element. Empty: all.
+    std::vector<double> area{};
+    friend bool operator==(const Selection&, const Selection&) = default;
+};
+
+/// What a function of a condition reads: `mean(glow, 0, 0, 8, 8) at 2`.
+struct Measure {
+    std::string function;  ///< "sum", "mean", "least", "largest"
+    Selection of;
+    std::optional<double> seconds{};  ///< the scene time; nothing: that at which the condition is answered
+    friend bool operator==(const Measure&, const Measure&) = default;
+};
+
+/// An expression that is evaluated when the picture is there.
+struct Question {
+    const glib::Value* expression = nullptr;  ///< of the script, which must outlive this; null: there is none
+    std::shared_ptr<const ConditionNames> names{};  ///< that it reads
+};
+
 /// A check of the picture, an object or a count.
 struct Check {
     enum class Kind {
@@ -174,17 +200,19 @@ struct Check {
     };
     Kind kind = Kind::pixel;
     Place place;
-    std::string text;                    ///< as written
-    std::optional<double> seconds{};     ///< the scene time; nothing: that of the picture
-    std::optional<ObjectView> object{};  ///< nothing: the window
-    std::optional<ObjectView> other{};   ///< of same and different; nothing: the window
+    std::string text;                 ///< as written
+    std::optional<double> seconds{};  ///< the scene time; nothing: that of the picture
+    Selection of{};
+    Selection other{};  ///< of same and different
     std::vector<double> numbers;
     std::vector<double> wanted;  ///< components of a colour or values of a buffer
     double tolerance = 0;        ///< absolute
     std::string word{};
-    const glib::Value* condition = nullptr;         ///< of the script, which must outlive the check
-    std::shared_ptr<const ConditionNames> names{};  ///< that the condition reads
-    std::vector<BufferIndex> reads{};               ///< the buffers that the condition reads
+    Question condition{};
+    /// The textures and buffers that it looks at, at any time.
+    [[nodiscard]] std::vector<ObjectView> objects() const;
+    /// The times that it states: its own, and those of a condition.
+    [[nodiscard]] std::vector<double> times() const;
     /// Which run of the statement this is: the rounds of the repetitions around it, and the places of Draw
     /// and Include statements that lead to it. No two checks have equal places and paths.
     std::vector<std::size_t> path{};
@@ -194,10 +222,11 @@ struct Check {
 /// A Print statement.
 struct Print {
     Place place;
-    BufferView buffer;
-    std::string name;  ///< of the buffer, as written
-    std::uint64_t first = 0;
-    std::uint64_t count = 0;  ///< elements; 0: all
+    std::string name;  ///< what it prints, as written
+    Selection of{};    ///< unless `value` is an expression
+    Question value{};
+    /// The textures and buffers that it looks at.
+    [[nodiscard]] std::vector<ObjectView> objects() const;
 };
 
 /// An Expect statement that has not run.

@@ -24,11 +24,17 @@ bool takePart(std::string_view& text, std::string_view& word, std::optional<int>
     if (!text.starts_with('(')) return true;
     const std::size_t close = text.find(')');
     if (close == std::string_view::npos) return false;
+    text.remove_prefix(1);
+    number = word == "face" ? faceNamed(text.substr(0, close - 1)) : std::nullopt;
+    if (number) {
+        text.remove_prefix(close);
+        return true;
+    }
     int value = 0;
-    const auto [last, problem] = std::from_chars(text.data() + 1, text.data() + close, value);
-    if (problem != std::errc() || last != text.data() + close || value < 0) return false;
+    const auto [last, problem] = std::from_chars(text.data(), text.data() + close - 1, value);
+    if (problem != std::errc() || last != text.data() + close - 1 || value < 0) return false;
     number = value;
-    text.remove_prefix(close + 1);
+    text.remove_prefix(close);
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 namespace glibra::scene {
 
@@ -65,6 +66,13 @@ std::optional<std::array<int, 2>> targetSize(const Scene& scene, const Pass& pas
     const auto size = sizeOfLevel(scene.textures[texture], level);
     if (!size) return std::nullopt;
     return std::array{(*size)[0], (*size)[1]};
+}
+
+std::optional<int> faceNamed(std::string_view word) {
+    static constexpr std::string_view kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+    const auto* const found = std::ranges::find(kFaces, word);
+    if (found == std::end(kFaces)) return std::nullopt;
+    return static_cast<int>(found - std::begin(kFaces));
 }
 
 std::string_view wordOf(TextureTarget target) {

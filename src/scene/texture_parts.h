@@ -27,6 +27,9 @@ std::optional<int> layersOf(const Texture& texture, int level);
 /// Width and height of the targets of a pass; nothing for the window and for textures of files.
 std::optional<std::array<int, 2>> targetSize(const Scene& scene, const Pass& pass);
 
+/// The number of the face of a cube map: 0 to 5 for "+x", "-x", "+y", "-y", "+z", "-z".
+std::optional<int> faceNamed(std::string_view word);
+
 /// "1D", "2D", "3D", "cube", "2DArray", "rectangle".
 std::string_view wordOf(TextureTarget target);
 

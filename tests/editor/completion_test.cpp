@@ -134,6 +134,28 @@ TEST(Completion, ProposesKeysOfTheStatementAndDeclaredNames) {
     EXPECT_TRUE(find(at("Sphere (ti|", scene()), "time"));
 }
 
+TEST(Completion, ProposesPartsOfTheNameBeforeAPoint) {
+    const auto wordsAfter = [](const std::string& typed) {
+        std::string all;
+        for (const Completion& each :
+             at("Texture2D glow 8 8 rgba8\nCubeMap sky 8 rgba8\nBuffer p vec4 9\nCamera sun LookAt 0 0 5  0 0 "
+                "0  0 1 0  Perspective 50 1 9\n" +
+                    typed + "|",
+                scene()))
+            all += each.word + " ";
+        return all;
+    };
+    EXPECT_EQ(wordsAfter("Expect finite glow."), "layer level prev size r g b a ");
+    EXPECT_EQ(wordsAfter("Expect finite sky.face(+x)."), "face layer level prev size r g b a ");
+    EXPECT_EQ(wordsAfter("Expect (sum(p."), "count prev ");
+    EXPECT_EQ(wordsAfter("Print window."), "r g b a ");
+    EXPECT_EQ(wordsAfter("Expect (sum(sky.level(2).fa"), "face ");
+    EXPECT_EQ(wordsAfter("MultMatrix (sun.viewP"), "viewProjection ");
+    EXPECT_EQ(wordsAfter("Sphere ."), "");
+    EXPECT_EQ(wordsAfter("Sphere nothing."), "");
+    EXPECT_EQ(find(at("Buffer p vec4 9\nExpect (lar|", scene()), "largest")->type, "T largest(object)");
+}
+
 TEST(Completion, ProposesFormatsOfTexturesAndNoNamesAmongNumbers) {
     EXPECT_TRUE(find(at("Texture2D t 10 10 rg|", scene()), "rg16f"));
     EXPECT_TRUE(find(at("CubeMap t 10 r32|", scene()), "r32f"));

@@ -245,7 +245,9 @@ TEST(ExpressionFunctions, EachFormOfEachFunctionIsAmongTheCases) {
     for (const Case& each : cases()) all += each.text + "\n";
     std::set<std::string_view> missing;
     for (const FunctionRow& row : functionTable())
-        if (all.find(std::string(row.name()) + "(") == std::string::npos) missing.insert(row.name());
+        if (row.group != FunctionGroup::data &&  // measures_test.cpp
+            all.find(std::string(row.name()) + "(") == std::string::npos)
+            missing.insert(row.name());
     EXPECT_EQ(missing, (std::set<std::string_view>{"rand", "noise"}))
         << "add a case for each other function; these two have a file of their own";
 }

@@ -41,8 +41,8 @@ TEST(ScriptChecks, AConditionThatFailsShowsBothSides) {
     EXPECT_EQ(found("(sums[0] == 40 && sums[1] == 2)"), "false");
     EXPECT_EQ(found("(aim - 3)"), "0");
     EXPECT_NE(found("primitives (sums[0])")
-                  .find("'sums[0]' has no value here: only Expect (condition) reads the "
-                        "elements of buffers"),
+                  .find("'sums[0]' has no value here: only Expect (condition) and Print "
+                        "(expression) read the elements of buffers"),
               std::string::npos);
 }
 

@@ -170,6 +170,10 @@ constexpr Specimen kSpecimens[] = {
     {"Expect mean 0 0 4 4 [1 0 0] within .1 of albedo", "Box\n"},
     {"Expect count [1 0 0] 5 of albedo", "Box\n"},
     {"Expect count [1 0 0] 5 7 of albedo", "Box\n"},
+    {"Expect count [1 0 0] 5 of albedo in 0 0 1 1 within .1", "Box\n"},
+    {"Expect range albedo.r 0 1 in 0 0 1 1", "Box\n"},
+    {"Expect sum points 0 within .1 in 0 0", "Box\n"},
+    {"Expect finite points in 0 0", "Box\n"},
     {"Expect buffer counts [1 2] within .5", "Box\n"},
     {"Expect buffer counts at 2 [1 2] at 1", "Box\n"},
     {"Expect range points 0 1", "Box\n"},
@@ -183,6 +187,8 @@ constexpr Specimen kSpecimens[] = {
     {"Expect (counts[0] == 4)", "Box\n"},
     {"Print counts", "Box\n"},
     {"Print counts 0 2", "Box\n"},
+    {"Print albedo in 0 0 1 1", "Box\n"},
+    {"Print (sum(counts) + 1)", "Box\n"},
 };
 
 /// A piece of a statement: a word, a number, or a bracket with what stands in it.
@@ -351,7 +357,8 @@ TEST_F(Statements, ReportAnExpressionThatHasNoValueOnce) {
                 bad[i].text = wrong;
                 SCOPED_TRACE(wrong);
                 // The value of a condition is asked for when the picture is there.
-                const bool isLater = good[i].text.front() == '(' && good.front().text == "Expect";
+                const bool isLater = good[i].text.front() == '(' &&
+                                     (good.front().text == "Expect" || good.front().text == "Print");
                 const Tried tried = tryPieces(each, bad, i);
                 if (!isLater || !tried.errors.empty()) expectThere(tried);
             }

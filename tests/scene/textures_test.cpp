@@ -259,6 +259,11 @@ TEST(TextureNames, APartOfSeveralCubeMapsHasALayerAndAFace) {
     EXPECT_EQ(layerOf("lamps.layer(1).face(2)"), 8);
     EXPECT_EQ(layerOf("lamps.face(5).layer(0)"), 5);
     EXPECT_EQ(layerOf("sky.face(3)"), 3);
+    EXPECT_EQ(layerOf("sky.face(-y)"), 3);
+    EXPECT_EQ(layerOf("sky.face(+x)"), 0);
+    EXPECT_EQ(layerOf("lamps.layer(1).face(-z)"), 11);
+    EXPECT_EQ(layerOf("sky.face(+w)"), -2);
+    EXPECT_EQ(layerOf("sky.layer(+x)"), -2);
     for (const char* wrong : {"lamps.layer(1)", "lamps.face(1)", "lamps.layer(2).face(0)",
                               "lamps.layer(400000000).face(0)", "lamps.layer(0).face(6)"})
         EXPECT_EQ(textsOf(textureNamed(scene, wrong).diagnostics),

@@ -20,8 +20,8 @@ using Numbers = std::span<const double>;
 /// Half of the distance of stored values, and what the conversion to float may add.
 constexpr double kHalfStep = .5 + 1e-4;
 
-constexpr std::size_t kMostShown = 8;         // numbers in a message
-constexpr std::uint64_t kMostPrinted = 1000;  // elements of a Print
+constexpr std::size_t kMostShown = 8;       // numbers in a message
+constexpr std::size_t kMostPrinted = 1000;  // texels or elements of a Print
 
 /// A number with as many digits as tell it from its neighbours: all of a whole number, nine of a float.
 std::string shownNumber(double number, bool isDouble = false) {
@@ -58,6 +58,28 @@ class Examples {
     std::size_t count_ = 0;
     std::vector<std::string> texts_;
 };
+
+/// Where an element lies: "3 4", "3 4 of face 1" of a texture, "3" of a buffer.
+std::string placeOf(const Content& content, std::size_t element) {
+    const auto width = static_cast<std::size_t>(content.width);
+    const auto height = static_cast<std::size_t>(content.height);
+    const std::size_t row = element / width;
+    std::string place = std::to_string(element % width + static_cast<std::size_t>(content.left));
+    if (content.hasRows || content.height * content.depth > 1)
+        place += fmt::format(" {}", row % height + static_cast<std::size_t>(content.bottom));
+    if (content.depth > 1) place += fmt::format(" of {} {}", content.isCube ? "face" : "layer", row / height);
+    return place;
+}
+
+/// The same of value number `index`: "3 4 of face 1, component 2".
+std::string positionOf(const Content& content, std::size_t index) {
+    const auto components = static_cast<std::size_t>(content.components);
+    std::string position = placeOf(content, index / components);
+    if (components == 1) return position;
+    const std::size_t component = index % components;
+    return position +
+           fmt::format(", component {}", content.picked.empty() ? component : content.picked[component]);
+}
 
 class Answerer {
   public:
@@ -114,10 +136,10 @@ class Answerer {
 
     template <class Work>
     Answer onContent(const Work& work) {
-        const Result<Content> content = ask_.contentOf(check_.object);
+        const auto content = ask_.contents.of(check_.of);
         if (!content) return refused(reasonOf(content.diagnostics));
-        isOfDoubles_ = content->isOfDoubles;
-        return work(*content);
+        isOfDoubles_ = (*content)->isOfDoubles;
+        return work(**content);
     }
 
     /// Values of a normalised format are equal if they are the same multiple of its step.
@@ -165,13 +187,15 @@ class Answerer {
             return refused(
                 fmt::format("'{}' has {} x {} pixels", content.name, content.width, content.height));
         if (const std::string why = misfit(content); !why.empty()) return refused(why);
-        std::vector<double> sum(static_cast<std::size_t>(content.components));
-        for (auto row = static_cast<std::size_t>(y); row < static_cast<std::size_t>(y + h); ++row)
-            for (auto column = static_cast<std::size_t>(x); column < static_cast<std::size_t>(x + w);
-                 ++column) {
-                const Numbers texel = content.at(row * static_cast<std::size_t>(content.width) + column);
-                for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += texel[i];
-            }
+        Content area;
+        area.components = content.components;
+        for (auto row = static_cast<std::size_t>(y); row < static_cast<std::size_t>(y + h); ++row) {
+            const std::size_t first =
+                row * static_cast<std::size_t>(content.width) + static_cast<std::size_t>(x);
+            for (std::size_t i = first; i < first + static_cast<std::size_t>(w); ++i)
+                area.values.insert(area.values.end(), content.at(i).begin(), content.at(i).end());
+        }
+        std::vector<double> sum = sumsOf(area);
         for (double& each : sum) each /= w * h;
         if (equal(check_.wanted, sum, content)) return std::nullopt;
         return wrong(wantedText(), text(shown(sum, check_.wanted.size())));
@@ -217,21 +241,6 @@ class Answerer {
                      fmt::format("{} that differ: {}", differing.count(), differing.text()));
     }
 
-    /// Where value number `index` of a content lies: "3 4 of face 1, component 2" of a texture, "3" of a
-    /// buffer.
-    [[nodiscard]] static std::string positionOf(const Content& content, std::size_t index) {
-        const auto components = static_cast<std::size_t>(content.components);
-        const auto width = static_cast<std::size_t>(content.width);
-        const auto height = static_cast<std::size_t>(content.height);
-        const std::size_t element = index / components, row = element / width;
-        std::string position = std::to_string(element % width);
-        if (content.height * content.depth > 1) position += fmt::format(" {}", row % height);
-        if (content.depth > 1)
-            position += fmt::format(" of {} {}", content.isCube ? "face" : "layer", row / height);
-        if (components > 1) position += fmt::format(", component {}", index % components);
-        return position;
-    }
-
     /// Reports the values that fail.
     template <class Holds>
     [[nodiscard]] Answer each(const Content& content, const std::string& wanted, const Holds& holds) const {
@@ -253,23 +262,12 @@ class Answerer {
         return each(content, "finite values", [](double value) { return std::isfinite(value); });
     }
 
-    /// The sums are those of Neumaier (1974), so that their rounding does not grow with the number of values.
     [[nodiscard]] Answer sum(const Content& content) const {
         if (const std::string why = misfit(content); !why.empty()) return refused(why);
-        const auto count = static_cast<std::size_t>(content.components);
-        std::vector<double> sums(count), lost(count);
-        for (std::size_t i = 0; i < content.values.size(); ++i) {
-            const double value = content.values[i];
-            double& total = sums[i % count];
-            const double next = total + value;
-            lost[i % count] +=
-                std::abs(total) >= std::abs(value) ? total - next + value : value - next + total;
-            total = next;
-        }
+        const std::vector<double> sums = sumsOf(content);
         bool holds = true;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (std::isfinite(sums[i])) sums[i] += lost[i];
-            if (i >= check_.wanted.size() || sums[i] == check_.wanted[i]) continue;
+        for (std::size_t i = 0; i < check_.wanted.size(); ++i) {
+            if (sums[i] == check_.wanted[i]) continue;
             holds = holds && std::abs(sums[i] - check_.wanted[i]) <= check_.tolerance;
         }
         if (holds) return std::nullopt;
@@ -277,8 +275,9 @@ class Answerer {
     }
 
     [[nodiscard]] Answer relation(const Content& content) const {
-        const Result<Content> other = ask_.contentOf(check_.other);
-        if (!other) return refused(reasonOf(other.diagnostics));
+        const auto read = ask_.contents.of(check_.other);
+        if (!read) return refused(reasonOf(read.diagnostics));
+        const Content* const other = read->get();
         const bool fits = content.width == other->width && content.height == other->height &&
                           content.depth == other->depth && content.components == other->components;
         const bool wantsSame = check_.kind == Kind::same;
@@ -313,10 +312,10 @@ class Answerer {
     }
 
     [[nodiscard]] Answer condition() const {
-        const Result<scene::ConditionAnswer> answer = ask_.condition(check_);
+        const Result<scene::Answer> answer = ask_.condition(check_);
         if (!answer)
             return answer.diagnostics.empty() ? refused("it has no value") : answer.diagnostics.front();
-        return answer->holds ? std::nullopt : Answer(wrong("true", answer->found));
+        return answer->value.truth() ? std::nullopt : Answer(wrong("true", answer->found));
     }
 
     const Check& check_;
@@ -330,24 +329,51 @@ std::optional<Diagnostic> answer(const Check& check, const CheckQuestions& quest
     return Answerer(check, questions).answer();
 }
 
-Diagnostics printedElements(const scene::Print& print, const Content& content) {
-    const std::uint64_t all = content.size();
-    if (print.first >= all && print.count > 0)
-        return {diagnose("check-N02",
-                         fmt::format("Print {}: it has {}", print.name, base::counted(all, "element")),
-                         print.place)};
-    const std::uint64_t count =
-        std::min(print.count > 0 ? print.count : all, all - std::min(print.first, all));
-    Diagnostics notes;
-    for (std::uint64_t i = print.first; i < print.first + std::min(count, kMostPrinted); ++i) {
-        std::string text = fmt::format("{}[{}]:", print.name, i);
-        for (const double each : content.at(i)) text += " " + shownNumber(each, content.isOfDoubles);
-        notes.push_back(diagnose("check-N02", std::move(text), print.place));
+namespace {
+
+/// The numbers of an element: records member by member, matrices row by row.
+std::string elementText(const Content& content, Numbers numbers) {
+    const auto text = [&](std::size_t i) {
+        const bool isDouble =
+            i < content.kinds.size() && content.kinds[i] == plan::NumberKind::doublePrecision;
+        return shownNumber(numbers[i], isDouble);
+    };
+    std::string all;
+    const auto add = [&](std::size_t first, std::size_t count, std::size_t step) {
+        for (std::size_t i = 0; i < count; ++i) all += " " + text(first + i * step);
+    };
+    if (content.members.empty()) add(0, numbers.size(), 1);
+    for (const plan::BufferColumn& each : content.members) {
+        if (content.members.size() > 1)
+            all += fmt::format("{} {}", &each != &content.members.front() ? "," : "", each.name);
+        const auto columns = static_cast<std::size_t>(each.matrixColumns);
+        const std::size_t rows = each.count / columns;
+        if (columns == 1) add(each.first, each.count, 1);
+        for (std::size_t row = 0; columns > 1 && row < rows; ++row) {
+            const std::size_t at = all.size() + 1;
+            add(each.first + row, columns, rows);
+            all.insert(at, "[");
+            all += "]";
+        }
     }
+    return all;
+}
+
+}  // namespace
+
+Diagnostics printedElements(const scene::Print& print, const Content& content) {
+    Diagnostics notes;
+    const std::size_t count = content.size();
+    for (std::size_t i = 0; i < std::min<std::size_t>(count, kMostPrinted); ++i)
+        notes.push_back(diagnose(
+            "check-N02",
+            fmt::format("{}[{}]:{}", print.name, placeOf(content, i), elementText(content, content.at(i))),
+            print.place));
     if (count > kMostPrinted)
         notes.push_back(diagnose("check-N02",
-                                 fmt::format("Print {0}: {1} more elements; --save {0}=FILE.csv writes all",
-                                             print.name, count - kMostPrinted),
+                                 fmt::format("Print {}: {} more {}; --save {}=FILE.{} writes all", print.name,
+                                             count - kMostPrinted, content.isBuffer ? "elements" : "texels",
+                                             content.name, content.isBuffer ? "csv" : "exr"),
                                  print.place));
     return notes;
 }

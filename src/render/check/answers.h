@@ -1,5 +1,5 @@
 #pragma once
-// Answers the Expect statements of a scene (language, 12.9) from what was drawn. No GL here.
+// Answers the Expect statements of a scene (language, 12.9) from what was drawn.
 
 #include <glibra/result.h>
 
@@ -15,10 +15,9 @@ namespace glibra::render {
 
 /// What the checks of a moment ask for.
 struct CheckQuestions {
-    /// The content of an object, or of the window if none is given. Reports why it cannot be read.
-    std::function<Result<Content>(const std::optional<scene::ObjectView>& object)> contentOf;
+    Contents& contents;
     std::function<std::uint64_t()> primitives, samples;  ///< of the whole frame
-    std::function<Result<scene::ConditionAnswer>(const scene::Check& check)> condition;
+    std::function<Result<scene::Answer>(const scene::Check& check)> condition;
 };
 
 /// Returns nothing if the check holds, else check-E01 with what was expected and what was found, or the
@@ -31,7 +30,8 @@ Diagnostics withoutExpected(const std::vector<scene::Check>& checks, Diagnostics
 /// The same if these checks have no picture to look at. If no error is left, check-E02 for each of them.
 Diagnostics withoutPicture(const std::vector<scene::Check>& checks, Diagnostics diagnostics);
 
-/// check-N02 for each element that a Print asks for, up to 1000.
+/// check-N02 for each texel or element of a content that a Print asks for, up to 1000, and one that says how
+/// many more there are.
 Diagnostics printedElements(const scene::Print& print, const Content& content);
 
 /// check-W01 for each Expect that has not run, or check-N01 if another time or value may make it run.

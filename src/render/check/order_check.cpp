@@ -70,17 +70,12 @@ std::vector<Written> writtenBy(const Conductor& conductor) {
 
 /// True if the scene expects or prints something of the object.
 bool isWanted(const scene::Scene& scene, const plan::Object& object) {
-    const auto isIt = [&](const std::optional<scene::ObjectView>& each) {
-        return each && plan::objectOf(*each) == object;
+    const auto looksAtIt = [&](const auto& statement) {
+        return std::ranges::any_of(statement.objects(), [&](const scene::ObjectView& each) {
+            return plan::objectOf(each) == object;
+        });
     };
-    return std::ranges::any_of(scene.prints,
-                               [&](const auto& each) { return isIt(scene::ObjectView(each.buffer)); }) ||
-           std::ranges::any_of(scene.checks, [&](const scene::Check& each) {
-               return isIt(each.object) || isIt(each.other) ||
-                      std::ranges::any_of(each.reads, [&](const scene::BufferIndex buffer) {
-                          return isIt(scene::ObjectView(scene::BufferView{buffer}));
-                      });
-           });
+    return std::ranges::any_of(scene.prints, looksAtIt) || std::ranges::any_of(scene.checks, looksAtIt);
 }
 
 /// Nothing if the scene cannot be drawn, or does not depend on the order.
@@ -106,7 +101,7 @@ std::optional<Made> make(gpu::Context& context, const std::filesystem::path& pat
     if (!picture) return std::nullopt;
     Made made{std::move(*picture), writtenBy(conductor), {}, {}, storingPlace(conductor).value_or(Place{})};
     for (const Written& each : made.written) {
-        Result<Content> content = contentOf(conductor.scene, conductor.device, each.object);
+        Result<Content> content = contentOf(conductor, each.object);
         made.contents.push_back(std::move(content.value));
         made.areWanted.push_back(isWanted(conductor.scene, plan::objectOf(each.object)));
     }

@@ -1,11 +1,16 @@
 #include "render/check/run_checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "gpu/object/readback.h"
 #include "gpu/object/timer.h"
 #include "render/check/answers.h"
@@ -59,7 +64,10 @@ OpenChecks::OpenChecks(const scene::Scene& scene, double time)
     : time_(time), all_(scene.checks), idle_(scene.idleChecks) {
     for (const Check& each : all_)
         if (each.kind != Check::Kind::error) open_.push_back(each);
-    for (const Check& each : open_) times_.insert(timeOf(each));
+    for (const Check& each : open_) {
+        times_.insert(timeOf(each));
+        for (const double seconds : each.times()) times_.insert(seconds);
+    }
     for (const scene::IdleCheck& each : idle_)
         if (each.seconds) times_.insert(*each.seconds);
     if (times_.empty()) times_.insert(time);
@@ -122,17 +130,109 @@ bool hasMessage(const Diagnostics& all, const Diagnostic& one) {
     });
 }
 
-Diagnostics printedBy(Conductor& conductor) {
-    Diagnostics notes;
-    for (const scene::Print& each : conductor.scene.prints) {
-        const Result<Content> content = contentOf(conductor.scene, conductor.device, each.buffer);
-        append(notes, content ? printedElements(each, *content) : Diagnostics(content.diagnostics));
+/// Fills in what an expression reads, at this moment. `measured`: what its calls give.
+void fill(scene::ConditionNames& names, Contents& contents,
+          const std::function<scene::Measured(const scene::Measure& measure)>& measured) {
+    names.readBuffers([&](const scene::BufferView& buffer) {
+        const auto content = contents.of({.object = buffer});
+        return content ? (*content)->values : std::vector<double>();
+    });
+    names.measure(measured);
+}
+
+Diagnostics printedBy(const scene::Print& print, Contents& contents) {
+    if (print.value.expression != nullptr) {
+        scene::ConditionNames names = *print.value.names;
+        fill(names, contents, [&](const scene::Measure& each) { return contents.measured(each); });
+        const Result<scene::Answer> value = scene::answerTo(*print.value.expression, names, print.place.file);
+        if (!value) return value.diagnostics;
+        return {diagnose("check-N02", fmt::format("{}: {}", print.name, value->found), print.place)};
     }
+    scene::Selection of = print.of;
+    const bool isBuffer = of.object && std::holds_alternative<scene::BufferView>(*of.object);
+    if (isBuffer && !of.area.empty()) {  // what the buffer does not have is left out
+        const auto whole = contents.of({.object = of.object});
+        const double count = whole ? static_cast<double>((*whole)->size()) : 0;
+        if (whole && of.area[0] >= count)
+            return {diagnose(
+                "check-N02",
+                fmt::format("Print {}: it has {}", print.name, base::counted((*whole)->size(), "element")),
+                print.place)};
+        if (whole) of.area[1] = std::min(of.area[1], count - 1);
+    }
+    auto content = contents.of(of);
+    if (content) return printedElements(print, **content);
+    for (Diagnostic& each : content.diagnostics) {
+        each.text = fmt::format("Print {}: {}", print.name, each.text);
+        each.place = print.place;
+    }
+    return std::move(content.diagnostics);
+}
+
+Diagnostics printedBy(SceneState& state, Contents& contents) {
+    Diagnostics notes;
+    for (const scene::Print& each : state.conductor.scene.prints) append(notes, printedBy(each, contents));
     return notes;
 }
 
+/// Conditions that look at several times: what they measure at each, until all of it is known.
+class Conditions {
+  public:
+    /// Measures what the checks ask for at this moment. `now`: those that are answered at it.
+    void measure(double moment, std::span<const Check> all, std::span<const Check> now, Contents& contents) {
+        const auto add = [&](std::span<const Check> checks, bool areNow) {
+            for (const Check& each : checks)
+                if (each.condition.names)
+                    for (scene::Measure measure : each.condition.names->measures())
+                        if (measure.seconds.value_or(areNow ? moment : -1) == moment) {
+                            measure.seconds = moment;
+                            if (find(measure) == nullptr)
+                                known_.emplace_back(measure, contents.measured(measure));
+                        }
+        };
+        add(all, false);
+        add(now, true);
+    }
+    /// The names of a condition that is answered for `moment`, with what is known.
+    [[nodiscard]] scene::ConditionNames namesOf(const Check& check, double moment, Contents& contents) const {
+        scene::ConditionNames names = *check.condition.names;
+        fill(names, contents, [&](scene::Measure measure) {
+            if (!measure.seconds) measure.seconds = moment;
+            const scene::Measured* const found = find(measure);
+            if (found != nullptr) return *found;
+            return scene::Measured{
+                {}, {}, fmt::format("no picture was drawn for it at {}", *measure.seconds)};
+        });
+        return names;
+    }
+    struct Waiting {
+        Check check;
+        double moment = 0;            ///< that it is answered for
+        double last = 0;              ///< the latest time that it looks at
+        scene::ConditionNames names;  ///< with the elements of buffers
+    };
+    std::vector<Waiting> waiting;
+    /// Fills in what has been measured since.
+    void complete(Waiting& one) const {
+        one.names.measure([&](scene::Measure measure) {
+            if (!measure.seconds) measure.seconds = one.moment;
+            const scene::Measured* const found = find(measure);
+            return found != nullptr ? *found : scene::Measured{};
+        });
+    }
+
+  private:
+    [[nodiscard]] const scene::Measured* find(const scene::Measure& measure) const {
+        const auto found =
+            std::ranges::find_if(known_, [&](const auto& each) { return each.first == measure; });
+        return found != known_.end() ? &found->second : nullptr;
+    }
+    std::vector<std::pair<scene::Measure, scene::Measured>> known_;
+};
+
 /// Draws the picture of `moment` and answers the checks that ask for it. What drawing reports comes first.
-Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& stats) {
+Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Conditions& conditions,
+                     Stats& stats) {
     Conductor& conductor = state.conductor;
     const auto isCounted = [](const scene::Check& each) {
         return each.kind == scene::Check::Kind::primitives || each.kind == scene::Check::Kind::samples;
@@ -156,31 +256,42 @@ Diagnostics answerAt(SceneState& state, double moment, OpenChecks& open, Stats& 
     if (conductor.drawer) conductor.drawer->setCounted(false);
     append(wrong, std::move(picture.diagnostics));
     if (!picture) return wrong;
-    CheckQuestions questions;
-    questions.primitives = [&] { return primitives.result(); };
-    questions.samples = [&] { return samples.result(); };
-    std::optional<Content> window;
-    questions.contentOf = [&](const std::optional<scene::ObjectView>& object) -> Result<Content> {
-        if (object) return contentOf(conductor.scene, conductor.device, *object);
-        if (window) return *window;
-        Result<Content> read = readWindow(state);
-        if (read) window = *read;
-        return read;
+    Contents contents(conductor, [&] { return readWindow(state); });
+    scene::ConditionNames names;
+    const CheckQuestions questions{
+        contents, [&] { return primitives.result(); }, [&] { return samples.result(); },
+        [&](const Check& check) {
+            return scene::answerTo(*check.condition.expression, names, check.place.file,
+                                   {.types = scene::kConditionTypes});
+        }};
+    if (moment == open.time()) append(wrong, printedBy(state, contents));
+    const std::vector<Check> taken = open.take(moment, conductor.scene.checks);
+    conditions.measure(moment, open.all(), taken, contents);
+    conditions.measure(moment, conductor.scene.checks, {}, contents);
+    const auto answerOne = [&](const Check& check) {
+        if (std::optional<Diagnostic> found = answer(check, questions)) wrong.push_back(std::move(*found));
     };
-    questions.condition = [&](const scene::Check& check) {
-        return scene::answerCondition(check, [&](const std::string& name) {
-            for (const scene::BufferIndex each : conductor.scene.buffers.indices()) {
-                if (conductor.scene.buffers[each].name != name) continue;
-                Result<Content> content =
-                    contentOf(conductor.scene, conductor.device, scene::BufferView{each});
-                if (content) return std::move(content->values);
+    for (const Check& each : taken) {
+        if (each.condition.names) {
+            names = conditions.namesOf(each, moment, contents);
+            double last = moment;
+            for (const scene::Measure& measure : names.measures())
+                last = std::max(last, measure.seconds.value_or(moment));
+            if (last > moment) {
+                conditions.waiting.push_back({each, moment, last, names});
+                continue;
             }
-            return std::vector<double>();
-        });
-    };
-    if (moment == open.time()) append(wrong, printedBy(conductor));
-    for (const scene::Check& each : open.take(moment, conductor.scene.checks))
-        if (std::optional<Diagnostic> found = answer(each, questions)) wrong.push_back(std::move(*found));
+        }
+        answerOne(each);
+    }
+    for (Conditions::Waiting& each : conditions.waiting) {
+        if (each.last > moment || each.moment == moment) continue;
+        conditions.complete(each);
+        names = each.names;
+        answerOne(each.check);
+    }
+    std::erase_if(conditions.waiting,
+                  [&](const auto& each) { return each.last <= moment && each.moment != moment; });
     return wrong;
 }
 
@@ -198,7 +309,9 @@ std::vector<scene::Check> checksOf(const std::filesystem::path& path, const Rend
 }  // namespace
 
 Diagnostics printed(SceneRenderer& renderer) {
-    return printedBy(renderer.state().conductor);
+    SceneState& state = renderer.state();
+    Contents contents(state.conductor, [&] { return readWindow(state); });
+    return printedBy(state, contents);
 }
 
 bool hasChecks(const scene::Scene& scene) {
@@ -212,9 +325,10 @@ Diagnostics answerChecks(SceneRenderer& renderer, double time, Diagnostics& repo
     Diagnostics found = state.moveTo(time, stats);
     applyStrict(found, state.conductor.options.strict);
     OpenChecks open(state.conductor.scene, time);
+    Conditions conditions;
     state.conductor.note(found);
     if (!state.conductor.stopsWith(found))
-        for (const double each : open.times()) append(found, answerAt(state, each, open, stats));
+        for (const double each : open.times()) append(found, answerAt(state, each, open, conditions, stats));
     Diagnostics wrong;
     const auto sort = [&](Diagnostics diagnostics) {
         for (Diagnostic& each : diagnostics) {

@@ -47,7 +47,7 @@ bool visitMoments(InterpretedScene& interpreted, double time) {
     if (!isTimed(interpreted) || !mayChooseFiles(*interpreted.source)) return true;
     std::set<double> times{time};
     for (const scene::Check& each : interpreted.scene.checks)
-        if (each.seconds) times.insert(*each.seconds);
+        for (const double seconds : each.times()) times.insert(seconds);
     scene::FrameInputs inputs = interpreted.inputs;
     bool isWhole = true;
     for (const double each : times) {

@@ -33,10 +33,11 @@ std::uint64_t sizeOfFile(const scene::FileReference& file) {
 
 }  // namespace
 
-Diagnostics DeviceBuffers::prepare(const plan::FramePlan& plan) {
+Diagnostics DeviceBuffers::prepare(const plan::FramePlan& plan,
+                                   std::span<const plan::FramePlan* const> others) {
     Diagnostics diagnostics;
     if (plan.buffers.empty()) return diagnostics;
-    append(diagnostics, layouts_.add(scene_, plan, bytesLeft_, sizeOfFile));
+    append(diagnostics, layouts_.add(scene_, plan, bytesLeft_, sizeOfFile, others));
     append(diagnostics, plan::reachProblems(scene_, plan, layouts_));
     for (const scene::BufferIndex each : plan.buffers)
         if (layouts_.find(each) != nullptr) append(diagnostics, make(each));

@@ -39,7 +39,8 @@ class DeviceBuffers {
 
     /// Lays out and makes the buffers of the plan. A buffer whose declared values are others than before gets
     /// them, unless it lasts. Errors: memory-E03 to E05, E17, draw-E05, and those of files.
-    Diagnostics prepare(const plan::FramePlan& plan);
+    /// `others`: as of plan::BufferLayouts::add.
+    Diagnostics prepare(const plan::FramePlan& plan, std::span<const plan::FramePlan* const> others = {});
     /// What has happened to a buffer that nodes write.
     ObjectState& state(scene::BufferIndex buffer) { return states_[buffer]; }
 

@@ -55,12 +55,13 @@ Diagnostics DeviceScene::followSizes(bool& hasLost) {
     return diagnostics;
 }
 
-Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibrary& programs) {
+Diagnostics DeviceScene::prepare(const plan::FramePlan& plan, const ProgramLibrary& programs,
+                                 std::span<const plan::FramePlan* const> others) {
     noteWrites(plan);
     Diagnostics diagnostics = meshes_.prepare(plan, programs);
     append(diagnostics, textures_.prepare(plan));
     targets_.forget(textures_.takeGone());
-    append(diagnostics, buffers_.prepare(plan));
+    append(diagnostics, buffers_.prepare(plan, others));
     append(diagnostics, checkElements(plan));
     append(diagnostics, checkIndices(plan));
     append(diagnostics, buffers_.checkTexels(plan));

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -61,7 +62,8 @@ class DeviceScene {
     void noteWrites(const plan::FramePlan& plan) { textures_.noteWrites(plan); }
     /// Makes all meshes, textures and buffers of the plan, which must not move. Errors name the scene line
     /// that needs them.
-    Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs);
+    Diagnostics prepare(const plan::FramePlan& plan, const ProgramLibrary& programs,
+                        std::span<const plan::FramePlan* const> others = {});
     /// Forgets the meshes of a plan that is prepared no longer.
     void forget(const plan::FramePlan& plan);
 

@@ -10,17 +10,14 @@
 #include "base/suggest.h"
 #include "glib/diagnostic_catalogue.h"
 #include "glib/number.h"
-#include "scene/conditions.h"
 #include "scene/modern/modern.h"
 #include "scene/run/evaluate.h"
-#include "scene/run/names.h"
+#include "scene/run/selections.h"
 
 namespace glibra::scene {
 namespace {
 
 using CheckKind = Check::Kind;
-
-constexpr double kMostPrintedIndex = 1e12;
 
 struct KindRow {
     std::string_view key;
@@ -35,61 +32,14 @@ constexpr KindRow kKinds[] = {
     {"different", CheckKind::different}, {"sum", CheckKind::sum},
 };
 
-/// The object that a value names; nothing for the window.
-bool readObject(Interpreter& in, const Value& value, std::optional<ObjectView>& object) {
-    if (isWindow(value)) return true;
-    object = objectNamed(in, value);
-    return object.has_value();
+constexpr double kMostPrintedIndex = 1e12;
+
+bool isBuffer(const Selection& selection) {
+    return selection.object && std::holds_alternative<BufferView>(*selection.object);
 }
 
 bool isBracket(const Value& value) {
     return value.kind == Value::Kind::list || value.kind == Value::Kind::color;
-}
-
-/// The names that a condition reads, with their values where it stands; null with the reason reported if it
-/// is wrong. The scene depends on what the condition reads.
-std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const Value& value,
-                                                       const expression::Wanted& wanted) {
-    if (!supplyNames(in, value, wanted)) return nullptr;
-    const Environment& environment = in.names();
-    auto names = std::make_shared<ConditionNames>();
-    // It is read again when it is answered, with all names in it: also those of what is folded, as in
-    // arr.count.
-    const NotedNames noted(environment);
-    static_cast<void>(expression::parse(value.text, {}, noted, wanted));
-    for (const NotedNames::Note& each : noted.take()) {
-        const auto symbol = names->find(each.path) ? std::nullopt : environment.find(each.path);
-        if (!symbol) continue;
-        ConditionNames::Name name{each.path, *symbol, {}};
-        if (any(symbol->depends & expression::Depends::buffer)) {
-            constexpr std::string_view kCount = ".count";
-            const std::string head = each.path.ends_with(kCount)
-                                         ? each.path.substr(0, each.path.size() - kCount.size())
-                                         : each.path;
-            Value word;
-            word.kind = Value::Kind::word;
-            word.text = head;
-            if (const std::size_t point = head.find('.'); point != std::string::npos)
-                word.path = {{head.substr(0, point), {}}, {head.substr(point + 1), {}}};
-            word.position = value.position;
-            const auto object = objectNamed(in, word);
-            if (const auto* view = object ? std::get_if<BufferView>(&*object) : nullptr)
-                name.buffer = in.scene.buffers[view->buffer].name;
-            const expression::Symbol* const elements = environment.lookUp(head);
-            if (elements != nullptr && Environment::isBuffer(*elements))
-                name.elementSize = elements->type.size();
-        }
-        const std::size_t count = Environment::isBuffer(*symbol) ? 0 : std::max(1U, symbol->count);
-        for (std::size_t i = 0; i < count; ++i) {
-            const double* const found = environment.find(symbol->slot, i);
-            name.has.push_back(found != nullptr);
-            for (std::size_t k = 0; k < symbol->type.size(); ++k)
-                name.components.push_back(found != nullptr ? found[k] : 0);
-        }
-        name.why = environment.whyMissing(symbol->slot, 0);
-        names->add(std::move(name));
-    }
-    return names;
 }
 
 class CheckReader {
@@ -119,20 +69,20 @@ class CheckReader {
             }
         if (command_.values.empty()) return false;
         check_.kind = CheckKind::condition;
-        check_.condition = &command_.values.front();
-        static constexpr expression::Type kTypes[] = {expression::Type::boolean(),
-                                                      expression::Type::number()};
-        check_.names = namesOfCondition(in_, command_.values.front(), {.types = kTypes});
-        if (!check_.names) return false;
-        for (const std::string& name : check_.names->buffers())
-            for (const BufferIndex each : in_.scene.buffers.indices())
-                if (in_.scene.buffers[each].name == name) check_.reads.push_back(each);
-        return true;
+        const Value& condition = command_.values.front();
+        check_.condition = {&condition, namesOfQuestion(in_, condition, {.types = kConditionTypes}, true)};
+        return check_.condition.names != nullptr;
     }
 
-    /// True if the object has pixels: it is the window or a texture.
-    bool isTexture(const Value& value, const std::optional<ObjectView>& object) {
-        if (!object || std::holds_alternative<TextureView>(*object)) return true;
+    bool readObject(const Value& value, Selection& selection) {
+        auto read = selectionNamed(in_, value);
+        if (read) selection = std::move(*read);
+        return read.has_value();
+    }
+
+    /// True if it has pixels: it is the window or a texture.
+    bool isTexture(const Value& value, const Selection& selection) {
+        if (!isBuffer(selection)) return true;
         return refuse(
             value, "glib-E34",
             fmt::format("'{}' is a buffer; pixels are those of the window or a texture", value.text));
@@ -186,9 +136,10 @@ class CheckReader {
     }
 
     bool readBuffer(const KeyedValues& key) {
-        const auto buffer = bufferNamed(in_, key.values.front());
-        if (!buffer) return false;
-        check_.object = *buffer;
+        if (!readObject(key.values.front(), check_.of)) return false;
+        if (!isBuffer(check_.of))
+            return refuse(key.values.front(), "glib-E34",
+                          fmt::format("'{}' is not a buffer", key.values.front().text));
         std::span<const Value> rest = std::span(key.values).subspan(1);
         if (const KeyedValues* at = firstAt()) {
             rest = at->values;
@@ -228,10 +179,7 @@ class CheckReader {
     }
 
     bool isSameKind(const Value& second) {
-        const auto isBuffer = [](const std::optional<ObjectView>& object) {
-            return object && std::holds_alternative<BufferView>(*object);
-        };
-        if (isBuffer(check_.object) == isBuffer(check_.other)) return true;
+        if (isBuffer(check_.of) == isBuffer(check_.other)) return true;
         return refuse(second, "glib-E34",
                       "a buffer is compared with a buffer, a texture with a texture or the window");
     }
@@ -248,7 +196,7 @@ class CheckReader {
                 return readBuffer(key);
             case CheckKind::range: {
                 const auto bounds = numbersOf(in_, std::span(key.values).subspan(1), 2, "Expect: range");
-                if (!bounds || !readObject(in_, key.values.front(), check_.object)) return false;
+                if (!bounds || !readObject(key.values.front(), check_.of)) return false;
                 if ((*bounds)[0] > (*bounds)[1])
                     return refuse(key.values[1], "glib-E29",
                                   "range needs the least value before the largest");
@@ -256,13 +204,13 @@ class CheckReader {
                 return true;
             }
             case CheckKind::sum:
-                return readObject(in_, key.values.front(), check_.object) && readSum(key);
+                return readObject(key.values.front(), check_.of) && readSum(key);
             case CheckKind::same:
             case CheckKind::different:
-                return key.values.size() > 1 && readObject(in_, key.values[0], check_.object) &&
-                       readObject(in_, key.values[1], check_.other) && isSameKind(key.values[1]);
+                return key.values.size() > 1 && readObject(key.values[0], check_.of) &&
+                       readObject(key.values[1], check_.other) && isSameKind(key.values[1]);
             case CheckKind::finite:
-                return readObject(in_, key.values.front(), check_.object);
+                return readObject(key.values.front(), check_.of);
             case CheckKind::primitives:
             case CheckKind::samples: {
                 const auto count = numberOf(in_, key.values.front());
@@ -293,8 +241,7 @@ class CheckReader {
                 if (!tolerance) return false;
                 check_.tolerance = *tolerance;
             } else if (key.key == "of") {
-                if (!readObject(in_, key.values.front(), check_.object) ||
-                    !isTexture(key.values.front(), check_.object))
+                if (!readObject(key.values.front(), check_.of) || !isTexture(key.values.front(), check_.of))
                     return false;
             } else if (key.key == "at" && key.values.size() == 1) {
                 const auto seconds = numberIn(in_, key.values.front(), "Expect: the time", 0, 1e12);
@@ -302,7 +249,17 @@ class CheckReader {
                 check_.seconds = *seconds;
             }
         }
-        return true;
+        return readArea();
+    }
+
+    /// `in x y w h` or `in first last`, after the object is known.
+    bool readArea() {
+        const KeyedValues* area = command_.key("in");
+        if (area == nullptr) return true;
+        const auto numbers = wholesOf(in_, area->values);
+        if (!numbers || !selectArea(in_, area->values.front(), *numbers, "Expect", check_.of)) return false;
+        const bool hasOther = check_.kind == CheckKind::same || check_.kind == CheckKind::different;
+        return !hasOther || selectArea(in_, area->values.front(), *numbers, "Expect", check_.other);
     }
 
     Interpreter& in_;
@@ -344,21 +301,37 @@ const Command* idleBodyAround(const ChecksOfRun& checks, const std::vector<Comma
 }
 
 void doPrint(Interpreter& in, const Command& command) {
-    const auto buffer = bufferNamed(in, command.values.front());
-    if (!buffer) return;
-    Print made{in.place(command), *buffer, command.values.front().text};
-    const std::span<const Value> range = std::span(command.values).subspan(1);
+    const Value& what = command.values.front();
+    Print made{in.place(command), glib::written(what)};
+    if (what.kind == Value::Kind::expression) {
+        made.value = {&what, namesOfQuestion(in, what, {}, false)};
+        if (made.value.names) in.scene.prints.push_back(std::move(made));
+        return;
+    }
+    auto selection = selectionNamed(in, what);
+    if (!selection) return;
+    made.of = std::move(*selection);
+    const KeyedValues* const area = command.key("in");
+    const std::span<const Value> range =
+        area != nullptr ? std::span(area->values) : std::span(command.values).subspan(1);
     if (!range.empty()) {
-        const auto numbers = wholesOf(in, range);
+        auto numbers = wholesOf(in, range);
         if (!numbers) return;
-        const double first = numbers->front(), last = numbers->back();
-        if (numbers->size() > 2 || !(first >= 0 && last >= first && last < kMostPrintedIndex)) {
-            refuse(in, "glib-E29", command, range.front().position,
-                   "needs the first and the last element, from 0 on");
-            return;
+        if (area == nullptr && isBuffer(made.of)) {  // what the buffer does not have is left out
+            const double first = numbers->front(), last = numbers->back();
+            if (numbers->size() > 2 || !(first >= 0 && last >= first && last < kMostPrintedIndex)) {
+                refuse(in, "glib-E29", command, range.front().position,
+                       "needs the first and the last element, from 0 on");
+                return;
+            }
+            made.of.area = {first, last};
+        } else {
+            if (area == nullptr) {                                // one texel
+                if (numbers->size() == 1) numbers->push_back(0);  // of a row
+                numbers->insert(numbers->end(), 2, 1);
+            }
+            if (!selectArea(in, range.front(), *numbers, "Print", made.of)) return;
         }
-        made.first = static_cast<std::uint64_t>(first);
-        made.count = static_cast<std::uint64_t>(last - first) + 1;
     }
     in.scene.prints.push_back(std::move(made));
 }

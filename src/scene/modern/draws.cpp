@@ -164,31 +164,6 @@ void setInList(Interpreter& in, const Command& command, const std::string& name,
     std::ranges::copy(numbers, values.current.begin());
 }
 
-/// Takes the member from "particles.velocity" and leaves the name of the buffer. Nothing with the reason
-/// reported.
-std::optional<std::string> takeMember(Interpreter& in, Value& name) {
-    if (name.path.empty()) return std::string();
-    const DeclaredName* declared = declaredName(in, name.path.front().name);
-    const bool isOfMesh =
-        declared != nullptr && declared->kind == DeclaredName::Kind::mesh;  // "pot.position"
-    std::size_t own = std::min<std::size_t>(isOfMesh ? 2 : 1, name.path.size());
-    if (own < name.path.size() && name.path[own].name == "prev") ++own;
-    std::string member;
-    for (std::size_t i = own; i < name.path.size(); ++i) {
-        member += (member.empty() ? "" : ".") + name.path[i].name;
-        if (name.path[i].index.empty()) continue;
-        const auto element =
-            integerIn(in, name.path[i].index.front(), "Attribute: the subscript", 0, kMostVertices);
-        if (!element) return std::nullopt;
-        member += fmt::format("[{}]", *element);
-    }
-    if (member.empty()) return member;
-    name.path.resize(own);
-    name.text.clear();
-    for (const auto& each : name.path) name.text += (name.text.empty() ? "" : ".") + each.name;
-    return member;
-}
-
 /// `offset` and `stride`. Nothing with the reason reported.
 bool readBytes(Interpreter& in, const Command& command, ElementPart& part) {
     constexpr double kMostBytes = 1 << 30;
@@ -223,7 +198,7 @@ void doAttribute(Interpreter& in, const Command& command) {
     }
     if (!values.empty() && values.front().kind == Value::Kind::word) {
         Value name = values.front();
-        const auto member = takeMember(in, name);
+        const auto member = takeMember(in, name, "Attribute");
         const auto buffer = member ? bufferNamed(in, name) : std::nullopt;
         if (!buffer || !readBytes(in, command, binding.part)) return;
         binding.source = *buffer;

@@ -31,7 +31,8 @@ Symbol record(std::string what, std::size_t count = 0) {
 
 /// The number of elements of a buffer is known when it is read; an expression is checked before.
 constexpr std::uint32_t kElementsOfBuffers = 0x7fffffff;
-constexpr const char* kWhoReadsElements = "only Expect (condition) reads the elements of buffers";
+constexpr const char* kWhoReadsElements =
+    "only Expect (condition) and Print (expression) read the elements of buffers";
 
 /// The number of noteDeclared() for the end of a block, and for a name that is expected.
 constexpr std::uint64_t kBlockEnds = std::numeric_limits<std::uint64_t>::max();

@@ -51,18 +51,23 @@ bool readsShape(std::string_view path) {
     return std::ranges::any_of(kFields, [&](std::string_view field) { return path.ends_with(field); });
 }
 
-/// What the value can change with, through variables too. Remembers which variables a block reads.
+/// What the value of a name can change with. Remembers which variables a block reads.
+expression::Depends noteUse(Interpreter& in, std::string_view path, Environment::Slot slot,
+                            const Place& place) {
+    using expression::Depends;
+    if (path.starts_with("eye.")) in.modern.usesEye = true;
+    const Depends now = in.names().dependsOf(slot);
+    if (any(now &
+            (Depends::variable | Depends::camera | Depends::texture | Depends::buffer | Depends::window)))
+        noteRead(in, path, slot, place);
+    return now;
+}
+
+/// What the value can change with, through variables too.
 expression::Depends dependsOf(Interpreter& in, const expression::Expression& expression) {
     expression::Depends depends = expression.depends();
-    for (const expression::Use& each : expression.uses()) {
-        if (each.path.starts_with("eye.")) in.modern.usesEye = true;
-        const expression::Depends now = in.names().dependsOf(each.symbol.slot);
-        depends = depends | now;
-        using expression::Depends;
-        if (any(now &
-                (Depends::variable | Depends::camera | Depends::texture | Depends::buffer | Depends::window)))
-            noteRead(in, each.path, each.symbol.slot, expression.origin());
-    }
+    for (const expression::Use& each : expression.uses())
+        depends = depends | noteUse(in, each.path, each.symbol.slot, expression.origin());
     return depends;
 }
 
@@ -225,6 +230,17 @@ std::optional<expression::Value> evaluate(Interpreter& in, const Value& value,
 
 bool supplyNames(Interpreter& in, const Value& value, const expression::Wanted& wanted) {
     return supplied(in, value, wanted) != nullptr;
+}
+
+bool supplyNames(Interpreter& in, const Value& value, std::span<const std::string> paths) {
+    if (readsLostName(in, value.text)) return false;
+    expression::Depends depends = expression::Depends::nothing;
+    for (const std::string& each : paths)
+        if (const expression::Symbol* symbol = in.names().lookUp(each))
+            depends = depends | symbol->depends | noteUse(in, each, symbol->slot, in.place(value));
+    supply(in, depends);
+    addDepends(in, depends);
+    return true;
 }
 
 std::optional<double> numberOf(Interpreter& in, const Value& value) {

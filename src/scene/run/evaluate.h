@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -48,6 +49,8 @@ std::optional<expression::Value> evaluate(Interpreter&, const Value& value,
 /// Gives the names that an expression reads their values where it stands, and notes what they depend on.
 /// False with the reason reported if the expression is wrong.
 bool supplyNames(Interpreter&, const Value& value, const expression::Wanted& wanted);
+/// The same for an expression that cannot be read yet, and these names, some of which it may not have.
+bool supplyNames(Interpreter&, const Value& value, std::span<const std::string> paths);
 
 /// One number; an expression must be a number.
 std::optional<double> numberOf(Interpreter&, const Value& value);

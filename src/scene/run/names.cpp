@@ -10,6 +10,7 @@
 
 #include "base/suggest.h"
 #include "expression/known_names.h"
+#include "scene/count_limits.h"
 #include "scene/run/evaluate.h"
 #include "scene/texture_parts.h"
 
@@ -197,7 +198,10 @@ class PartReader {
                          : part.name == "face" ? 5
                          : isCubes             ? layersOf(texture, 0).value_or(6) / 6 - 1
                                                : kMost;
-        number = integerIn(in_, part.index.front(), fmt::format("{}.{}:", name_.name, part.name), 0, most);
+        const Value& index = part.index.front();
+        if (part.name == "face" && index.kind == Value::Kind::expression)
+            number = faceNamed(index.text);  // `sky.face(-y)`
+        if (!number) number = integerIn(in_, index, fmt::format("{}.{}:", name_.name, part.name), 0, most);
         return number.has_value();
     }
 
@@ -374,6 +378,34 @@ std::string wordBehind(Interpreter& in, const std::string& name) {
     noteRead(in, name, symbol->slot, in.script->place({}));
     addDepends(in, names.dependsOf(symbol->slot));
     return symbol->words[static_cast<std::size_t>(*number)];
+}
+
+std::optional<std::string> takeMember(Interpreter& in, Value& name, std::string_view what) {
+    if (name.path.empty()) return std::string();
+    const DeclaredName* declared = declaredName(in, name.path.front().name);
+    const bool isOfMesh = declared != nullptr && declared->kind == NameKind::mesh;  // "pot.position"
+    std::size_t own = std::min<std::size_t>(isOfMesh ? 2 : 1, name.path.size());
+    if (own < name.path.size() && name.path[own].name == "prev") ++own;
+    std::string member;
+    for (std::size_t i = own; i < name.path.size(); ++i) {
+        member += (member.empty() ? "" : ".") + name.path[i].name;
+        if (name.path[i].index.empty()) continue;
+        const auto element = integerIn(in, name.path[i].index.front(), fmt::format("{}: the subscript", what),
+                                       0, kMostVertices);
+        if (!element) return std::nullopt;
+        member += fmt::format("[{}]", *element);
+    }
+    if (member.empty()) return member;
+    name.path.resize(own);
+    name.text.clear();
+    for (const auto& each : name.path) name.text += (name.text.empty() ? "" : ".") + each.name;
+    return member;
+}
+
+bool endsInSampler(const Interpreter& in, const Value& value) {
+    if (value.path.size() < 2 || !value.path.back().index.empty()) return false;
+    const auto known = in.modern.names.find(value.path.back().name);
+    return known != in.modern.names.end() && known->second.kind == NameKind::sampler;
 }
 
 bool isWindow(const Value& value) {

@@ -25,6 +25,9 @@ bool choosesObject(Interpreter&, const Value& value);
 std::optional<ObjectView> objectNamed(Interpreter&, const Value& value);
 std::optional<TextureView> textureNamed(Interpreter&, const Value& value);
 std::optional<BufferView> bufferNamed(Interpreter&, const Value& value);
+/// Takes the member from "particles.velocity" and leaves the name of the buffer. `what`: the statement, for
+/// messages. Nothing with the reason reported.
+std::optional<std::string> takeMember(Interpreter&, Value& name, std::string_view what);
 /// A texture, buffer, camera or variable of the scene that the name means here; null if a scope gives the
 /// name another meaning, or nothing has the name.
 const DeclaredName* declaredName(const Interpreter&, std::string_view name);
@@ -33,6 +36,8 @@ const DeclaredName* declaredName(const Interpreter&, std::string_view name);
 std::string wordBehind(Interpreter&, const std::string& name);
 /// True for the word `window`.
 bool isWindow(const Value& value);
+/// True if the value names a sampler as its last part: `brick.crisp`.
+bool endsInSampler(const Interpreter&, const Value& value);
 
 /// The program of that name, if it draws or if it computes, as wanted. Nothing with glib-E27 or E34 reported.
 std::optional<ProgramIndex> programNamed(Interpreter&, const Value& name, bool isCompute);
