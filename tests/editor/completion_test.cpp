@@ -137,11 +137,11 @@ TEST(Completion, ProposesKeysOfTheStatementAndDeclaredNames) {
 TEST(Completion, ProposesPartsOfTheNameBeforeAPoint) {
     const auto wordsAfter = [](const std::string& typed) {
         std::string all;
-        for (const Completion& each :
-             at("Texture2D glow 8 8 rgba8\nCubeMap sky 8 rgba8\nBuffer p vec4 9\nCamera sun LookAt 0 0 5  0 0 "
-                "0  0 1 0  Perspective 50 1 9\n" +
-                    typed + "|",
-                scene()))
+        for (const Completion& each : at("Texture2D glow 8 8 rgba8\nCubeMap sky 8 rgba8\nBuffer p vec4 "
+                                         "9\nCamera sun LookAt 0 0 5  0 0 "
+                                         "0  0 1 0  Perspective 50 1 9\n" +
+                                             typed + "|",
+                                         scene()))
             all += each.word + " ";
         return all;
     };
