@@ -96,6 +96,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "1:1 suite-E02 'golden' belongs under [defaults] or [[shot]]\n"},
         Mistake{"UnknownTopKeyNear", "goldnes = 'x'\n" + shot(""),
                 "1:1 suite-E02 unknown key 'goldnes' at the top of the file; did you mean 'goldens'?\n"},
+        Mistake{"AddressOfGoldens", "goldens = 'https://a.example/{hash}.png'\n" + shot(""),
+                "1:11 suite-E04 goldens: expected a folder, found 'https://a.example/{hash}.png'; 'store' "
+                "takes the address of their pictures\n"},
+        Mistake{"StoreOfAnotherKind", "store = 's3://bucket/{hash}.png'\n" + shot(""),
+                "1:9 suite-E04 store: expected a folder, or an address that begins with https://, as buckets "
+                "have one, too, found 's3://bucket/{hash}.png'\n"},
+        Mistake{"StoreWithoutAHash", "store = 'https://a.example/goldens'\n" + shot(""),
+                "1:9 suite-E04 store: expected {hash} once, after the last '/', as in "
+                "\"https://host/place/{hash}.png\", found 'https://a.example/goldens'\n"},
         Mistake{"ShotKeyInDefaults", "[defaults]\nmatch = 'x'\n" + shot(""),
                 "2:1 suite-E02 'match' belongs to one shot and cannot stand in [defaults]\n"},
         Mistake{"AToleranceOfEverything", shot("tolerance = { flip = 1 }"),

@@ -370,7 +370,15 @@ const TomlList* readTopLevel(TomlReader& reader, const TomlTable& root, const fs
     const TomlList* shots = nullptr;
     for (const TomlEntry& entry : root) {
         if (entry.key == "goldens") {
-            if (const auto text = reader.text(entry.value, "goldens"))
+            const auto text = reader.text(entry.value, "goldens");
+            if (text && isAddress(*text))
+                reader.report(
+                    "suite-E04",
+                    fmt::format("goldens: expected a folder, found {}; 'store' takes the address of "
+                                "their pictures",
+                                glib::inQuotes(*text)),
+                    entry.value);
+            else if (text)
                 suite.goldens = (folder / *text).lexically_normal();
         } else if (entry.key == "store") {
             readStore(reader, entry.value, folder, suite);
