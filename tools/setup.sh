@@ -23,7 +23,7 @@ python_packages="python3-dev pybind11-dev python3-numpy python3-pip python3-setu
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy-19 libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  meson glslang-tools mesa-vulkan-drivers python3 python3-pil python3-yaml chromium? chromium-driver? imagemagick
- procps xvfb xauth x11-utils xdotool openbox libx11-dev libsdl2-dev shellcheck git python3-dev pybind11-dev python3-numpy python3-pytest python3-pip mypy
+ curl procps xvfb xauth x11-utils xdotool openbox libx11-dev libsdl2-dev shellcheck git python3-dev pybind11-dev python3-numpy python3-pytest python3-pip mypy
  node-typescript python3-venv python3-setuptools python3-wheel zsh fish mandoc vim neovim emacs-nox elpa-eglot? $portable_packages"
 
 # ccache takes precompiled headers only with these.
