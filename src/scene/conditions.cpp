@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/text.h"
 #include "expression/expression.h"
 #include "glib/number.h"
 #include "scene/scene.h"
@@ -98,9 +99,26 @@ void ConditionNames::readBuffers(const std::function<std::vector<double>(const s
     }
 }
 
+void ConditionNames::add(std::shared_ptr<const expression::Function> function) {
+    functions_.push_back(std::move(function));
+}
+
 std::optional<expression::Symbol> ConditionNames::find(std::string_view path) const {
-    const auto found = std::ranges::find(names_, path, &Name::path);
+    const auto found =
+        std::ranges::find_if(names_, [&](const Name& each) { return each.path == path && !each.isOfScene; });
     return found != names_.end() ? std::optional(found->symbol) : std::nullopt;
+}
+
+std::optional<expression::Symbol> ConditionNames::findInScene(std::string_view path) const {
+    const auto found =
+        std::ranges::find_if(names_, [&](const Name& each) { return each.path == path && each.isOfScene; });
+    return found != names_.end() ? std::optional(found->symbol) : std::nullopt;
+}
+
+std::shared_ptr<const expression::Function> ConditionNames::findFunction(std::string_view name) const {
+    for (const auto& each : functions_)
+        if (each->name == name) return each;
+    return nullptr;
 }
 
 std::vector<std::string> ConditionNames::known(std::string_view) const {
@@ -132,6 +150,13 @@ Result<ConditionAnswer> answerCondition(
     std::string found = sidesOf(text, names);
     if (found.empty()) found = textOfValue(*value);
     return ConditionAnswer{value->truth(), std::move(found)};
+}
+
+Diagnostic notReached(const Check& condition, std::size_t rounds, const std::string& found) {
+    return diagnose("glib-W43",
+                    fmt::format("Repeat: {} is not true after {}: {}", condition.text,
+                                base::counted(rounds, "round"), found),
+                    condition.place);
 }
 
 }  // namespace glibra::scene

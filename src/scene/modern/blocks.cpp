@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
+#include "scene/conditions.h"
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"
 #include "scene/run/counts.h"
@@ -197,6 +198,77 @@ RoundNames bindCounter(Environment& names, const std::string& name, const expres
     return bound;
 }
 
+/// The condition after `until` of a Repeat, which is looked at after each round.
+class RoundEnd {
+  public:
+    RoundEnd(Interpreter& in, const Command& command, double rounds)
+        : in_(in), rounds_(static_cast<std::size_t>(rounds)) {
+        if (const KeyedValues* key = command.key("until")) value_ = &key->values.front();
+        if (value_ != nullptr && in.out.nodes != nullptr) first_ = in.out.nodes->order.size();
+        outer_ = in.around.conditions;
+    }
+    RoundEnd(const RoundEnd&) = delete;
+    RoundEnd& operator=(const RoundEnd&) = delete;
+    ~RoundEnd() { in_.around.conditions = outer_; }
+
+    /// True if no further round follows. `round` counts from 1.
+    bool ends(std::size_t round) {
+        if (value_ == nullptr) return false;
+        const DependsOnly collected(in_);
+        static constexpr expression::Type kTypes[] = {expression::Type::boolean(),
+                                                      expression::Type::number()};
+        Check check;
+        check.names = namesOfCondition(in_, *value_, {.types = kTypes});
+        if (!check.names) return true;
+        in_.around.conditions = in_.around.conditions | collected.depends();
+        check.kind = Check::Kind::condition;
+        check.place = in_.place(*value_);
+        check.text = glib::written(*value_);
+        check.condition = value_;
+        if (!check.names->buffers().empty()) return !add(std::move(check), round);
+        const auto answer = answerCondition(check, [](const std::string&) { return std::vector<double>(); });
+        for (const Diagnostic& each : answer.diagnostics) in_.report(each);
+        if (!answer || answer->holds) return true;
+        if (round == rounds_) in_.report(notReached(check, rounds_, answer->found));
+        return false;
+    }
+
+    /// Call it after the last round.
+    void finish() {
+        if (in_.out.nodes == nullptr) return;
+        for (std::size_t i = firstUntil_; i < in_.out.nodes->untils.size() && isOnDevice_; ++i)
+            if (Until& each = in_.out.nodes->untils[i]; each.condition.condition == value_)
+                each.end = in_.out.nodes->order.size();
+    }
+
+  private:
+    /// A condition that the device decides. False with the reason reported if it cannot.
+    bool add(Check check, std::size_t round) {
+        if (in_.around.block == nullptr) {
+            in_.reportAt(*value_, "glib-E32",
+                         fmt::format("Repeat: 'until {}' reads the buffer '{}', so it stands in Once or Step",
+                                     check.text, check.names->buffers().front()));
+            return false;
+        }
+        const std::vector<std::string> names = check.names->buffers();
+        for (const BufferIndex each : in_.scene.buffers.indices())
+            if (std::ranges::find(names, in_.scene.buffers[each].name) != names.end())
+                check.reads.push_back(each);
+        NodeList& nodes = *in_.out.nodes;
+        if (!std::exchange(isOnDevice_, true)) firstUntil_ = nodes.untils.size();
+        in_.out.implicitPass.reset();  // the next round begins a pass of its own
+        nodes.untils.push_back({std::move(check), first_, nodes.order.size(), 0, round, rounds_});
+        return true;
+    }
+
+    Interpreter& in_;
+    std::size_t rounds_;
+    const Value* value_ = nullptr;
+    std::size_t first_ = 0, firstUntil_ = 0;
+    bool isOnDevice_ = false;
+    expression::Depends outer_{};
+};
+
 void doRepeat(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
     const std::vector<Value>* words = wordsOf(command);
@@ -236,6 +308,7 @@ void doRepeat(Interpreter& in, const Command& command) {
     const RoundNames own = bindCounter(names, name, symbol, words != nullptr);
     std::vector<std::size_t>& path = in.modern.checks.path;
     path.push_back(0);
+    RoundEnd end(in, command, rounds);
     for (double round = 0; round < rounds && !in.counts.isFull; ++round) {
         if (!countRound(in, command)) break;
         const Scope scope(in);
@@ -247,7 +320,10 @@ void doRepeat(Interpreter& in, const Command& command) {
             names.setNumber(own.counter, round);
         if (own.index) names.setNumber(*own.index, round);
         runBody(in, index + 1, command.partner);
+        if (end.ends(path.back() + 1)) break;
     }
+    end.finish();
+    if (command.key("until") != nullptr) addConditions(in, index + 1, command.partner);
     path.pop_back();
 }
 

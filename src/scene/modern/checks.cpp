@@ -46,8 +46,8 @@ bool isBracket(const Value& value) {
     return value.kind == Value::Kind::list || value.kind == Value::Kind::color;
 }
 
-/// The names that a condition reads, with their values where it stands; null with the reason reported if it
-/// is wrong. The scene depends on what the condition reads.
+}  // namespace
+
 std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const Value& value,
                                                        const expression::Wanted& wanted) {
     if (!supplyNames(in, value, wanted)) return nullptr;
@@ -58,9 +58,12 @@ std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const Va
     const NotedNames noted(environment);
     static_cast<void>(expression::parse(value.text, {}, noted, wanted));
     for (const NotedNames::Note& each : noted.take()) {
-        const auto symbol = names->find(each.path) ? std::nullopt : environment.find(each.path);
-        if (!symbol) continue;
+        if (each.function != nullptr) names->add(each.function);
+        const bool isOfScene = each.kind == NotedNames::Note::Kind::nameOfScene;
+        const auto symbol = isOfScene ? environment.findInScene(each.path) : environment.find(each.path);
+        if (!symbol || each.kind == NotedNames::Note::Kind::function) continue;
         ConditionNames::Name name{each.path, *symbol, {}};
+        name.isOfScene = isOfScene;
         if (any(symbol->depends & expression::Depends::buffer)) {
             constexpr std::string_view kCount = ".count";
             const std::string head = each.path.ends_with(kCount)
@@ -91,6 +94,8 @@ std::shared_ptr<const ConditionNames> namesOfCondition(Interpreter& in, const Va
     }
     return names;
 }
+
+namespace {
 
 class CheckReader {
   public:

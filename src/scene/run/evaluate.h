@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,12 @@ WrittenAt writtenAt(const Interpreter&, const Value& value);
 /// Evaluates an expression where it stands. Nothing with the problem reported, once for each expression.
 std::optional<expression::Value> evaluate(Interpreter&, const Value& value,
                                           const expression::Wanted& wanted = {});
+
+/// True if an expression reads what a faulty statement would have declared.
+bool readsLostName(const Interpreter&, std::string_view text);
+/// For an expression with an unknown name, which `notes` has: "; line 9 sets it, which is below", if a Let
+/// below sets it. Otherwise empty.
+std::string whereSet(const Interpreter&, const Value& value, std::span<const NotedNames::Note> notes);
 
 /// Gives the names that an expression reads their values where it stands, and notes what they depend on.
 /// False with the reason reported if the expression is wrong.
