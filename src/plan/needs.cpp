@@ -78,38 +78,34 @@ class NeedFinder {
     void readAtEndsOfRounds(std::size_t node, std::size_t& left) {
         for (; left > 0 && nodes_.untils[left - 1].node == node; --left) {
             const scene::Until& each = nodes_.untils[left - 1];
-            for (const scene::BufferIndex buffer : each.condition.reads) read(scene::BufferView{buffer});
+            for (const scene::BufferIndex buffer : each.condition.reads) keep(buffer);
             const auto [written, isNew] = writtenByRounds_.try_emplace({each.first, each.end});
             if (isNew)
                 for (std::size_t i = each.first; i < each.end; ++i)
                     addWritten(nodes_.order[i], written->second);
-            for (const scene::ObjectView& object : written->second) read(object);
+            for (const Object& object : written->second) keep(object);
         }
     }
+    void keep(const Object& object) {
+        if (note(object)) live_.insert(object);
+    }
     /// Adds what the node writes if any of it is needed.
-    void addWritten(const scene::NodeIndex& node, std::vector<scene::ObjectView>& to) {
-        const auto add = [&](const scene::ObjectView& object) {
-            if (std::ranges::find(to, object) == to.end()) to.push_back(object);
-        };
+    void addWritten(const scene::NodeIndex& node, std::set<Object>& to) {
         const auto addUses = [&](const std::vector<ObjectUse>& uses) {
             for (const ObjectUse& each : uses)
-                if (each.writes) add(each.object);
+                if (each.writes) to.insert(objectOf(each.object));
         };
         if (node.kind == scene::NodeIndex::Kind::dispatch) {
             addUses(programs_.usesOf(nodes_.dispatches[node.index]));
         } else if (node.kind == scene::NodeIndex::Kind::pass) {
             const scene::Pass& pass = nodes_.passes[node.index];
-            for (const scene::TextureIndex each : pass.targets) add(scene::TextureView{.texture = each});
-            if (pass.depth) add(*pass.depth);
+            to.insert(pass.targets.begin(), pass.targets.end());
+            if (pass.depth) to.insert(pass.depth->texture);
             for (const auto& step : pass.steps)
                 if (const auto* draw = std::get_if<scene::Draw>(&step); draw && programs_.mayWrite(*draw))
                     addUses(programs_.usesOf(*draw, pass));
         } else {
-            const auto& object = nodes_.clears[node.index].object;
-            if (const auto* texture = std::get_if<scene::TextureIndex>(&object))
-                add(scene::TextureView{.texture = *texture});
-            else
-                add(scene::BufferView{std::get<scene::BufferIndex>(object)});
+            to.insert(nodes_.clears[node.index].object);
         }
     }
     /// True if a draw might be needed that is not yet.
@@ -274,7 +270,7 @@ class NeedFinder {
     }
 
     /// By the first node of the rounds and that after the last one.
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<scene::ObjectView>> writtenByRounds_;
+    std::map<std::pair<std::size_t, std::size_t>, std::set<Object>> writtenByRounds_;
     const scene::Scene& scene_;
     const scene::NodeList& nodes_;
     PlannedPrograms& programs_;
