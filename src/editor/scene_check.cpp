@@ -253,6 +253,12 @@ SceneNames namesOf(const scene::Scene& scene) {
                                 each.words.empty() ? valueText(each.written, each.form)
                                                    : fmt::format("<{}>", fmt::join(each.words, " ")),
                                 CodeLanguage::glib});
+    for (const auto& each : scene.functions)
+        names.values.push_back({each->name,
+                                fmt::format("{}({})", each->name, fmt::join(each->parameters, ", ")),
+                                fmt::format("({}), line {}", each->body, each->origin.line),
+                                {},
+                                CodeLanguage::glib});
     return names;
 }
 

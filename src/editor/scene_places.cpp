@@ -89,6 +89,23 @@ std::vector<Declaration> declarationsOf(std::string_view scene) {
     return found;
 }
 
+/// The parameters of `Let name(parameters) (...)`; of other statements none.
+static std::set<std::string> parametersIn(std::string_view scene, const glib::Statement& statement) {
+    const std::vector<Token>& tokens = statement.arguments;
+    std::set<std::string> names;
+    const bool isFunction = statement.modern != nullptr && glib::sameWord(statement.word.text, "Let") &&
+                            tokens.size() > 2 && tokens[1].kind == TokenKind::expression &&
+                            tokens[1].begin == tokens[0].end;
+    for (std::size_t at = isFunction ? tokens[1].begin : scene.size();
+         at < std::min(scene.size(), tokens.size() > 1 ? tokens[1].end : 0); ++at) {
+        if (!base::isOfName(scene[at])) continue;
+        const TextRange place = wordAt(scene, at);
+        names.emplace(scene.substr(place.begin, place.end - place.begin));
+        at = place.end;
+    }
+    return names;
+}
+
 std::vector<SceneWord> namesIn(std::string_view scene) {
     std::vector<SceneWord> found;
     std::set<std::size_t> declared;
@@ -98,6 +115,7 @@ std::vector<SceneWord> namesIn(std::string_view scene) {
         if (!row || statement.body.data() != nullptr) continue;
         const bool isProgram = glib::sameWord(row->name, "Program");
         const std::vector<std::string>& keys = glib::syntaxOf(*row).keys;
+        const std::set<std::string> parameters = parametersIn(scene, statement);
         std::string program;
         int depth = 0;
         bool isValue = false;  // what follows a tag
@@ -107,7 +125,8 @@ std::vector<SceneWord> namesIn(std::string_view scene) {
             if (token.kind == TokenKind::close) --depth;
             const bool isWord = token.kind == TokenKind::word;
             const bool isName = isProgram && i == 0 && token.isWord();
-            const bool isTag = isProgram && isWord && depth == 0 && i > 0 && !isValue;
+            const bool isTag = isProgram && isWord && depth == 0 && i > 0 && !isValue &&
+                               !glib::sameWord(token.text, "const");
             if (isName) program = token.text;
             isValue = isTag || (isValue && depth > 0);
             const bool isFile = isWord && namesFiles(statement) && token.text.find('.') != token.text.npos;
@@ -121,9 +140,13 @@ std::vector<SceneWord> namesIn(std::string_view scene) {
                 at = place.end;
                 const bool isMember = place.begin > token.begin && scene[place.begin - 1] == '.';
                 if (isMember || base::isDigit(scene[place.begin])) continue;
-                found.push_back({std::string(scene.substr(place.begin, place.end - place.begin)), place,
-                                 declared.contains(place.begin), isTag && place.begin == token.begin,
-                                 isTag ? program : std::string()});
+                SceneWord& word = found.emplace_back(
+                    SceneWord{std::string(scene.substr(place.begin, place.end - place.begin)), place,
+                              declared.contains(place.begin), isTag && place.begin == token.begin,
+                              isTag ? program : std::string()});
+                if (i == 0 || !parameters.contains(word.name)) continue;
+                word.function = statement.word.begin;
+                word.isDeclaration = i == 1;
             }
         }
     }

@@ -3,6 +3,7 @@
 // names of files. The text may be incomplete or wrong.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct SceneWord {
     bool isDeclaration = false;
     bool isTag = false;   ///< a uniform that a Program statement sets
     std::string program;  ///< of a tag
+    /// Of a parameter of `Let name(parameters) (...)`: where the statement begins, to which its name belongs.
+    std::optional<std::size_t> function{};
 };
 /// All words that may be names, in the order of the text. Keys, files and texts in quotes are none.
 std::vector<SceneWord> namesIn(std::string_view scene);

@@ -44,7 +44,7 @@ class Search {
                     if (each.isTag)
                         findUniform();
                     else
-                        findSceneName();
+                        findSceneName(each.function);
                 }
             return std::move(symbol_);
         }
@@ -164,11 +164,12 @@ class Search {
                         symbol_.all.push_back({text.file, each.place, false});
     }
 
-    void findSceneName() {
+    /// `function`: of a parameter, SceneWord::function.
+    void findSceneName(const std::optional<std::size_t>& function) {
         for (const SourceText& text : texts_)
-            if (text.language == CodeLanguage::glib)
+            if (text.language == CodeLanguage::glib && (!function || &text == &texts_.front()))
                 for (const SceneWord& each : namesIn(text.text)) {
-                    if (each.isTag || each.name != symbol_.name) continue;
+                    if (each.isTag || each.name != symbol_.name || each.function != function) continue;
                     symbol_.all.push_back({text.file, each.place, each.isDeclaration});
                     if (each.isDeclaration && !symbol_.declaration) symbol_.declaration = symbol_.all.back();
                 }

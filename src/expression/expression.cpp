@@ -55,7 +55,7 @@ std::size_t elementAt(double subscript, std::size_t count) {
 class Machine {
   public:
     Machine(const Code& code, const Values* values, double* stack)
-        : code_(code), values_(values), top_(stack) {}
+        : code_(code), values_(values), stack_(stack), top_(stack) {}
 
     std::optional<Problem> run(std::size_t first) {
         const std::size_t count = code_.instructions.size();
@@ -72,6 +72,14 @@ class Machine {
                 case Op::loadAt:
                     if (auto problem = loadAt(i)) return problem;
                     continue;
+                case Op::local:
+                    top_ = std::copy_n(stack_ + i.target, i.n, top_);
+                    continue;
+                case Op::leave: {
+                    const double* const result = top_ - i.n;
+                    top_ = std::copy_n(result, i.n, top_ - i.n - i.target);
+                    continue;
+                }
                 case Op::negate:
                     for (double* each = top_ - i.n; each != top_; ++each) *each = -*each;
                     continue;
@@ -170,7 +178,7 @@ class Machine {
   private:
     [[nodiscard]] Problem fail(std::string_view why) const {
         const Range range = code_.ranges[at_];
-        return problemAt(code_, range, "expr-E06", fmt::format("{}: {}", quoted(code_.text, range), why));
+        return problemAt(code_, range, "expr-E06", fmt::format("{}: {}", quoted(code_, range), why));
     }
 
     static std::string outOfRange(double subscript, std::size_t count) {
@@ -182,7 +190,7 @@ class Machine {
         const Symbol& symbol = code_.uses[i.target].symbol;
         const double* const value = values_ == nullptr ? nullptr : values_->find(symbol.slot, element);
         if (value == nullptr) {
-            std::string text = fmt::format("{} has no value here", quoted(code_.text, code_.ranges[at_]));
+            std::string text = fmt::format("{} has no value here", quoted(code_, code_.ranges[at_]));
             if (const std::string why =
                     values_ == nullptr ? std::string() : values_->whyMissing(symbol.slot, element);
                 !why.empty())
@@ -212,9 +220,16 @@ class Machine {
 
     const Code& code_;
     const Values* values_;
+    double* stack_;
     double* top_;
     std::size_t at_ = 0;
 };
+
+/// The body that a range stands in; null for the text itself.
+const CalledBody* bodyOf(const Code& code, Range range) {
+    const auto next = std::ranges::upper_bound(code.bodies, range.begin, {}, &CalledBody::begin);
+    return next == code.bodies.begin() ? nullptr : &*std::prev(next);
+}
 
 Checked<Value> valueOf(const Code& code, const Values* values) {
     double stack[kMostDoubles];
@@ -234,7 +249,21 @@ std::optional<Problem> run(const Code& code, std::size_t first, const Values* va
     return Machine(code, values, stack).run(first);
 }
 
+std::string quoted(const Code& code, Range range) {
+    const CalledBody* const body = bodyOf(code, range);
+    return body == nullptr
+               ? quoted(code.text, range)
+               : quoted(body->function->body, {range.begin - body->begin, range.end - body->begin});
+}
+
 Problem problemAt(const Code& code, Range range, const char* id, std::string message) {
+    if (const CalledBody* const body = bodyOf(code, range)) {
+        const Place in = placeAt(body->function->body, range.begin - body->begin, body->function->origin);
+        message =
+            fmt::format("{}: {} ({}line {}, column {})", quoted(code.text, body->call), message,
+                        in.file == code.origin.file ? std::string() : in.file + ", ", in.line, in.column);
+        range = body->call;
+    }
     return {diagnose(id, std::move(message), placeAt(code.text, range.begin, code.origin)), range};
 }
 

@@ -42,6 +42,7 @@ struct Limits {
     std::size_t bytes = 16U << 10U;  ///< of the text
     std::size_t depth = 200;         ///< of nested parentheses, subscripts, signs and conditions
     std::size_t steps = 16U << 10U;  ///< of the code, each of them done at most once
+    std::size_t bodies = 1U << 20U;  ///< bytes of all bodies of functions that are called
 };
 
 /// One name that an expression uses.
@@ -79,10 +80,15 @@ class Expression {
 };
 
 /// Reads an expression, with or without parentheses around it. `origin` is the place of the first byte of the
-/// text, which may have several lines, joined by backslashes. Problems are expr-E01 to expr-E05, and
-/// expr-E08; the first one is returned.
+/// text, which may have several lines, joined by backslashes. Problems are expr-E01 to expr-E05, expr-E08
+/// and expr-E09; the first one is returned. The body of a function of the scene becomes part of the code
+/// wherever it is called, so a call costs no more than the body written in its place. A problem of a body
+/// stands at the call in the text, and its message names the place in the body.
 Checked<Expression> parse(std::string_view text, const Place& origin, const Names& names,
                           const Wanted& wanted = {}, const Limits& limits = {});
+
+/// The problem that the body of a function has with arguments of every type; nothing if some types suit it.
+std::optional<Problem> problemOf(const Function& function, const Names& names);
 
 // Compiled expressions: instructions for a stack of doubles. Types are known when the code is made, so no
 // value has a type at run time. Jumps only go forward.
@@ -97,6 +103,8 @@ enum class Op : std::uint8_t {
     push,    ///< n constants from `target` on
     load,    ///< the value of symbol `target`
     loadAt,  ///< replaces a subscript by that element of symbol `target`
+    local,   ///< a parameter: n components that stand at place `target` of the stack
+    leave,   ///< the end of a body: removes the `target` components below the n of the result
     negate,  ///< n components
     add,     ///< a components and b components give n; 1 component is used for all
     subtract,
@@ -133,12 +141,21 @@ struct Instruction {
 
 inline constexpr std::size_t kMostDoubles = 512;  ///< on the stack
 
+/// The body of a function that the code has taken in. Its bytes are counted on from `begin`, as if the bodies
+/// followed the text.
+struct CalledBody {
+    std::uint32_t begin = 0;
+    std::shared_ptr<const Function> function;
+    Range call;  ///< of the text: the call that leads to it
+};
+
 struct Code {
     std::string text;
     Place origin;
     Type type;
     std::vector<Instruction> instructions;
-    std::vector<Range> ranges;  ///< of the text, one for each instruction
+    std::vector<Range> ranges;  ///< of the text or of a body, one for each instruction
+    std::vector<CalledBody> bodies;
     std::vector<double> constants;
     std::vector<Use> uses;
     Depends depends = Depends::nothing;
@@ -148,7 +165,10 @@ struct Code {
 /// `stack` has room for kMostDoubles. Without `values` nothing may be loaded.
 std::optional<Problem> run(const Code& code, std::size_t first, const Values* values, double* stack);
 
-/// A problem of this id in a text that begins at `origin`.
+/// A problem of this id in the text. In a body it stands at the call, and the place in the body ends the
+/// message.
 Problem problemAt(const Code& code, Range range, const char* id, std::string message);
+/// The bytes of a range of the text or of a body in single quotes.
+std::string quoted(const Code& code, Range range);
 
 }  // namespace glibra::expression

@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <glibra/diagnostic.h>
 
 #include "expression/type.h"
 
@@ -56,6 +59,16 @@ struct Symbol {
     std::string what;                ///< of a record, for messages: "camera"
 };
 
+/// A function that a scene declares: `Let name(parameters) (body)`. Each call reads the body with the types
+/// of its arguments.
+struct Function {
+    std::string name;
+    std::vector<std::string> parameters;
+    std::string body;
+    Place origin;           ///< of the first byte of the body
+    std::size_t order = 0;  ///< its body may call the functions of lower order alone
+};
+
 /// The names that an expression may use. A path is a name with its fields, without subscripts: "time",
 /// "camera.view", "mouse.down", "light.prev.shadow". The fields of the elements of an array are arrays: if
 /// `slice` is an array of 3 cameras, then "slice.view" is an array of 3 matrices, and `slice[1].view` an
@@ -68,6 +81,17 @@ class Names {
     virtual ~Names() = default;
 
     [[nodiscard]] virtual std::optional<Symbol> find(std::string_view path) const = 0;
+
+    /// What a path means in the body of a function of the scene.
+    [[nodiscard]] virtual std::optional<Symbol> findInScene(std::string_view path) const {
+        return find(path);
+    }
+    /// The function of the scene of that name; null if there is none.
+    [[nodiscard]] virtual std::shared_ptr<const Function> findFunction(std::string_view /*name*/) const {
+        return nullptr;
+    }
+    /// The names of these functions, to suggest for a misspelt one.
+    [[nodiscard]] virtual std::vector<std::string> knownFunctions() const { return {}; }
 
     /// The names to suggest for a misspelt one: all first names for an empty path, else the fields of that
     /// path.

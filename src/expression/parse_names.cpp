@@ -2,8 +2,10 @@
 // constructors of vectors and matrices.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "base/text.h"
 #include "expression/apply.h"
 #include "expression/functions.h"
 #include "expression/measures.h"
@@ -22,10 +25,11 @@ namespace glibra::expression {
 
 bool Parser::settle(const Operand& operand) {
     if (operand.unknownWord.empty()) return true;
-    const auto symbol = names_.find(operand.unknownWord);
+    const auto symbol = find(operand.unknownWord);
     if (symbol)
         noValue(std::string(operand.unknownWord), *symbol, operand.range);
-    else if (!functionsNamed(operand.unknownWord).empty())
+    else if (!functionsNamed(operand.unknownWord).empty() ||
+             names_.findFunction(operand.unknownWord) != nullptr)
         problem(operand.range, "expr-E01",
                 fmt::format("'{}' is a function; its arguments follow in parentheses", operand.unknownWord));
     else
@@ -38,12 +42,17 @@ void Parser::unknownName(std::string_view name, Range range) {
     std::vector<std::string_view> candidates(known.begin(), known.end());
     candidates.insert(candidates.end(), wanted_.words.begin(), wanted_.words.end());
     for (const std::string_view each : {"true", "false", "pi"}) candidates.push_back(each);
+    if (frame_ != nullptr)
+        candidates.insert(candidates.end(), frame_->function->parameters.begin(),
+                          frame_->function->parameters.end());
     std::string hint = base::suggestion(name, candidates);
-    if (hint.empty() && !wanted_.words.empty())
+    if (frame_ != nullptr && std::ranges::find(wanted_.words, name) != wanted_.words.end())
+        hint = "; a function has no words as its value";
+    else if (hint.empty() && !wanted_.words.empty())
         hint = fmt::format(
             "; the words here are {}",
             joined(std::vector<std::string>(wanted_.words.begin(), wanted_.words.end()), " and "));
-    problem(range, "expr-E02", fmt::format("unknown name {}{}", quoted(code_.text, range), hint));
+    problem(range, "expr-E02", fmt::format("unknown name {}{}", quoted(text_, range), hint));
 }
 
 bool Parser::compareWithChoice(const Operand& choice, Operand& word) {
@@ -52,7 +61,7 @@ bool Parser::compareWithChoice(const Operand& choice, Operand& word) {
     const auto found = std::ranges::find(words, text);
     if (found == words.end()) {
         problem(word.range, "expr-E02",
-                fmt::format("unknown word {}; {} is {}", quoted(code_.text, word.range),
+                fmt::format("unknown word {}; {} is {}", quoted(text_, word.range),
                             code_.uses[*choice.choice].path, joined(words, " or ")));
         return false;
     }
@@ -62,11 +71,33 @@ bool Parser::compareWithChoice(const Operand& choice, Operand& word) {
     return true;
 }
 
+std::optional<Symbol> Parser::find(std::string_view path) const {
+    return frame_ != nullptr ? names_.findInScene(path) : names_.find(path);
+}
+
+Parser::Parsed Parser::parameter(const Token& name) {
+    if (frame_ == nullptr) return std::nullopt;
+    const std::vector<std::string>& names = frame_->function->parameters;
+    const auto found = std::ranges::find(names, name.text);
+    if (found == names.end()) return std::nullopt;
+    const Argument& argument = frame_->arguments[static_cast<std::size_t>(found - names.begin())];
+    const Type type = argument.operand.type;
+    if (argument.operand.isConstant) return build_.pushed(argument.constant, type, name.range);
+    Operand result{.type = type, .range = name.range, .begin = build_.end()};
+    Instruction local;
+    local.op = Op::local;
+    local.n = static_cast<std::uint8_t>(type.size());
+    local.target = static_cast<std::uint32_t>(argument.place);
+    build_.emit(local, name.range, 0, local.n);
+    return result;
+}
+
 Parser::Parsed Parser::named(const Token& first) {
     if (first.text == "true" || first.text == "false")
         return build_.pushed(first.text == "true" ? 1 : 0, Type::boolean(), first.range);
+    if (Parsed own = parameter(first)) return own;
     std::string path(first.text);
-    std::optional<Symbol> symbol = names_.find(path);
+    std::optional<Symbol> symbol = find(path);
     if (!symbol) return unnamed(first);
     Parsed index;
     while (true) {
@@ -80,7 +111,7 @@ Parser::Parsed Parser::named(const Token& first) {
             take();
             if (token_.kind != TokenKind::name) return unexpected("the name of a field or component");
             const Token field = token_;
-            auto inner = names_.find(path + "." + std::string(field.text));
+            auto inner = find(path + "." + std::string(field.text));
             if (inner) {
                 take();
                 path += "." + std::string(field.text);
@@ -127,7 +158,7 @@ std::nullopt_t Parser::noSuchField(const std::string& path, const Symbol& symbol
     std::string help = base::suggestion(field.text, candidates);
     if (help.empty() && !known.empty()) help = fmt::format("; it has {}", joined(known, " and "));
     return problem(field.range, "expr-E02",
-                   fmt::format("'{}' has no field {}{}", path, quoted(code_.text, field.range), help));
+                   fmt::format("'{}' has no field {}{}", path, quoted(text_, field.range), help));
 }
 
 Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Parsed& index, Range range) {
@@ -149,7 +180,7 @@ Parser::Parsed Parser::loaded(const std::string& path, Symbol symbol, const Pars
 Parser::Parsed Parser::unnamed(const Token& first) {
     if (first.text == "pi") return build_.pushed(std::numbers::pi, Type::number(), first.range);
     const auto word = std::ranges::find(wanted_.words, first.text);
-    const bool isWanted = word != wanted_.words.end() && wants(Type::word());
+    const bool isWanted = word != wanted_.words.end() && wants(Type::word()) && frame_ == nullptr;
     Operand operand = build_.pushed(isWanted ? static_cast<double>(word - wanted_.words.begin()) : 0,
                                     Type::word(), first.range);
     if (!isWanted) operand.unknownWord = first.text;
@@ -254,7 +285,11 @@ Parser::Parsed Parser::measured(const MeasureCall& call) {
 
 Parser::Parsed Parser::call(const Token& function) {
     const std::span<const FunctionRow> forms = functionsNamed(function.text);
-    if (forms.empty()) return unknownFunction(function);
+    if (forms.empty()) {
+        if (frame_ != nullptr && frame_->function->name == function.text) return recursion(function);
+        const auto ofScene = find(function.text) ? nullptr : names_.findFunction(function.text);
+        return ofScene != nullptr ? callOfScene(ofScene, function) : unknownFunction(function);
+    }
     const bool takesAll = forms.front().takesAll;
     build_.unchecked += takesAll ? 1 : 0;
     const auto arguments = argumentList(function);
@@ -279,7 +314,7 @@ Parser::Parsed Parser::call(const Token& function) {
 
 Parser::Parsed Parser::moving(std::vector<Operand> arguments, const Call& call, const Token& function,
                               Range range) {
-    const auto time = names_.find("time");
+    const auto time = find("time");
     if (!time || !time->type.isNumber() || time->count > 0)
         return problem(range, "expr-E07",
                        fmt::format("{} needs 'time', which has no value here", function.text));
@@ -290,14 +325,16 @@ Parser::Parsed Parser::moving(std::vector<Operand> arguments, const Call& call, 
 }
 
 std::nullopt_t Parser::unknownFunction(const Token& function) {
-    if (names_.find(function.text))
+    if (find(function.text))
         return problem(function.range, "expr-E08",
                        fmt::format("'{}' is a value, not a function; write '*' to multiply", function.text));
     std::vector<std::string_view> candidates;
     for (const FunctionRow& each : functionTable())
         if (candidates.empty() || candidates.back() != each.name()) candidates.push_back(each.name());
+    const std::vector<std::string> ofScene = names_.knownFunctions();
+    candidates.insert(candidates.end(), ofScene.begin(), ofScene.end());
     return problem(function.range, "expr-E02",
-                   fmt::format("unknown function {}{}", quoted(code_.text, function.range),
+                   fmt::format("unknown function {}{}", quoted(text_, function.range),
                                base::suggestion(function.text, candidates)));
 }
 
@@ -339,6 +376,129 @@ std::optional<std::vector<Operand>> Parser::argumentList(const Token& function) 
     } while (takeIf(","));
     if (!takeIf(")")) return unexpected("',' or ')'");
     return arguments;
+}
+
+// ---- Functions of the scene.
+
+std::nullopt_t Parser::recursion(const Token& name) {
+    return problem(name.range, "expr-E09",
+                   fmt::format("'{}' calls itself; a function cannot, but the elements of an array may read "
+                               "earlier ones",
+                               name.text));
+}
+
+Parser::Parsed Parser::callOfScene(const std::shared_ptr<const Function>& function, const Token& name) {
+    if (frame_ != nullptr && function->order >= frame_->function->order)
+        return problem(name.range, "expr-E09",
+                       fmt::format("'{}' is declared below, on line {}; a function calls those above it",
+                                   function->name, function->origin.line));
+    const std::size_t begin = build_.end();
+    auto arguments = argumentsOfScene(*function, name);
+    if (!arguments) return std::nullopt;
+    bodyBytes_ += function->body.size();
+    if (bodyBytes_ > limits_.bodies)
+        return problem(since(name.range.begin), "expr-E05",
+                       fmt::format("the functions that are called have more than {} bytes, each counted as "
+                                   "often as it is called",
+                                   base::groupedText(limits_.bodies)));
+    const bool isConstant = std::ranges::all_of(*arguments, &Operand::isConstant, &Argument::operand);
+    Parsed result = body({function, std::move(*arguments)}, since(name.range.begin));
+    if (!result) return result;
+    result->isConstant = result->isConstant && isConstant;
+    result->range = since(name.range.begin);
+    result->begin = begin;
+    return result;
+}
+
+std::optional<std::vector<Parser::Argument>> Parser::argumentsOfScene(const Function& function,
+                                                                      const Token& name) {
+    const Level level(*this);
+    if (depth_ > limits_.depth) return tooDeep();
+    std::vector<Argument> arguments;
+    take();  // the parenthesis
+    if (!takeIf(")")) {
+        do {
+            const std::size_t place = build_.depth();
+            const Parsed argument = expression();
+            if (!argument || !settle(*argument)) return std::nullopt;
+            if (argument->type.kind == Kind::word)
+                return problem(argument->range, "expr-E03",
+                               fmt::format("a word is no argument of '{}'", function.name));
+            Argument& made = arguments.emplace_back(Argument{*argument, place, {}});
+            if (argument->isConstant) {
+                const std::span<const double> value = build_.valueOf(*argument);
+                made.constant.assign(value.begin(), value.end());
+                build_.erase(argument->begin, build_.end(), value.size());
+            }
+        } while (takeIf(",") && arguments.size() <= function.parameters.size());
+        if (arguments.size() <= function.parameters.size() && !takeIf(")")) return unexpected("',' or ')'");
+    }
+    if (arguments.size() == function.parameters.size()) return arguments;
+    const std::string all = fmt::format("{}({})", function.name, fmt::join(function.parameters, ", "));
+    return problem(
+        since(name.range.begin), "expr-E04",
+        fmt::format(
+            "{} takes {} argument{}, found {}", all, function.parameters.size(),
+            function.parameters.size() == 1 ? "" : "s",
+            arguments.size() > function.parameters.size() ? "more" : std::to_string(arguments.size())));
+}
+
+Parser::Parsed Parser::body(Frame frame, Range call) {
+    const std::string_view text = frame.function->body;
+    const std::uint32_t outerBegin = build_.textBegin;
+    const auto next = code_.bodies.empty()
+                          ? static_cast<std::uint32_t>(code_.text.size() + 1)
+                          : code_.bodies.back().begin +
+                                static_cast<std::uint32_t>(code_.bodies.back().function->body.size() + 1);
+    // A call in a body belongs to the call in the text that leads to it.
+    if (outerBegin == 0) callOfText_ = call;
+    code_.bodies.push_back({next, frame.function, callOfText_});
+    build_.textBegin = next;
+    const std::string_view outerText = std::exchange(text_, text);
+    const Lexer outerLexer = std::exchange(lexer_, Lexer(text));
+    const Token outerToken = std::exchange(token_, {});
+    const std::uint32_t outerEnd = std::exchange(lastEnd_, 0);
+    const Frame* const outerFrame = std::exchange(frame_, &frame);
+    take();
+    Parsed result = wholeBody();
+    if (result) {
+        std::size_t arguments = 0;
+        for (const Argument& each : frame.arguments)
+            arguments += each.operand.isConstant ? 0 : each.operand.type.size();
+        if (arguments > 0) {
+            Instruction leave;
+            leave.op = Op::leave;
+            leave.n = static_cast<std::uint8_t>(result->type.size());
+            leave.target = static_cast<std::uint32_t>(arguments);
+            build_.emit(leave, result->range, leave.n + arguments, leave.n);
+        }
+        result = withinLimits(result);
+    }
+    build_.textBegin = outerBegin;
+    text_ = outerText;
+    lexer_ = outerLexer;
+    token_ = outerToken;
+    lastEnd_ = outerEnd;
+    frame_ = outerFrame;
+    return result;
+}
+
+Parser::Parsed Parser::wholeBody() {
+    Parsed result = expression();
+    if (!result || !settle(*result)) return std::nullopt;
+    if (token_.kind != TokenKind::end) return unexpected("an operator or the end of the expression");
+    result->choice.reset();
+    return result;
+}
+
+std::optional<Problem> Parser::parseBody(const std::shared_ptr<const Function>& function,
+                                         std::span<const Type> types) {
+    Frame frame{function, {}};
+    for (const Type& each : types) frame.arguments.emplace_back().operand.type = each;
+    frame_ = &frame;
+    wholeBody();
+    frame_ = nullptr;
+    return std::move(problem_);
 }
 
 }  // namespace glibra::expression

@@ -349,7 +349,7 @@ Parser::Parsed Parser::component(const Operand& value) {
     const std::vector<std::string> fields = names_.known(textOf(value.range));  // `mouse` has `mouse.down`
     return problem(name.range, "expr-E02",
                    fmt::format("{} {} has no component or field {}{}", article(expression::name(value.type)),
-                               expression::name(value.type), quoted(code_.text, name.range),
+                               expression::name(value.type), quoted(text_, name.range),
                                base::suggestion(
                                    name.text, std::vector<std::string_view>(fields.begin(), fields.end()))));
 }

@@ -20,7 +20,7 @@ namespace glibra::expression {
 void Builder::emit(Instruction instruction, Range range, std::size_t removed, std::size_t added) {
     instruction.isChecked = unchecked == 0;
     code_.instructions.push_back(instruction);
-    code_.ranges.push_back(range);
+    code_.ranges.push_back({range.begin + textBegin, range.end + textBegin});
     depth_ = depth_ - removed + added;
     highest_ = std::max(highest_, depth_);
     steps_ = std::max(steps_, code_.instructions.size());
@@ -98,7 +98,9 @@ void Builder::erase(std::size_t first, std::size_t last, std::size_t numbers) {
 }
 
 std::size_t Builder::use(std::string_view path, Symbol symbol) {
-    const auto found = std::ranges::find(code_.uses, path, &Use::path);
+    // In a body a name may mean something else than in the text.
+    const auto found = std::ranges::find_if(
+        code_.uses, [&](const Use& each) { return each.path == path && each.symbol.slot == symbol.slot; });
     if (found != code_.uses.end()) return static_cast<std::size_t>(found - code_.uses.begin());
     code_.uses.push_back({std::string(path), std::move(symbol)});
     return code_.uses.size() - 1;
@@ -299,18 +301,19 @@ std::optional<Problem> Parser::parse() {
 }
 
 std::nullopt_t Parser::problem(Range range, const char* id, std::string text) {
-    if (!problem_) problem_ = problemAt(code_, range, id, std::move(text));
+    const std::uint32_t begin = build_.textBegin;
+    if (!problem_) problem_ = problemAt(code_, {range.begin + begin, range.end + begin}, id, std::move(text));
     return std::nullopt;
 }
 
 std::nullopt_t Parser::unexpected(std::string_view expected) {
     if (token_.kind == TokenKind::wrong)
         return problem(token_.range, "expr-E01",
-                       fmt::format("{}: {}", quoted(code_.text, token_.range), token_.why));
+                       fmt::format("{}: {}", quoted(text_, token_.range), token_.why));
     return problem(token_.range, "expr-E01",
                    fmt::format("expected {}, found {}{}", expected,
                                token_.kind == TokenKind::end ? std::string("the end of the expression")
-                                                             : quoted(code_.text, token_.range),
+                                                             : quoted(text_, token_.range),
                                token_.text == "at" ? "; a time may stand after sum, mean, least and largest "
                                                      "alone: sum(NAME) at 2"
                                                    : ""));
@@ -323,7 +326,7 @@ std::nullopt_t Parser::tooDeep() {
 
 Parser::Parsed Parser::withinLimits(Parsed operand) {
     if (operand && !build_.isWithinLimits())
-        return problem({0, static_cast<std::uint32_t>(code_.text.size())}, "expr-E05",
+        return problem({0, static_cast<std::uint32_t>(text_.size())}, "expr-E05",
                        "the expression is too long, or holds too many values at once");
     return operand;
 }
@@ -344,7 +347,7 @@ Range Parser::since(std::uint32_t begin) const {
 }
 
 std::string_view Parser::textOf(Range range) const {
-    return std::string_view(code_.text).substr(range.begin, range.end - range.begin);
+    return text_.substr(range.begin, range.end - range.begin);
 }
 
 bool Parser::wants(const Type& type) const {
@@ -405,6 +408,27 @@ Checked<Expression> parse(std::string_view text, const Place& origin, const Name
     code->text = text;
     if (auto problem = Parser(*code, names, wanted, limits).parse()) return std::move(*problem);
     return Expression(std::move(code));
+}
+
+std::optional<Problem> problemOf(const Function& function, const Names& names) {
+    std::optional<Problem> first;
+    const auto shared = std::make_shared<const Function>(function);
+    for (const Type type : {Type::number(), Type::vector(3), Type::vector(4), Type::vector(2),
+                            Type::matrix(4), Type::boolean(), Type::matrix(3), Type::matrix(2)}) {
+        Code code;
+        code.origin = function.origin;
+        code.text = function.body;
+        const std::vector<Type> types(function.parameters.size(), type);
+        auto problem = Parser(code, names, {}, {}).parseBody(shared, types);
+        if (!problem) return std::nullopt;
+        // A problem that the types decide is one of the calls.
+        const bool isSame = !first || (first->message.id == problem->message.id &&
+                                       first->message.text == problem->message.text);
+        if (!isSame) return std::nullopt;
+        first = std::move(problem);
+        if (types.empty()) break;
+    }
+    return first;
 }
 
 }  // namespace glibra::expression

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,9 @@ class Builder {
   public:
     Builder(Code& code, const Limits& limits) : code_(code), limits_(limits) {}
 
+    /// Added to ranges: where the body that is read begins (CalledBody).
+    std::uint32_t textBegin = 0;
+
     /// While above 0, results need not be finite.
     int unchecked = 0;
 
@@ -59,6 +63,8 @@ class Builder {
 
     /// The next instruction's index.
     [[nodiscard]] std::size_t end() const { return code_.instructions.size(); }
+    /// How many numbers stand on the stack.
+    [[nodiscard]] std::size_t depth() const { return depth_; }
     /// Appends a jump; jumpHere() says where it goes. The stack changes as emit() says.
     std::size_t emitJump(Op op, Range range, std::size_t removed);
     void jumpHere(std::size_t jump);
@@ -130,6 +136,7 @@ class Parser {
           names_(names),
           wanted_(wanted),
           limits_(limits),
+          text_(code.text),
           lexer_(code.text),
           build_(code, limits) {
         take();
@@ -137,6 +144,9 @@ class Parser {
 
     /// Fills the code, or returns the first problem.
     std::optional<Problem> parse();
+    /// Reads the body of a function whose parameters have these types, of which the code is not kept.
+    std::optional<Problem> parseBody(const std::shared_ptr<const Function>& function,
+                                     std::span<const Type> types);
 
   private:
     using Parsed = std::optional<Operand>;
@@ -151,6 +161,18 @@ class Parser {
 
       private:
         Parser& parser_;
+    };
+
+    /// What a parameter of the function that is read stands for.
+    struct Argument {
+        Operand operand;
+        std::size_t place = 0;         ///< on the stack
+        std::vector<double> constant;  ///< its value; such an argument is not on the stack
+    };
+    /// The function whose body is read.
+    struct Frame {
+        std::shared_ptr<const Function> function;
+        std::vector<Argument> arguments;
     };
 
     // ---- Problems
@@ -200,6 +222,10 @@ class Parser {
     /// Gives the word of a choice the number that the choice has for it.
     bool compareWithChoice(const Operand& choice, Operand& word);
     Parsed named(const Token& first);
+    /// A parameter of the function that is read; nothing if it has none of this name.
+    Parsed parameter(const Token& name);
+    /// What a path means where the text that is read stands.
+    [[nodiscard]] std::optional<Symbol> find(std::string_view path) const;
     std::nullopt_t noSuchField(const std::string& path, const Symbol& symbol, const Token& field);
     /// Reports a name that is no value: an array, or an object with fields.
     std::nullopt_t noValue(const std::string& path, const Symbol& symbol, Range range);
@@ -217,15 +243,26 @@ class Parser {
     std::nullopt_t unknownFunction(const Token& function);
     std::nullopt_t noSuchForm(std::span<const FunctionRow> forms, std::span<const Type> types, Range range);
     std::optional<std::vector<Operand>> argumentList(const Token& function);
+    /// A call of a function of the scene: its arguments, then its body.
+    Parsed callOfScene(const std::shared_ptr<const Function>& function, const Token& name);
+    std::nullopt_t recursion(const Token& name);
+    std::optional<std::vector<Argument>> argumentsOfScene(const Function& function, const Token& name);
+    /// Its result takes the place of the arguments on the stack.
+    Parsed body(Frame frame, Range call);
+    Parsed wholeBody();
 
     Code& code_;
     const Names& names_;
     const Wanted& wanted_;
     const Limits& limits_;
+    std::string_view text_;  ///< that is read: that of the code, or the body of a function
     Lexer lexer_;
     Builder build_;
     Token token_;
     std::uint32_t lastEnd_ = 0;
+    const Frame* frame_ = nullptr;  ///< null: no body is read
+    Range callOfText_;              ///< that leads to the body that is read
+    std::size_t bodyBytes_ = 0;     ///< of the bodies that have been read
     std::size_t depth_ = 0;
     std::optional<Problem> problem_;
 };

@@ -5,6 +5,7 @@
 //   expr-E02  unknown name, function or field        expr-E06  the value cannot be computed
 //   expr-E03  wrong type                             expr-E07  a name has no value here
 //   expr-E04  wrong number of arguments              expr-E08  a name or value is something else
+//   expr-E09  a function of the scene calls itself, or one that is declared after it
 
 #include <glibra/diagnostic.h>
 

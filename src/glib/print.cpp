@@ -69,6 +69,12 @@ std::string written(const Command& command) {
     return text;
 }
 
+bool declaresFunction(const Command& command) {
+    if (command.id != CommandId::let || command.values.size() < 2) return false;
+    const Value& name = command.values.front();
+    return !name.path.empty() && !name.path.front().index.empty() && name.text.ends_with(')');
+}
+
 const KeyedValues* Command::key(std::string_view name) const {
     for (const KeyedValues& each : keys)
         if (each.key == name) return &each;

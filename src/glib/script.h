@@ -83,6 +83,9 @@ struct Command {
     [[nodiscard]] const KeyedValues* key(std::string_view name) const;
 };
 
+/// True for `Let name(parameters) (expression)`, which declares a function of expressions.
+bool declaresFunction(const Command& command);
+
 /// A modern statement as a scene writes it, on one line (and the lines of its body); reading it again gives
 /// an equal command. The uniforms of a Program are left out.
 std::string written(const Command& command);

@@ -265,8 +265,9 @@ struct ClassicTable {
 /// The modern statements, in the order of the specification.
 constexpr StatementRow kModernRows[] = {
     // Variables and structure
-    object({Id::let, "Let", "name:array value:constant",
-            "a variable: a slider, a choice, a number, a list or an expression"}),
+    object(
+        {Id::let, "Let", "name:array value:constant",
+         "a variable: a slider, a choice, a number, a list or an expression; name(x) (...) is a function"}),
     object({Id::bound, "Bound", "name:name value:constant",
             "a slider from the cheapest to the finest value, among which --max-error chooses"}),
     {Id::set, "Set", "pairs+", "uniform variables of the following draws of the scope"},
@@ -283,7 +284,8 @@ constexpr StatementRow kModernRows[] = {
            "statements that Draw repeats; without a name a scope in place"}),
     closes({Id::endGroup, "EndGroup", "", "ends a Group"}, Id::group),
     ofFrame({Id::draw, "Draw", "group:name pairs", "runs the statements of a group"}),
-    opens({Id::repeat, "Repeat", "(count:number | words:words) [as counter:name]",
+    opens({Id::repeat, "Repeat",
+           "(count:number | words:words) {until condition:expression | as counter:name}",
            "runs statements several times, or once per word"}),
     closes({Id::endRepeat, "EndRepeat", "", "ends a Repeat"}, Id::repeat),
     opens({Id::when, "When", "condition:number", "runs statements if the condition holds"}),
@@ -300,9 +302,13 @@ constexpr StatementRow kModernRows[] = {
     shader({Id::fragment, "Fragment", "inline", "a fragment shader in the script, up to EndFragment"}),
     shader({Id::glslText, "Glsl", "name:name inline",
             "GLSL in the script that shaders of the scene include by this name, up to EndGlsl"}),
-    placed(Standing::declaration,
-           {Id::program, "Program", "name:program pairs",
-            "a program whose tags are expressions or name textures, buffers and variables"}),
+    placed(
+        Standing::declaration,
+        {Id::program, "Program",
+         "name:program [const [type:int,uint,float,bool,vec2,vec3,vec4,ivec2,ivec3,ivec4,uvec2,uvec3,uvec4,"
+         "mat2,mat3,mat4] name:name value:any | pairs]...",
+         "a program whose tags are expressions or name textures, buffers and variables; const: a constant "
+         "of its shaders"}),
     {Id::use, "Use", "program:program", "makes an earlier program current"},
     ofFrame(placed(
         Standing::declaration,

@@ -53,6 +53,25 @@ void read(const ProgramRequest& request, ProgramUnits& program) {
     }
 }
 
+/// Reports constants of the scene that no stage names.
+void checkConstants(ProgramUnits& program) {
+    const ProgramRequest& request = *program.request;
+    for (std::size_t i = 0; i < request.constants.size(); ++i) {
+        const std::string& name = request.constants[i].name;
+        const bool isNamed = std::ranges::any_of(
+            program.units, [&](const Unit& each) { return each.namedConstants.contains(name); });
+        if (!request.shim)
+            program.report.report(
+                "glsl-W33", "--no-shim leaves shaders as they are, so 'const " + name + "' has no effect",
+                request.constantPlaces[i]);
+        else if (!isNamed && !program.report.failed())
+            program.report.report("glsl-W33",
+                                  "no shader of Program '" + request.name + "' has the name '" + name +
+                                      "', so 'const " + name + "' has no effect",
+                                  request.constantPlaces[i]);
+    }
+}
+
 void parse(Unit& unit) {
     if (unit.request->shim) {
         replaceExtensionWords(unit);
@@ -221,6 +240,7 @@ TranslatedProgram translate(const ProgramRequest& request) {
     if (acceptsCompute(request, program.report)) read(request, program);
     if (!program.report.failed()) {
         for (Unit& unit : program.units) parse(unit);
+        checkConstants(program);
         supplyVertexStage(program);
         supplyMissingStage(program);
         if (request.shim) {

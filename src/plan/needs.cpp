@@ -64,10 +64,48 @@ class NeedFinder {
         needs_.steps.clear();
         for (const scene::Pass& pass : nodes_.passes)
             needs_.steps.emplace_back(pass.steps.size(), StepNeed::passNotNeeded);
+        std::size_t position = nodes_.order.size(), left = nodes_.untils.size();
+        writtenByRounds_.clear();
         for (auto node : std::ranges::reverse_view(nodes_.order)) {
+            readAtEndsOfRounds(position--, left);
             if (node.kind == scene::NodeIndex::Kind::pass) visitPass(node.index);
             if (node.kind == scene::NodeIndex::Kind::dispatch) visitDispatch(node.index);
             if (node.kind == scene::NodeIndex::Kind::clear) visitClear(node.index);
+        }
+    }
+    /// Where a repetition may end, its condition is read, and what its rounds have written so far stays.
+    /// `left`: the conditions before this node, of which those at the node are taken.
+    void readAtEndsOfRounds(std::size_t node, std::size_t& left) {
+        for (; left > 0 && nodes_.untils[left - 1].node == node; --left) {
+            const scene::Until& each = nodes_.untils[left - 1];
+            for (const scene::BufferIndex buffer : each.reads) keep(buffer);
+            const auto [written, isNew] = writtenByRounds_.try_emplace({each.first, each.end});
+            if (isNew)
+                for (std::size_t i = each.first; i < each.end; ++i)
+                    addWritten(nodes_.order[i], written->second);
+            for (const Object& object : written->second) keep(object);
+        }
+    }
+    void keep(const Object& object) {
+        if (note(object)) live_.insert(object);
+    }
+    /// Adds what the node writes if any of it is needed.
+    void addWritten(const scene::NodeIndex& node, std::set<Object>& to) {
+        const auto addUses = [&](const std::vector<ObjectUse>& uses) {
+            for (const ObjectUse& each : uses)
+                if (each.writes) to.insert(objectOf(each.object));
+        };
+        if (node.kind == scene::NodeIndex::Kind::dispatch) {
+            addUses(programs_.usesOf(nodes_.dispatches[node.index]));
+        } else if (node.kind == scene::NodeIndex::Kind::pass) {
+            const scene::Pass& pass = nodes_.passes[node.index];
+            to.insert(pass.targets.begin(), pass.targets.end());
+            if (pass.depth) to.insert(pass.depth->texture);
+            for (const auto& step : pass.steps)
+                if (const auto* draw = std::get_if<scene::Draw>(&step); draw && programs_.mayWrite(*draw))
+                    addUses(programs_.usesOf(*draw, pass));
+        } else {
+            to.insert(nodes_.clears[node.index].object);
         }
     }
     /// True if a draw might be needed that is not yet.
@@ -231,6 +269,8 @@ class NeedFinder {
         if (needs_.clears[index]) note(clear.object);
     }
 
+    /// By the first node of the rounds and that after the last one.
+    std::map<std::pair<std::size_t, std::size_t>, std::set<Object>> writtenByRounds_;
     const scene::Scene& scene_;
     const scene::NodeList& nodes_;
     PlannedPrograms& programs_;

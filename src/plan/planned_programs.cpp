@@ -96,6 +96,8 @@ void PlannedPrograms::resolve(PlannedProgram& program, State& state, scene::Unif
     program.foundByName = std::move(resolution.foundByName);
     program.timed = std::move(resolution.timed);
     if (scene_.suppliesNames && own != nullptr) listNamedInputs(interface, program.foundByName);
+    for (const glsl::Constant& each : program.variant.constants)
+        program.foundByName.push_back(fmt::format("constant '{}' is {}", each.name, glsl::valueText(each)));
     state.badBindings = std::move(resolution.badBindings);
     state.refused = std::move(resolution.refusedImages);
     program.values = std::move(resolution.values);

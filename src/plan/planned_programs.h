@@ -42,8 +42,9 @@ class PlannedPrograms {
     PlannedProgramIndex of(const scene::Dispatch& dispatch) {
         const bool isCut =
             options_.cutsDispatches && !std::holds_alternative<scene::GroupsFrom>(dispatch.groups);
-        return of(ProgramVariant{.program = dispatch.program, .inPieces = isCut || dispatch.tiles > 1},
-                  dispatch.uniforms, dispatch.place.file);
+        ProgramVariant variant = plainVariant(scene_, dispatch.program);
+        variant.inPieces = isCut || dispatch.tiles > 1;
+        return of(variant, dispatch.uniforms, dispatch.place.file);
     }
     /// Returns the index of the variant with these values in the plan. One whose interface is not known is
     /// asked for, and not usable.

@@ -486,7 +486,9 @@ class FramePlanner {
                                     (program.hasStage(glsl::Stage::vertex) || isFullScreen);
             if (drawn.contains(i) || !(isDrawable || isCompute)) continue;
             // What a draw would set is not known.
-            const PlannedProgramIndex undrawn = programs_.of(ProgramVariant{i, false, 1, isFullScreen});
+            ProgramVariant variant = plainVariant(scene_, i);
+            variant.isFullScreen = isFullScreen;
+            const PlannedProgramIndex undrawn = programs_.of(variant);
             if (scene_.suppliesNames)
                 std::erase_if(programs_.state(undrawn).diagnostics, [](const Diagnostic& each) {
                     return each.id == "glib-W37" || each.id == "memory-E02" ||

@@ -13,6 +13,11 @@ bool needsFragments(const scene::Draw& draw, const scene::Pass& pass) {
 
 }  // namespace
 
+ProgramVariant plainVariant(const scene::Scene& scene, scene::ProgramIndex program) {
+    return {.program = program,
+            .constants = program ? scene.programs[program].constants : std::vector<glsl::Constant>()};
+}
+
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass) {
     const auto* space = std::get_if<scene::ClipSpace>(&*draw.projection);
     ProgramVariant variant{.flatColors = draw.flatColors,
@@ -20,6 +25,7 @@ ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, con
     if (usesBuiltin(scene, draw)) return variant;
     const scene::Program& program = scene.programs[draw.program];
     variant.program = draw.program;
+    variant.constants = program.constants;
     variant.isFullScreen = (space != nullptr && space->hasStage) ||
                            (scene.shapes[draw.shape].bare && isWithoutVertexStage(program));
     variant.suppliesFragment = !program.hasStage(glsl::Stage::fragment) && needsFragments(draw, pass);

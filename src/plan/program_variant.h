@@ -2,6 +2,7 @@
 // Which GL program a draw needs, before any is compiled.
 
 #include <compare>
+#include <vector>
 
 #include "base/program_resources.h"
 #include "glsl/types/translated_program.h"
@@ -32,12 +33,16 @@ struct ProgramVariant {
     scene::ProgramIndex program{};  ///< none: the built-in program
     bool flatColors = false;
     int colorTargets = 1;
-    bool isFullScreen = false;      ///< a vertex stage that covers the whole target may be supplied
-    bool inPieces = false;          ///< a compute program that runs in several dispatches
-    bool isFill = false;            ///< Program::isLeftOutByFill: these stages are left out
-    bool suppliesFragment = false;  ///< a fragment stage is missing and needed
+    bool isFullScreen = false;                ///< a vertex stage that covers the whole target may be supplied
+    bool inPieces = false;                    ///< a compute program that runs in several dispatches
+    bool isFill = false;                      ///< Program::isLeftOutByFill: these stages are left out
+    bool suppliesFragment = false;            ///< a fragment stage is missing and needed
+    std::vector<glsl::Constant> constants{};  ///< those of the Program statement
     friend auto operator<=>(const ProgramVariant&, const ProgramVariant&) = default;
 };
+
+/// The variant of a program that differs in nothing but its constants.
+ProgramVariant plainVariant(const scene::Scene& scene, scene::ProgramIndex program);
 
 /// The program that draws it in this pass: its own, or the built-in program if its own lacks a stage.
 ProgramVariant variantOf(const scene::Scene& scene, const scene::Draw& draw, const scene::Pass& pass);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/text.h"
 #include "expression/expression.h"
 #include "glib/number.h"
 
@@ -82,6 +83,11 @@ void ConditionNames::add(Name name) {
     names_.push_back(std::move(name));
 }
 
+bool ConditionNames::has(std::string_view path, bool isOfScene) const {
+    return std::ranges::any_of(
+        names_, [&](const Name& each) { return each.path == path && each.isOfScene == isOfScene; });
+}
+
 std::vector<ObjectView> ConditionNames::objects() const {
     std::vector<ObjectView> objects;
     for (const Name& each : names_) {
@@ -125,9 +131,26 @@ void ConditionNames::measure(const std::function<Measured(const Measure& measure
     }
 }
 
+void ConditionNames::add(std::shared_ptr<const expression::Function> function) {
+    functions_.push_back(std::move(function));
+}
+
 std::optional<expression::Symbol> ConditionNames::find(std::string_view path) const {
-    const auto found = std::ranges::find(names_, path, &Name::path);
+    const auto found =
+        std::ranges::find_if(names_, [&](const Name& each) { return each.path == path && !each.isOfScene; });
     return found != names_.end() ? std::optional(found->symbol) : std::nullopt;
+}
+
+std::optional<expression::Symbol> ConditionNames::findInScene(std::string_view path) const {
+    const auto found =
+        std::ranges::find_if(names_, [&](const Name& each) { return each.path == path && each.isOfScene; });
+    return found != names_.end() ? std::optional(found->symbol) : std::nullopt;
+}
+
+std::shared_ptr<const expression::Function> ConditionNames::findFunction(std::string_view name) const {
+    for (const auto& each : functions_)
+        if (each->name == name) return each;
+    return nullptr;
 }
 
 std::vector<std::string> ConditionNames::known(std::string_view) const {
@@ -179,6 +202,13 @@ std::vector<ObjectView> Print::objects() const {
     if (value.names) objects = value.names->objects();
     if (of.object) objects.push_back(*of.object);
     return objects;
+}
+
+Diagnostic notReached(const Check& condition, std::size_t rounds, const std::string& found) {
+    return diagnose("glib-W43",
+                    fmt::format("Repeat: {} is not true after {}: {}", condition.text,
+                                base::counted(rounds, "round"), found),
+                    condition.place);
 }
 
 }  // namespace glibra::scene

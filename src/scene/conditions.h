@@ -4,6 +4,7 @@
 #include <glibra/result.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,8 +39,11 @@ class ConditionNames final : public expression::Names, public expression::Values
         std::optional<BufferView> buffer{};  ///< whose element or count it is
         std::size_t elementSize = 0;         ///< components of its elements; 0: they are structures
         std::optional<Measure> measure{};    ///< it is a call that measures something
+        bool isOfScene = false;              ///< as a function of the scene sees it
     };
     void add(Name name);
+    void add(std::shared_ptr<const expression::Function> function);
+    [[nodiscard]] bool has(std::string_view path, bool isOfScene) const;
     /// The textures and buffers that are read, at any time.
     [[nodiscard]] std::vector<ObjectView> objects() const;
     /// What calls measure.
@@ -50,12 +54,16 @@ class ConditionNames final : public expression::Names, public expression::Values
     void measure(const std::function<Measured(const Measure& measure)>& value);
 
     [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override;
+    [[nodiscard]] std::optional<expression::Symbol> findInScene(std::string_view path) const override;
+    [[nodiscard]] std::shared_ptr<const expression::Function> findFunction(
+        std::string_view name) const override;
     [[nodiscard]] std::vector<std::string> known(std::string_view path) const override;
     [[nodiscard]] const double* find(std::uint32_t slot, std::size_t element) const override;
     [[nodiscard]] std::string whyMissing(std::uint32_t slot, std::size_t element) const override;
 
   private:
     std::vector<Name> names_;  ///< by slot
+    std::vector<std::shared_ptr<const expression::Function>> functions_;
 };
 
 /// The value of an expression, and what was found: "5 == 7" if it compares two values, otherwise the value as
@@ -68,5 +76,8 @@ struct Answer {
 /// Evaluates the expression with these names. `file`: that it stands in. Reports why it has no value.
 Result<Answer> answerTo(const glib::Value& expression, const ConditionNames& names, const std::string& file,
                         const expression::Wanted& wanted = {});
+
+/// glib-W43: a Repeat has run all its rounds, and its condition, which was found to be that, does not hold.
+Diagnostic notReached(const Check& condition, std::size_t rounds, const std::string& found);
 
 }  // namespace glibra::scene

@@ -244,6 +244,18 @@ struct StepIndex {
     friend auto operator<=>(const StepIndex&, const StepIndex&) = default;
 };
 
+/// The end of a round of `Repeat n until (condition)` in Once or Step, whose condition reads buffers. If it
+/// holds, the rounds that would follow are left out.
+struct Until {
+    Check condition;  ///< of Check::Kind::condition
+    std::vector<BufferIndex> reads{};
+    std::size_t first = 0;   ///< nodes of NodeList::order before the first round,
+    std::size_t node = 0;    ///< before the end of this round,
+    std::size_t end = 0;     ///< and before the end of the last one
+    std::size_t round = 1;   ///< counted from 1
+    std::size_t rounds = 1;  ///< of the whole repetition
+};
+
 /// A node: an index into the list of its kind.
 struct NodeIndex {
     enum class Kind { pass, dispatch, clear };
@@ -261,6 +273,7 @@ struct NodeList {
     /// Variables that the block itself sets: uniforms of the same name that nothing else sets read these
     /// before those of Scene::namedValues.
     std::vector<glib::UniformSpec> namedValues{};
+    std::vector<Until> untils{};  ///< in the order of Until::node
 
     [[nodiscard]] bool isEmpty() const { return order.empty(); }
     Pass& add(Pass pass) {

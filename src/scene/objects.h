@@ -19,6 +19,7 @@
 #include "geometry/list_mesh.h"
 #include "geometry/mesh.h"
 #include "glib/script.h"
+#include "glsl/types/constant.h"
 #include "glsl/types/stage.h"
 #include "scene/buffer_values.h"
 #include "scene/index.h"
@@ -248,6 +249,8 @@ struct Program {
     /// layouts of this program's shader in silence.
     bool sharesGeometryWords = false;
     std::vector<glib::UniformSpec> uniforms;
+    std::vector<glsl::Constant> constants;  ///< values that its shaders are compiled with; each name once
+    std::vector<Place> constantPlaces;      ///< of their names
     /// `isFill`: as a Fill sees the program, which leaves out what it inherits besides the fragment stage.
     [[nodiscard]] bool hasStage(glsl::Stage stage, bool isFill = false) const {
         for (const StageFile& each : stages)

@@ -7,12 +7,14 @@
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "expression/known_names.h"
 #include "scene/nodes.h"
 #include "scene/objects.h"
 
@@ -81,6 +83,7 @@ struct Scene : Declarations {
     bool usesLookAt = false;
     glm::dmat4 view{1.0};  ///< viewing matrix of the last LookAt
     std::vector<Variable> variables;
+    std::vector<std::shared_ptr<const expression::Function>> functions;  ///< of expressions
     /// The names of FrameInputs::variables that exist, each with the number of its components.
     std::map<std::string, std::size_t, std::less<>> usedVariables;
     /// Uniforms, vertex inputs and samplers that the scene does not set are found by their names (language,

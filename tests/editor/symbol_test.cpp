@@ -115,6 +115,26 @@ TEST_F(SymbolTest, SaysWhatNamesAreAndWhichValuesTheyHave) {
     EXPECT_EQ(names, "shade");
 }
 
+TEST_F(SymbolTest, KnowsFunctionsOfExpressionsAndTheirParameters) {
+    begin();
+    const std::string scene =
+        "Let x 2\nLet wave(x t) (x * t)\nLet other(x) (x + wave(x, 1))\nSphere (wave(x, 3))\n";
+    open("a.glib", scene);
+    EXPECT_EQ(places("a.glib", scene, "wave(x, 3"), "a.glib 1:4; a.glib 2:18; a.glib 3:8; ");
+    EXPECT_EQ(places("a.glib", scene, "x t)"), "a.glib 1:15; a.glib 1:9; ") << "a parameter is of its body";
+    EXPECT_EQ(places("a.glib", scene, "x, 3"), "a.glib 0:4; a.glib 3:13; ");
+    const auto lineOf = [&](std::string_view word) {
+        return ask("textDocument/definition", at("a.glib", scene, word))["range"]["start"]["line"];
+    };
+    EXPECT_EQ(lineOf("wave(x, 3"), 1);
+    const json hint = ask("textDocument/signatureHelp", at("a.glib", scene, "3))"));
+    ASSERT_EQ(hint["signatures"].size(), 1U);
+    EXPECT_EQ(hint["signatures"][0]["label"], "wave(x, t)");
+    const std::string hover = ask("textDocument/hover", at("a.glib", scene, "wave(x, 3")).dump();
+    EXPECT_NE(hover.find("wave(x, t)"), std::string::npos) << hover;
+    EXPECT_NE(hover.find("(x * t), line 2"), std::string::npos) << hover;
+}
+
 TEST_F(SymbolTest, FoldsBlocksCommentsAndShaders) {
     begin();
     const std::string scene =

@@ -158,7 +158,7 @@ TEST(StatementTable, WordsAreApartFromClassicOnesExceptWhereTheArgumentsDecide) 
 
 TEST(StatementTable, ShowsUsageAndWords) {
     EXPECT_EQ(usage(*findStatement("Camera")).substr(0, 40), "Camera name[count] (LookAt view x9 (Pers");
-    EXPECT_EQ(usage(*findStatement("Repeat")), "Repeat (count | words) [as counter]");
+    EXPECT_EQ(usage(*findStatement("Repeat")), "Repeat (count | words) {until (condition) | as counter}");
     EXPECT_EQ(usage(*findStatement("EndPass")), "EndPass");
     const std::vector<std::string> words = wordsOf(*findStatement("State"));
     for (const char* word : {"cull", "blend", "src_alpha", "notequal", "incr_wrap", "alphatocoverage"})

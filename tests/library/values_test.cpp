@@ -44,6 +44,27 @@ const std::map<std::string, std::string> kTypesShaders{
      "float(uUV.x + uUV.y + uUV.z) + uFV.x + uM[1].y + float(uA[0] + uA[3]) + float(uD) + float(uB) + uN); "
      "}\n"}};
 
+TEST(LibraryValues, CompilesShadersForTheValuesOfTheirConstants) {
+    Renderer renderer = opened();
+    Result<Scene> scene = renderer.loadText(
+        "WindowSize 4 4\nLet level <0 2 5>\nFragment level.frag\nProgram P const LEVEL (level)\n"
+        "Fill window with P\n",
+        "constants.glib",
+        {{"level.frag",
+          "#version 330\n#define LEVEL 1\nout vec4 c;\n#if LEVEL > 2\nvec3 kind = vec3(0, 1, 0);\n#else\n"
+          "vec3 kind = vec3(1, 0, 0);\n#endif\n"
+          "void main() { float a[LEVEL]; c = vec4(kind * (float(a.length()) / 5.), 1.); }\n"}});
+    ASSERT_TRUE(scene) << scene.message();
+    const std::vector<std::pair<double, std::vector<int>>> shown{
+        {2, {102, 0, 0, 255}}, {4, {0, 204, 0, 255}}, {2, {102, 0, 0, 255}}, {5, {0, 255, 0, 255}}};
+    for (const auto& [level, color] : shown) {
+        ASSERT_TRUE(scene->set("level", level));
+        const Result<Picture> picture = scene->draw();
+        ASSERT_TRUE(picture) << picture.message();
+        EXPECT_EQ(firstPixel(*picture), color) << level;
+    }
+}
+
 TEST(LibraryValues, RefusesNumbersThatTheTypeDoesNotHave) {
     Renderer renderer = opened();
     Result<Scene> scene = renderer.loadText(kTypes, "types.glib", kTypesShaders);

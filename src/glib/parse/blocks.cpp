@@ -18,7 +18,7 @@ bool keepsDeclarationsOut(CommandId block) {
 
 /// True for `Let name ( ... )`, which may stand anywhere, unlike other variables.
 bool isComputed(const Command& command) {
-    return command.id == CommandId::let && command.values.size() > 1 &&
+    return command.id == CommandId::let && command.values.size() > 1 && !declaresFunction(command) &&
            command.values[1].kind == Value::Kind::expression;
 }
 

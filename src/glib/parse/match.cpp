@@ -410,12 +410,9 @@ class Matcher {
                 fits = isLone && kind == Value::Kind::word && isIdentifier(value->text) &&
                        !isKeyInstead(*value, isSkippable || node.isChosen);
                 break;
-            case ValueType::array:  // [...] at the end is the value
+            case ValueType::array:  // [...] or (...) at the end is the value
                 if (kind != Value::Kind::word || !isIdentifier(value->text)) return at;
-                return pieces_.isSubscript(at + 1) && pieces_[at + 1].kind == Value::Kind::list &&
-                               at + 2 < pieces_.size()
-                           ? at + 2
-                           : at + 1;
+                return pieces_.isSubscript(at + 1) && at + 2 < pieces_.size() ? at + 2 : at + 1;
             case ValueType::object:
                 return isUnquoted(*value) && isKeyInstead(*value, isSkippable || node.isChosen) &&
                                !isNamedLikeKey(at, isSkippable)
@@ -465,6 +462,8 @@ class Matcher {
     /// True if a word that may be left out is a key, or a misspelt key, rather than a value.
     bool isKeyInstead(const Value& value, bool mayBeLeftOut) const {
         if (!mayBeLeftOut || !isUnquoted(value)) return false;
+        if (isRepeatedKey(value)) return true;
+        if (row_.id == CommandId::program) return false;
         std::vector<std::string_view> keys(syntax_.keys.begin(), syntax_.keys.end());
         const std::string_view word = beforePoint(value.text);
         // A buffer `Count` may be named after the key `buffer`, though there is a key `count`.
@@ -494,7 +493,7 @@ class Matcher {
         while (at < pieces_.size()) {
             const std::size_t tag = pieces_.tagEnd(at);
             std::string key = unusedKeyNear(pieces_[at]);
-            if (tag == at || sameWord(key, pieces_[at].text)) {
+            if (tag == at || sameWord(key, pieces_[at].text) || isRepeatedKey(pieces_[at])) {
                 mismatch_.expect(at, {Kind::other, "a tag"});
                 break;
             }
@@ -516,10 +515,15 @@ class Matcher {
         return any || !node.needsOne;
     }
 
+    /// True for the key of Program, which may stand several times.
+    bool isRepeatedKey(const Value& value) const {
+        return row_.id == CommandId::program && isUnquoted(value) && isAmong(value.text, syntax_.keys);
+    }
+
     /// The key of the statement that is not used yet and that a word where a tag may stand is, or may be,
     /// misspelt. Empty if there is none.
     std::string unusedKeyNear(const Value& value) const {
-        if (!isUnquoted(value)) return {};
+        if (!isUnquoted(value) || row_.id == CommandId::program) return {};
         std::vector<std::string_view> keys;
         for (const std::string& each : syntax_.keys)
             if (std::ranges::none_of(events_, [&](const Event& event) {
@@ -550,7 +554,7 @@ class Matcher {
 
 void readStatement(const StatementRow& row, std::string_view text, std::span<const Token> tokens,
                    const DeclaredNames& names, Command& command, MessageLog& log) {
-    std::optional<std::vector<Piece>> pieces = readPieces(tokens, log);
+    std::optional<std::vector<Piece>> pieces = readPieces(tokens, log, row.id == CommandId::let);
     if (pieces) Matcher(row, {text, std::move(*pieces)}, names, log).read(command);
 }
 

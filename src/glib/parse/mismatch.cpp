@@ -203,8 +203,16 @@ void Mismatch::report(const StatementRow& row, const Pieces& pieces, const Decla
         if (at > 0 && isUnquoted(pieces[at - 1]) && !names.has(pieces[at - 1].text))
             if (const std::string meant = base::nearestName(pieces[at - 1].text, known); !meant.empty())
                 return suggest(at - 1, meant);
+        // `Let wave (x) (2 * x)`
+        const bool isFunction = row.id == CommandId::let && furthest_ == 2 &&
+                                pieces[1].kind == Value::Kind::expression &&
+                                pieces[2].kind == Value::Kind::expression;
         return reportAt("glib-E18", furthest_,
-                        fmt::format("surplus argument {}{}", text, surplusHint(pieces, furthest_)));
+                        fmt::format("surplus argument {}{}", text,
+                                    isFunction ? fmt::format("; a function has no blank before its "
+                                                             "parameters: {}{}",
+                                                             pieces[0].text, written(pieces[1]))
+                                               : surplusHint(pieces, furthest_)));
     }
     reportAt("glib-E19", furthest_,
              fmt::format("expected {}, found {}{}", listOfExpected(), text,

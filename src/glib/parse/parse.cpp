@@ -255,10 +255,12 @@ class Parser {
     }
 
     /// True if the tags are read by the rules of modern statements: after the first declaration of a name,
-    /// if a value is an expression, and in a modern scene if a tag has a subscript or a value is malformed.
+    /// if a value is an expression, with `const`, and in a modern scene if a tag has a subscript or a value
+    /// is malformed.
     bool isModernProgram(const Statement& statement) {
         if (declaresNames_ || std::ranges::any_of(statement.arguments, [](const Token& token) {
-                return token.kind == TokenKind::expression;
+                return token.kind == TokenKind::expression ||
+                       (token.kind == TokenKind::word && sameWord(token.text, "const"));
             }))
             return true;
         if (!hasSubscriptedTag(statement.arguments) && !hasMalformedValue(statement.arguments)) return false;
@@ -322,6 +324,17 @@ class Parser {
         Command program = start(statement, CommandId::program);
         program.isModern = true;
         program.values.push_back(wordOf(name.text, name.position));
+        // The shaders have the names of the constants, whatever is wrong with their values.
+        for (std::size_t i = 1; i + 1 < statement.arguments.size(); ++i) {
+            if (!sameWord(statement.arguments[i].text, "const")) continue;
+            const Token* constant = &statement.arguments[i + 1];
+            if (i + 2 < statement.arguments.size() && constant[1].kind == TokenKind::word) ++constant;
+            if (!isIdentifier(constant->text)) continue;
+            Value lost;
+            lost.kind = Value::Kind::text;
+            program.keys.push_back(
+                {"const", {}, {}, constant->position, {wordOf(constant->text, constant->position), lost}});
+        }
         withoutTags_.insert(program.begin);
         commands_.push_back(std::move(program));
     }

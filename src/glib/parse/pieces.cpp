@@ -191,7 +191,8 @@ namespace {
 
 class PieceReader {
   public:
-    PieceReader(std::span<const Token> tokens, MessageLog& log) : tokens_(tokens), log_(log) {}
+    PieceReader(std::span<const Token> tokens, MessageLog& log, bool hasParameters)
+        : tokens_(tokens), log_(log), hasParameters_(hasParameters) {}
 
     std::optional<std::vector<Piece>> read() {
         std::vector<Piece> pieces;
@@ -273,7 +274,8 @@ class PieceReader {
                           fmt::format("parentheses {} deep; the limit is {}", base::groupedText(depth),
                                       kDeepestParentheses),
                           token.position);
-        if (token.text.find_first_not_of(" \t") == std::string_view::npos)
+        const bool mayBeEmpty = hasParameters_ && at_ == 2 && tokens_.front().end == token.begin;
+        if (token.text.find_first_not_of(" \t") == std::string_view::npos && !mayBeEmpty)
             return refuse("glib-E37", "an expression is missing between '(' and ')'", token.position);
         return valueOf(token, Value::Kind::expression);
     }
@@ -385,14 +387,16 @@ class PieceReader {
 
     std::span<const Token> tokens_;
     MessageLog& log_;
+    bool hasParameters_;
     std::size_t at_ = 0;
     std::size_t values_ = 0;
 };
 
 }  // namespace
 
-std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log) {
-    return PieceReader(tokens, log).read();
+std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log,
+                                             bool hasParameters) {
+    return PieceReader(tokens, log, hasParameters).read();
 }
 
 }  // namespace glibra::glib

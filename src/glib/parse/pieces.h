@@ -22,8 +22,10 @@ struct Piece {
     bool isJoined = false;
 };
 
-/// Reads all tokens. Nothing if an error was reported: glib-E15, E20, E31, E37.
-std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log);
+/// Reads all tokens. `hasParameters`: () may follow the first one. Nothing if an error was reported:
+/// glib-E15, E20, E31, E37.
+std::optional<std::vector<Piece>> readPieces(std::span<const Token> tokens, MessageLog& log,
+                                             bool hasParameters = false);
 
 /// A word without quotes, or `true` and `false`.
 bool isUnquoted(const Value& value);

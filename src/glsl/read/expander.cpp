@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "glsl/read/predefined.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -24,6 +25,7 @@ bool needBlank(const Token& left, const Token& right) {
 }  // namespace
 
 Macro* Expander::find(std::string_view name) {
+    if (!stage_.constants.empty()) constantNamed(name);
     if (Macro* const known = macros_.find(name)) return known;
     if (!name.starts_with("GL_") && !name.starts_with("__")) return nullptr;
     std::optional<std::string> text = predefinedMacro(name, stage_.dialect, stage_.request->target);
@@ -58,6 +60,7 @@ void Expander::run(const std::function<bool()>& more) {
             continue;
         }
         const Token token = input_[at_++];
+        if (mayBeMacro(token) && declaresConstant(token)) continue;
         if (!mayBeMacro(token) || isExhausted_ || !isDefined(token.text)) {
             write(token);
             continue;
@@ -69,6 +72,119 @@ void Expander::run(const std::function<bool()>& more) {
         flush(result);
     }
     more_ = nullptr;
+}
+
+const Constant* Expander::constantNamed(std::string_view name) {
+    const auto found = std::ranges::find(stage_.constants, name, &Constant::name);
+    if (found == stage_.constants.end()) return nullptr;
+    stage_.namedConstants.insert(found->name);
+    return &*found;
+}
+
+bool Expander::defineConstant(const Constant& constant, std::string_view type, const Token& at) {
+    auto text = textOf(constant, constant.type.empty() ? type : std::string_view(constant.type));
+    if (constant.components.empty()) text = "1";
+    if (!text) {
+        complain_("glsl-E18",
+                  "'" + constant.name + "' is " + std::string(type) + " here, and the scene gives it " +
+                      valueText(constant),
+                  at);
+        return false;
+    }
+    Macro macro;
+    macro.line = at.line;
+    for (const Token& each : lex(stage_.storage.emplace_back(*text), stage_.storage))
+        if (isSignificant(each.kind)) {
+            BodyToken& body = macro.body.emplace_back();
+            body.text = each.text;
+            body.kind = each.kind;
+        }
+    macros_.define(constant.name, std::move(macro));
+    return true;
+}
+
+const Token* Expander::nextSignificant() {
+    for (std::size_t i = at_;; ++i) {
+        while (i == input_.size())
+            if (!(*more_)()) return nullptr;
+        const Token& each = input_[i];
+        if (isSignificant(each.kind) && !each.directive && !each.synthetic) return &each;
+    }
+}
+
+bool Expander::declaresConstant(const Token& name) {
+    if (stage_.constants.empty() || declared_.contains(name.text)) return false;
+    const Constant* const constant = constantNamed(name.text);
+    if (constant == nullptr) return false;
+    // The words of the statement so far, from its end.
+    constexpr std::size_t kMost = 256;
+    std::vector<std::string_view> words;
+    for (auto each = stage_.tokens.rbegin(); each != stage_.tokens.rend() && words.size() < kMost; ++each) {
+        if (!isSignificant(each->kind) || each->directive) continue;
+        if (each->text == ";" || each->text == "{" || each->text == "}") break;
+        words.push_back(each->text);
+    }
+    const bool isAfterType = !words.empty() && isTypeWord(words.front());
+    const bool isConst = std::ranges::find(words, "const") != words.end();
+    if (!isAfterType && !(isConst && !words.empty() && words.front() == ",")) return false;
+    const Token* const next = nextSignificant();
+    const bool hasValue = next != nullptr && next->text == "=";
+    if (isConst && hasValue && constant->components.empty()) {
+        declared_.insert(constant->name);
+        macros_.undefine(name.text);
+        return false;
+    }
+    if (isConst && hasValue) {
+        std::string type;
+        for (const std::string_view each : words)
+            if (isTypeWord(each)) type = each;
+        writeConstant(*constant, type, name);
+        return true;
+    }
+    if (!isAfterType) return false;
+    complain_("glsl-E18",
+              "'" + constant->name +
+                  "' is a constant that the Program statement gives, so it is declared as 'const " +
+                  std::string(words.front()) + " " + constant->name + " = ...;', as a #define or not at all",
+              name);
+    declared_.insert(constant->name);
+    macros_.undefine(name.text);
+    write(name);
+    return true;
+}
+
+void Expander::writeConstant(const Constant& constant, const std::string& type, const Token& name) {
+    declared_.insert(constant.name);
+    macros_.undefine(name.text);
+    const auto text = textOf(constant, type);
+    const bool fits = text && (constant.type.empty() || constant.type == type);
+    if (!fits)
+        complain_("glsl-E18",
+                  "'" + constant.name + "' is declared as " + type + ", and the scene gives it " +
+                      (constant.type.empty() ? "" : constant.type + " ") + valueText(constant),
+                  name);
+    write(name);
+    bool isBefore = true, isWritten = false;
+    for (int depth = 0; nextSignificant() != nullptr;) {
+        const Token token = input_[at_];
+        if (isSignificant(token.kind) && depth == 0 && (token.text == "," || token.text == ";")) return;
+        ++at_;
+        if (!isSignificant(token.kind) || isBefore || !fits) {
+            write(token);
+            isBefore = isBefore && token.text != "=";
+            continue;
+        }
+        depth += opensBracket(token.text) ? 1 : closesBracket(token.text) ? -1 : 0;
+        if (std::exchange(isWritten, true)) continue;
+        Token value = token;
+        value.text = stage_.storage.emplace_back(*text);
+        value.kind = TokenKind::number;
+        for (const Token& each : lex(value.text, stage_.storage)) {
+            value.text = each.text;
+            value.kind = each.kind;
+            write(value);
+        }
+    }
 }
 
 std::vector<Piece> Expander::expand(std::vector<Piece> pieces) {

@@ -22,6 +22,11 @@ class Expander {
     Expander(StageText& stage, Complain complain) : stage_(stage), complain_(std::move(complain)) {}
 
     MacroTable& macros() { return macros_; }
+    /// The constant that the scene gives of that name, or null. The text then has the name.
+    const Constant* constantNamed(std::string_view name);
+    /// Makes the constant a macro, which `type` (empty: any) says how to write. False, with glsl-E18, if the
+    /// value is none of that type.
+    bool defineConstant(const Constant& constant, std::string_view type, const Token& at);
     /// The macro of that name, also a predefined one; null if there is none.
     Macro* find(std::string_view name);
     [[nodiscard]] bool isDefined(std::string_view name);
@@ -68,6 +73,13 @@ class Expander {
     void paste(Pieces& pieces, std::size_t left, Piece right);
     bool countStep();
 
+    /// Gives a `const` variable with the name of a constant of the scene its value. Reports glsl-E18 for
+    /// other declarations of the name. False if the name is no constant, or not declared here.
+    bool declaresConstant(const Token& name);
+    void writeConstant(const Constant& constant, const std::string& type, const Token& name);
+    /// Reads ahead to the next significant token of the text; null at its end.
+    const Token* nextSignificant();
+
     void keepLineEnds(const Token& token, std::uint32_t order);
     void flush(const Pieces& result);
     void write(const Token& token);
@@ -81,8 +93,9 @@ class Expander {
     std::size_t at_ = 0;
     std::uint32_t firstOrder_ = 0;  ///< order of input_[0]
     const std::function<bool()>* more_ = nullptr;
-    std::vector<Piece> lineEnds_;       ///< line ends and directives inside the current call
-    std::set<std::uint32_t> reported_;  ///< wrong calls in the texts of macros
+    std::vector<Piece> lineEnds_;                  ///< line ends and directives inside the current call
+    std::set<std::string, std::less<>> declared_;  ///< constants that are variables of the text
+    std::set<std::uint32_t> reported_;             ///< wrong calls in the texts of macros
     bool afterCall_ = false;
     std::size_t steps_ = 0;
     int depth_ = 0;

@@ -5,6 +5,7 @@
 
 #include "glsl/read/condition.h"
 #include "glsl/read/predefined.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
@@ -13,6 +14,19 @@ constexpr int kFirstWithPasting = 130;
 
 std::string quoted(std::string_view text) {
     return "'" + std::string(text) + "'";
+}
+
+/// The type of what a macro stands for, if it is a number or made by a constructor; otherwise empty.
+std::string_view typeOf(const Macro& macro) {
+    for (const BodyToken& each : macro.body) {
+        if (each.kind == TokenKind::word && isTypeWord(each.text)) return each.text;
+        if (each.kind != TokenKind::number) continue;
+        const bool isHex = each.text.starts_with("0x") || each.text.starts_with("0X");
+        if (!isHex && each.text.find_first_of(".eEfF") != std::string_view::npos) return "float";
+        if (each.text.find_first_of("uU") != std::string_view::npos) return "uint";
+        return {};
+    }
+    return {};
 }
 
 Piece zeroOrOne(bool one, const Piece& place) {
@@ -107,7 +121,14 @@ void Preprocessor::evaluateDefined(std::vector<Piece>& pieces, std::string_view 
 
 bool Preprocessor::condition(std::string_view directive, const SourceLine& line) {
     std::vector<Piece> pieces;
-    for (std::size_t i = 2; i < line.significant.size(); ++i) pieces.push_back({*line.significant[i]});
+    for (std::size_t i = 2; i < line.significant.size(); ++i) {
+        pieces.push_back({*line.significant[i]});
+        const std::string_view before = line.word(i - 1), around = line.word(i - 2);
+        if (before == "defined" || (before == "(" && around == "defined")) continue;
+        const Constant* const constant = expander_.constantNamed(line.word(i));
+        if (constant != nullptr && constant->isBoolean && constant->components.size() == 1)
+            pieces.back() = zeroOrOne(constant->components[0] != 0, pieces.back());
+    }
     evaluateDefined(pieces, directive, line);
     pieces = expander_.expand(std::move(pieces));
     evaluateDefined(pieces, directive, line);  // a macro may have written the word
@@ -157,6 +178,18 @@ void Preprocessor::define(const SourceLine& line) {
     if (name->text.starts_with("glibra_"))
         return complain_("glsl-E05", "names beginning with 'glibra_' are reserved", *name);
     if (name->text == "defined") return complain("'defined' cannot be the name of a macro", *name);
+    if (const Constant* const constant = expander_.constantNamed(name->text)) {
+        if (macro.takesArguments)
+            return complain_(
+                "glsl-E18",
+                quoted(name->text) + " takes arguments here, and the scene gives it " + valueText(*constant),
+                *name);
+        if (!constant->components.empty()) {
+            expander_.defineConstant(*constant, typeOf(macro), *name);
+            return;
+        }
+        expander_.macros().undefine(name->text);
+    }
     const Macro* const known = expander_.find(name->text);
     if (isReservedMacro(name->text)) {
         // Some sources make up for a driver that lacks an extension's macro.

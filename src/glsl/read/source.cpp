@@ -57,6 +57,7 @@ class SourceReader {
         if (continuesComments(stage_.dialect)) tokens = lex(text, stage_.storage, true);
         stage_.tokens.reserve(tokens.size());
         frames_.emplace_back().tokens = std::move(tokens);
+        for (const Constant& each : stage_.constants) preprocessor_.expander().defineConstant(each, {}, {});
         preprocessor_.expander().run([this] { return nextLine(); });
         if (!hasOpenComment_) preprocessor_.finish();
         if (preprocessor_.expander().isExhausted())
@@ -444,6 +445,9 @@ void readSource(const StageSource& source, StageText& stage, Report& report) {
     stage.path = source.path;
     stage.stage = source.stage;
     stage.files = {source.path};
+    const bool isOfScene =
+        std::ranges::any_of(stage.request->stages, [&](const StageSource& each) { return &each == &source; });
+    if (isOfScene && stage.request->shim) stage.constants = stage.request->constants;
     if (source.stage == Stage::compute) stage.dialect.version = stage.dialect.written = kFirstWithCompute;
     SourceReader(stage, report).run(source);
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -107,6 +108,8 @@ struct StageText {
     std::vector<std::string> extensions;  ///< #extension lines to be passed on
     /// The extensions that the source enables and that are available (extensions.h).
     std::set<std::string, std::less<>> enabled;
+    std::span<const Constant> constants;                ///< that the scene gives; none for supplied stages
+    std::set<std::string, std::less<>> namedConstants;  ///< those whose names the text has
     Edits edits;
 
     /// Adds the line "#extension NAME : BEHAVIOUR" to those to be passed on, if it is not there yet.

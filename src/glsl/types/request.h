@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glsl/types/constant.h"
 #include "glsl/types/stage.h"
 
 namespace glibra::glsl {
@@ -58,6 +59,8 @@ struct ProgramRequest {
     std::string name;  ///< the Program's name, for messages
     Place place;       ///< the scene line of the Program
     std::vector<StageSource> stages;
+    std::vector<Constant> constants;    ///< each name once
+    std::vector<Place> constantPlaces;  ///< where the scene gives them
     IncludeReader include;
     Target target;
     bool shim = true;  ///< false (--no-shim): only the #version and #include lines are translated

@@ -188,12 +188,46 @@ void FrameDrawer::endNode(std::size_t node) {
     nodeHook_(node, false);
 }
 
+std::size_t FrameDrawer::placeInScene(const scene::NodeIndex& node) {
+    if (places_.empty())
+        for (const scene::NodeIndex& each : plan_.nodes->order) places_.emplace(each, places_.size());
+    return places_.at(plan_.declared(node));
+}
+
+std::size_t FrameDrawer::afterRounds(std::size_t node, std::size_t& looked, const Frame& frame) {
+    const std::vector<scene::Until>& untils = plan_.nodes->untils;
+    std::size_t begin = 0;
+    while (looked < untils.size() && untils[looked].node <= node) {
+        const scene::Until& until = untils[looked++];
+        if (until.node < begin) continue;  // of rounds that were left out
+        close();                           // the condition sees what has been stored
+        const bool holds = frame.holds(until);
+        forgetState();
+        isOpen_ = true;
+        if (!holds) continue;
+        begin = until.end;
+        while (looked < untils.size() && untils[looked].first >= until.first &&
+               untils[looked].end <= until.end)
+            ++looked;
+        if (begin > node) break;
+    }
+    return begin;
+}
+
 Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame) {
     Diagnostics diagnostics;
-    std::size_t draws = 0;  // in the passes before the next one
+    const bool hasRounds = frame.holds && !plan_.nodes->untils.empty();
+    std::size_t looked = 0;   // at NodeList::untils
+    std::size_t leftOut = 0;  // the nodes of the scene before this one
+    std::size_t draws = 0;    // in the passes before the next one
     std::size_t texturePass = 0;
     for (std::size_t index = 0; index < plan_.order.size() && !hasError(diagnostics); ++index) {
         const scene::NodeIndex& node = plan_.order[index];
+        if (hasRounds) {
+            const std::size_t place = placeInScene(node);
+            leftOut = std::max(leftOut, place < leftOut ? 0 : afterRounds(place, looked, frame));
+            if (place < leftOut) continue;
+        }
         if (node.kind != scene::NodeIndex::Kind::pass) {
             if (!frame.texturePasses || isStill(index, frame)) continue;
             append(diagnostics, beginNode(index));
@@ -243,6 +277,7 @@ Diagnostics FrameDrawer::drawNodes(const gpu::Target* window, const Frame& frame
         }
         endNode(index);
     }
+    if (hasRounds && !hasError(diagnostics)) afterRounds(plan_.nodes->order.size(), looked, frame);
     return diagnostics;
 }
 

@@ -50,6 +50,9 @@ struct Frame {
     /// Programs with open loops record which of them the driver ends (ProgramLibrary::countLoops). Those that
     /// store in memory do so in place of the others, the rest beside them, without changing a pixel.
     bool recordsLoops = false;
+    /// Says whether the condition at the end of a round holds (NodeList::untils), so that the rounds after it
+    /// are left out. Null: it never does.
+    std::function<bool(const scene::Until& until)> holds{};
 };
 
 /// A pass of a frame while it is drawn.
@@ -149,6 +152,12 @@ class FrameDrawer {
     [[nodiscard]] const BuiltProgram* programOf(const plan::PlannedDraw& planned) const;
 
   private:
+    /// The node of the scene before which the nodes that may still run begin, after the conditions of rounds
+    /// that end before `node`, which are counted in `looked`.
+    std::size_t afterRounds(std::size_t node, std::size_t& looked, const Frame& frame);
+    /// The place of a node of the plan among NodeList::order.
+    std::size_t placeInScene(const scene::NodeIndex& node);
+    std::map<scene::NodeIndex, std::size_t> places_;  ///< empty until they are asked for
     /// What a program keeps between draws: literal uniform values are set once.
     struct ProgramState {
         bool literalsSet = false;         ///< the blocks hold them

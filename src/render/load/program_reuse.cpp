@@ -18,11 +18,13 @@ namespace {
 /// textures. It takes the request apart by all of its members, so that one more does not compile until it
 /// stands here.
 std::string requestKeyOf(const glsl::ProgramRequest& asked) {
-    const auto& [name, place, stages, include, target, shim, hasLights, setsLights, suppliesFragment,
-                 suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors, colorTargets,
-                 tiled, inPieces, checksUndefined, recordsLoops, reversesOrder, geometryInput, geometryOutput,
-                 geometryVerticesOut, draws, reportsGeometryConflicts, samplerKindsOfTag] = asked;
-    static_cast<void>(target);  // that of the context, which owns what is shared
+    const auto& [name, place, stages, constants, constantPlaces, include, target, shim, hasLights, setsLights,
+                 suppliesFragment, suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors,
+                 colorTargets, tiled, inPieces, checksUndefined, recordsLoops, reversesOrder, geometryInput,
+                 geometryOutput, geometryVerticesOut, draws, reportsGeometryConflicts, samplerKindsOfTag] =
+        asked;
+    static_cast<void>(constantPlaces);  // their lines may move without another program
+    static_cast<void>(target);          // that of the context, which owns what is shared
     std::string key =
         fmt::format("{}\n{}:{}:{} {} {} {} {} {} ", name, place.file, place.line, place.column, colorTargets,
                     geometryInput, geometryOutput, geometryVerticesOut, draws.patchVertices);
@@ -33,6 +35,8 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
           draws.haveBufferData})
         key += each ? '1' : '0';
     key += '\n';
+    for (const glsl::Constant& each : constants)
+        key += fmt::format("{} {} {}\n", each.type, each.name, glsl::valueText(each));
     for (const auto& [stage, path, text] : stages)
         key += fmt::format("{} {}\n", static_cast<int>(stage), path) + text + '\0';
     return key;

@@ -150,6 +150,8 @@ glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant
     request.hasLights = scene_.suppliesNames;
     request.setsLights = scene_.setsLights;
     request.acceptsStorage = scene_.suppliesNames;
+    request.constants = variant.constants;
+    request.constantPlaces = program.constantPlaces;
     request.geometryInput = program.geometryInput;
     request.geometryOutput = program.geometryOutput;
     request.geometryVerticesOut = program.geometryVerticesOut;

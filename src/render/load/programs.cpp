@@ -403,7 +403,7 @@ const BuiltProgram* ProgramLibrary::find(const plan::ProgramVariant& variant) co
 }
 
 bool ProgramLibrary::mayWriteImages(scene::ProgramIndex program) {
-    const Translation& translation = translationOf(plan::ProgramVariant{program});
+    const Translation& translation = translationOf(plan::plainVariant(scene_, program));
     return translation.program != nullptr && plan::writesMemory(*translation.program);
 }
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "plan/accesses.h"
 #include "render/draw/view_matrices.h"
 #include "render/simulation/block_checks.h"
+#include "scene/conditions.h"
 
 namespace glibra::render {
 namespace {
@@ -116,6 +118,10 @@ Diagnostics Simulation::planAll() {
         diagnostics.clear();
         for (const auto* list : {&once_, &steps_})
             for (const auto& block : *list) {
+                for (const scene::Until& until : block->nodes.untils)
+                    for (const scene::BufferIndex each : until.reads)
+                        if (!writes(roots_, scene::BufferView{each}))
+                            roots_.emplace_back(scene::BufferView{each});
                 block->plan = parts_.planList(block->nodes, roots_);
                 append(diagnostics, block->plan.diagnostics);
                 addReads(block->plan, roots_);
@@ -440,13 +446,42 @@ Diagnostics Simulation::run(Block& block, double time) {
     // Steps of one block come one after the other, and nothing else uses the context between them.
     const bool staysOpen = !hook_ && !block.isOnce;
     if (staysOpen) open_ = &*block.drawer;
-    Diagnostics diagnostics = block.drawer->run({.view = *block.seen,
-                                                 .tile = {0, 0, 1, 1},
-                                                 .time = time,
-                                                 .staysOpen = staysOpen,
-                                                 .recordsLoops = std::has_single_bit(++block.runs)});
+    Diagnostics ofRounds;
+    Diagnostics diagnostics =
+        block.drawer->run({.view = *block.seen,
+                           .tile = {0, 0, 1, 1},
+                           .time = time,
+                           .staysOpen = staysOpen,
+                           .recordsLoops = std::has_single_bit(++block.runs),
+                           .holds = [&](const scene::Until& until) { return holds(until, ofRounds); }});
+    append(diagnostics, std::move(ofRounds));
     if (hook_) hook_(run, false);
     return diagnostics;
+}
+
+bool Simulation::holds(const scene::Until& until, Diagnostics& diagnostics) {
+    const scene::Question& question = until.condition.condition;
+    scene::ConditionNames names = *question.names;
+    names.readBuffers([&](const scene::BufferView& view) {
+        const DeviceBuffers& buffers = parts_.device.buffers();
+        const plan::BufferLayout* layout = buffers.layout(view.buffer);
+        if (layout == nullptr) return std::vector<double>();
+        const std::size_t head = layout->pattern.element.empty() ? 0 : layout->pattern.head.size();
+        return buffers.read(view, head, std::numeric_limits<std::uint64_t>::max());
+    });
+    const Result<scene::Answer> answer = scene::answerTo(
+        *question.expression, names, until.condition.place.file, {.types = scene::kConditionTypes});
+    append(diagnostics, answer.diagnostics);
+    const bool isLast = until.round == until.rounds;
+    const bool ends = !answer || answer->value.truth();
+    if (!ends && !isLast) return false;
+    parts_.stats.skip(
+        "rounds",
+        fmt::format("Repeat until {}: {} of {} rounds", until.condition.text, until.round, until.rounds),
+        until.condition.place);
+    if (!ends && notReached_.insert({until.condition.place.file, until.condition.place.line}).second)
+        diagnostics.push_back(scene::notReached(until.condition, until.rounds, answer->found));
+    return ends;
 }
 
 void Simulation::closeDrawer() {

@@ -7,7 +7,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/context/context.h"
@@ -129,6 +132,9 @@ class Simulation {
         const char* word{};  ///< "Once" or "Step"
     };
     Diagnostics planAll();
+    /// Whether the condition at the end of a round holds, by the buffers as they are. What is wrong with it
+    /// is added to `diagnostics`, and then it holds.
+    bool holds(const scene::Until& until, Diagnostics& diagnostics);
     /// memory-W01.
     [[nodiscard]] Diagnostics checkReads() const;
     /// Finds out whether each tick needs a scene of its own.
@@ -147,6 +153,7 @@ class Simulation {
     /// What the content of the Once blocks depends on.
     [[nodiscard]] std::vector<std::vector<double>> onceReads() const;
 
+    std::set<std::pair<std::string, int>> notReached_;  ///< conditions of rounds that were reported
     SimulationParts parts_;
     std::int64_t mostSteps_;
     std::vector<std::unique_ptr<Block>> once_, steps_;

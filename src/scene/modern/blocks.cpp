@@ -12,11 +12,13 @@
 #include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
+#include "scene/conditions.h"
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"
 #include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/scope.h"
+#include "scene/run/selections.h"
 #include "scene/run/statements.h"
 #include "scene/run/uniforms.h"
 
@@ -197,6 +199,82 @@ RoundNames bindCounter(Environment& names, const std::string& name, const expres
     return bound;
 }
 
+/// The condition after `until` of a Repeat, which is looked at after each round.
+class RoundEnd {
+  public:
+    RoundEnd(Interpreter& in, const Command& command, double rounds)
+        : in_(in), rounds_(static_cast<std::size_t>(rounds)) {
+        if (const KeyedValues* key = command.key("until")) value_ = &key->values.front();
+        if (value_ != nullptr && in.out.nodes != nullptr) first_ = in.out.nodes->order.size();
+        outer_ = in.around.conditions;
+    }
+    RoundEnd(const RoundEnd&) = delete;
+    RoundEnd& operator=(const RoundEnd&) = delete;
+    ~RoundEnd() { in_.around.conditions = outer_; }
+
+    /// True if no further round follows. `round` counts from 1.
+    bool ends(std::size_t round) {
+        if (value_ == nullptr) return false;
+        const DependsOnly collected(in_);
+        Check check;
+        check.condition = {value_, namesOfQuestion(in_, *value_, {.types = kConditionTypes}, false)};
+        if (!check.condition.names) return true;
+        in_.around.conditions = in_.around.conditions | collected.depends();
+        check.kind = Check::Kind::condition;
+        check.place = in_.place(*value_);
+        check.text = glib::written(*value_);
+        if (!check.objects().empty()) return !add(std::move(check), round);
+        const auto answer =
+            answerTo(*value_, *check.condition.names, check.place.file, {.types = kConditionTypes});
+        for (const Diagnostic& each : answer.diagnostics) in_.report(each);
+        if (!answer || answer->value.truth()) return true;
+        if (round == rounds_) in_.report(notReached(check, rounds_, answer->found));
+        return false;
+    }
+
+    /// Call it after the last round.
+    void finish() {
+        if (in_.out.nodes == nullptr) return;
+        for (std::size_t i = firstUntil_; i < in_.out.nodes->untils.size() && isOnDevice_; ++i)
+            if (Until& each = in_.out.nodes->untils[i]; each.condition.condition.expression == value_)
+                each.end = in_.out.nodes->order.size();
+    }
+
+  private:
+    /// A condition that the device decides. False with the reason reported if it cannot.
+    bool add(Check check, std::size_t round) {
+        const auto refuse = [&](const std::string& why) {
+            in_.reportAt(*value_, "glib-E32", fmt::format("Repeat: 'until {}' {}", check.text, why));
+            return false;
+        };
+        if (!check.condition.names->measures().empty())
+            return refuse("measures, as Expect and Print do; it may read elements of buffers");
+        Until until;
+        until.first = first_;
+        until.node = in_.out.nodes->order.size();
+        until.round = round;
+        until.rounds = rounds_;
+        for (const ObjectView& each : check.objects())
+            if (const auto* view = std::get_if<BufferView>(&each)) until.reads.push_back(view->buffer);
+        if (in_.around.block == nullptr)
+            return refuse(fmt::format("reads the buffer '{}', so it stands in Once or Step",
+                                      in_.scene.buffers[until.reads.front()].name));
+        until.condition = std::move(check);
+        NodeList& nodes = *in_.out.nodes;
+        if (!std::exchange(isOnDevice_, true)) firstUntil_ = nodes.untils.size();
+        in_.out.implicitPass.reset();  // the next round begins a pass of its own
+        nodes.untils.push_back(std::move(until));
+        return true;
+    }
+
+    Interpreter& in_;
+    std::size_t rounds_;
+    const Value* value_ = nullptr;
+    std::size_t first_ = 0, firstUntil_ = 0;
+    bool isOnDevice_ = false;
+    expression::Depends outer_{};
+};
+
 void doRepeat(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
     const std::vector<Value>* words = wordsOf(command);
@@ -236,6 +314,7 @@ void doRepeat(Interpreter& in, const Command& command) {
     const RoundNames own = bindCounter(names, name, symbol, words != nullptr);
     std::vector<std::size_t>& path = in.modern.checks.path;
     path.push_back(0);
+    RoundEnd end(in, command, rounds);
     for (double round = 0; round < rounds && !in.counts.isFull; ++round) {
         if (!countRound(in, command)) break;
         const Scope scope(in);
@@ -247,7 +326,10 @@ void doRepeat(Interpreter& in, const Command& command) {
             names.setNumber(own.counter, round);
         if (own.index) names.setNumber(*own.index, round);
         runBody(in, index + 1, command.partner);
+        if (end.ends(path.back() + 1)) break;
     }
+    end.finish();
+    if (command.key("until") != nullptr) addConditions(in, index + 1, command.partner);
     path.pop_back();
 }
 

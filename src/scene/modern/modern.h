@@ -1,11 +1,13 @@
 #pragma once
 // Private to this room: what the files of modern statements give to each other and to the interpretation.
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
+#include "expression/expression.h"
 #include "scene/run/state.h"
 
 namespace glibra::scene {
@@ -68,6 +70,9 @@ bool isOutsidePass(Interpreter&, const Command& command);
 /// The textures that statements of ModernState::untaken may write, also through the groups that they draw,
 /// and those that the other words of a choice would make the target of a statement. Uniforms of dispatches
 /// count as images.
+/// The variables that the commands [first, last) set change with the conditions around them, whether they run
+/// or not.
+void addConditions(Interpreter&, std::size_t first, std::size_t last);
 std::set<TextureIndex> undecidedWrites(const Interpreter&);
 
 }  // namespace glibra::scene

@@ -267,7 +267,8 @@ void doDraw(Interpreter& in, const Command& command) {
     in.modern.groups.find(name)->second.isRunning = false;
 }
 
-/// The variables that a branch sets change with its condition, whichever branch runs now.
+}  // namespace
+
 void addConditions(Interpreter& in, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
         const Command& each = in.script->commands[i];
@@ -277,6 +278,8 @@ void addConditions(Interpreter& in, std::size_t first, std::size_t last) {
         if (symbol != nullptr) in.names().addDepends(symbol->slot, in.around.conditions);
     }
 }
+
+namespace {
 
 void doWhen(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
@@ -331,7 +334,8 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
 bool declares(const Command& command) {
     const glib::StatementRow* row = command.isModern ? glib::statementOf(command.id) : nullptr;
     if (row != nullptr && row->standing != glib::Standing::notInPass)
-        return row->standing != glib::Standing::anywhere && command.id != CommandId::let &&
+        return row->standing != glib::Standing::anywhere &&
+               (command.id != CommandId::let || glib::declaresFunction(command)) &&
                command.id != CommandId::bound;
     switch (command.id) {
         case CommandId::program:

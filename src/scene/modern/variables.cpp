@@ -198,6 +198,14 @@ class NamesWithArray final : public expression::Names {
     [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override {
         return path == name_ ? array_ : names_.find(path);
     }
+    [[nodiscard]] std::optional<expression::Symbol> findInScene(std::string_view path) const override {
+        return names_.findInScene(path);
+    }
+    [[nodiscard]] std::shared_ptr<const expression::Function> findFunction(
+        std::string_view name) const override {
+        return names_.findFunction(name);
+    }
+    [[nodiscard]] std::vector<std::string> knownFunctions() const override { return names_.knownFunctions(); }
     [[nodiscard]] std::vector<std::string> known(std::string_view path) const override {
         return names_.known(path);
     }
@@ -341,7 +349,83 @@ void showVariable(Interpreter& in, const Command& command, const std::string& na
 }
 
 /// What a variable depends on passes to the expressions that read it.
+/// The names of parameters, which blanks or commas separate. Nothing with the reason reported.
+std::optional<std::vector<std::string>> parametersOf(Interpreter& in, const Value& target) {
+    const Value& list = target.path.front().index.front();
+    std::vector<std::string> names;
+    std::string_view rest = list.text;
+    bool isFirstOfItem = true;
+    for (std::size_t begin = 0; begin < rest.size();) {
+        if (std::string_view(" \t\r\n").find(rest[begin]) != std::string_view::npos || rest[begin] == ',' ||
+            rest[begin] == '\\') {
+            isFirstOfItem = isFirstOfItem || rest[begin] == ',';
+            ++begin;
+            continue;
+        }
+        std::size_t end = begin;
+        while (end < rest.size() && glib::isOfName(rest[end])) ++end;
+        const std::string name(rest.substr(begin, std::max<std::size_t>(end - begin, 1)));
+        const bool isTyped = !isFirstOfItem && rest.find(',') != std::string_view::npos;
+        const auto refuse = [&](const char* id, std::string text) {
+            const glib::Position position = glib::placeIn(list, begin);
+            in.report(diagnose(id, std::move(text), in.script->place(position)));
+            return std::nullopt;
+        };
+        if (!glib::isIdentifier(name) || isTyped || name == "true" || name == "false")
+            return refuse("glib-E19", fmt::format("Let: expected the name of a parameter, found '{}'{}", name,
+                                                  isTyped ? "; a parameter has no type, since each call "
+                                                            "decides it"
+                                                          : ""));
+        if (std::ranges::find(names, name) != names.end())
+            return refuse("glib-E18", fmt::format("Let: parameter '{}' given twice", name));
+        names.push_back(name);
+        isFirstOfItem = false;
+        begin = end;
+    }
+    return names;
+}
+
+/// `Let name(parameters) (body)`.
+void declareFunction(Interpreter& in, const Command& command) {
+    const Value& target = command.values[0];
+    const Value& value = command.values[1];
+    const std::string& name = headOf(target);
+    Environment& names = in.names();
+    const auto lose = [&] { in.modern.lostNames.insert(name); };
+    if (!declareName(in, command, name, DeclaredName::Kind::function)) return;
+    auto& madeSoFar = in.shared->computed.functions[writtenAt(in, target)];
+    if (names.findFunction(name) != nullptr) return;  // of a file that is included again
+    const auto add = [&](const std::shared_ptr<const expression::Function>& function) {
+        names.declareFunction(function);
+        in.scene.functions.push_back(function);
+    };
+    if (const auto* known = madeSoFar.find(names)) return *known ? add(*known) : lose();
+    if (value.kind != Value::Kind::expression) {
+        in.reportAt(value, "glib-E19",
+                    fmt::format("Let: expected the value of the function '{}' in parentheses", name));
+        return lose();
+    }
+    if (readsLostName(in, value.text)) return lose();
+    std::shared_ptr<const expression::Function> made;
+    std::vector<NotedNames::Note> notes;
+    if (const auto parameters = parametersOf(in, target)) {
+        made = std::make_shared<const expression::Function>(expression::Function{
+            name, *parameters, value.text, in.script->place(glib::placeIn(value, 0)), names.functionCount()});
+        const NotedNames noted(names);
+        auto problem = expression::problemOf(*made, noted);
+        notes = noted.take();
+        if (problem) {
+            problem->message.text += whereSet(in, value, notes);
+            in.report(std::move(problem->message));
+            made.reset();
+        }
+    }
+    madeSoFar.add(names, std::move(notes), made);
+    return made ? add(made) : lose();
+}
+
 void doLet(Interpreter& in, const Command& command) {
+    if (glib::declaresFunction(command)) return declareFunction(in, command);
     const Value& target = command.values.front();
     const std::string& name = headOf(target);
     const DependsOnly own(in);

@@ -34,9 +34,10 @@ constexpr std::uint32_t kElementsOfBuffers = 0x7fffffff;
 constexpr const char* kWhoReadsElements =
     "only Expect (condition) and Print (expression) read the elements of buffers";
 
-/// The number of noteDeclared() for the end of a block, and for a name that is expected.
+/// The numbers of noteDeclared() for the end of a block, a name that is expected, and a function.
 constexpr std::uint64_t kBlockEnds = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kIsExpected = kBlockEnds - 1;
+constexpr std::uint64_t kIsFunction = kBlockEnds - 2;
 
 /// True if a name may be declared as both in one frame.
 bool isAlike(const Symbol& a, const Symbol& b) {
@@ -93,6 +94,7 @@ void Environment::beginFrame() {
     for (auto& [name, entry] : block_) entry.slot.reset();
     isInBlock_ = false;
     expected_.clear();
+    functions_.clear();
     node_ = 0;
     callers_.clear();
     declared_ = 0;
@@ -185,6 +187,11 @@ bool Environment::declareMesh(std::string_view name) {
         return declare(std::string(name) + field, symbolOf(Type::number(), Depends::texture)).has_value();
     };
     return declare(name, record("mesh")) && number(".vertices") && number(".primitives");
+}
+
+void Environment::declareFunction(const std::shared_ptr<const expression::Function>& function) {
+    if (!functions_.try_emplace(function->name, function).second) return;
+    noteDeclared(kIsFunction, reinterpret_cast<std::uintptr_t>(function.get()));
 }
 
 void Environment::beginBlock() {
@@ -361,6 +368,22 @@ std::optional<Symbol> Environment::find(std::string_view path) const {
     return symbol != nullptr ? std::optional(*symbol) : std::nullopt;
 }
 
+std::optional<Symbol> Environment::findInScene(std::string_view path) const {
+    const Symbol* const symbol = lookUpInScene(path);
+    return symbol != nullptr ? std::optional(*symbol) : std::nullopt;
+}
+
+std::shared_ptr<const expression::Function> Environment::findFunction(std::string_view name) const {
+    const auto known = functions_.find(name);
+    return known != functions_.end() ? known->second : nullptr;
+}
+
+std::vector<std::string> Environment::knownFunctions() const {
+    std::vector<std::string> names;
+    for (const auto& [name, function] : functions_) names.push_back(name);
+    return names;
+}
+
 std::vector<std::string> Environment::known(std::string_view path) const {
     std::set<std::string> names;
     const std::string prefix = path.empty() ? std::string() : std::string(path) + ".";
@@ -380,13 +403,32 @@ std::vector<std::string> Environment::known(std::string_view path) const {
     return {names.begin(), names.end()};
 }
 
-std::optional<Symbol> NotedNames::find(std::string_view path) const {
-    auto symbol = names_.find(path);
-    const auto isSame = [&](const Note& each) { return each.path == path; };
+void NotedNames::note(std::string_view path, const std::optional<Symbol>& symbol, Note::Kind kind) const {
+    const auto isSame = [&](const Note& each) { return each.path == path && each.kind == kind; };
     if (std::ranges::none_of(notes_, isSame))
         notes_.push_back({std::string(path), symbol ? symbol->slot : 0,
-                          symbol ? std::optional(symbol->count) : std::nullopt});
+                          symbol ? std::optional(symbol->count) : std::nullopt, kind});
+}
+
+std::optional<Symbol> NotedNames::find(std::string_view path) const {
+    auto symbol = names_.find(path);
+    note(path, symbol, Note::Kind::name);
     return symbol;
+}
+
+std::optional<Symbol> NotedNames::findInScene(std::string_view path) const {
+    auto symbol = names_.findInScene(path);
+    note(path, symbol, Note::Kind::nameOfScene);
+    return symbol;
+}
+
+std::shared_ptr<const expression::Function> NotedNames::findFunction(std::string_view name) const {
+    auto function = names_.findFunction(name);
+    note(name, std::nullopt, Note::Kind::function);
+    const auto own = std::ranges::find_if(
+        notes_, [&](const Note& each) { return each.path == name && each.kind == Note::Kind::function; });
+    own->function = function;
+    return function;
 }
 
 // ---- Values.

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -64,6 +65,8 @@ class Environment final : public expression::Names, public expression::Values {
     bool declareBuffer(std::string_view name, const std::optional<expression::Type>& element);
     /// Declares the name of a mesh with its fields NAME.vertices and NAME.primitives, which are numbers.
     bool declareMesh(std::string_view name);
+    /// Declares a function of expressions. One that is declared again goes on to be the same.
+    void declareFunction(const std::shared_ptr<const expression::Function>& function);
     /// True for an array of the elements of a buffer.
     static bool isBuffer(const expression::Symbol& symbol);
 
@@ -112,7 +115,13 @@ class Environment final : public expression::Names, public expression::Values {
     // ---- All names.
 
     [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override;
-    /// The same without a copy; null if there is no such name. Valid until the next declaration.
+    [[nodiscard]] std::optional<expression::Symbol> findInScene(std::string_view path) const override;
+    [[nodiscard]] std::shared_ptr<const expression::Function> findFunction(
+        std::string_view name) const override;
+    [[nodiscard]] std::vector<std::string> knownFunctions() const override;
+    /// How many functions are declared.
+    [[nodiscard]] std::size_t functionCount() const { return functions_.size(); }
+    /// The same as find() without a copy; null if there is no such name. Valid until the next declaration.
     [[nodiscard]] const expression::Symbol* lookUp(std::string_view path) const;
     /// The same for a name of the scene or of the block that is open, which a scope may hide.
     [[nodiscard]] const expression::Symbol* lookUpInScene(std::string_view path) const;
@@ -190,6 +199,7 @@ class Environment final : public expression::Names, public expression::Values {
     Table scene_, block_;
     bool isInBlock_ = false;
     std::set<std::string, std::less<>> expected_;
+    std::map<std::string, std::shared_ptr<const expression::Function>, std::less<>> functions_;
     std::vector<Node> nodes_{Node{}};  ///< the first one has no name
     std::map<std::pair<std::uint32_t, std::string>, std::vector<std::uint32_t>> children_;
     std::map<std::pair<std::uint32_t, const void*>, std::uint32_t> borders_;
@@ -206,18 +216,27 @@ class NotedNames final : public expression::Names {
   public:
     explicit NotedNames(const Environment& names) : names_(names) {}
     [[nodiscard]] std::optional<expression::Symbol> find(std::string_view path) const override;
+    [[nodiscard]] std::optional<expression::Symbol> findInScene(std::string_view path) const override;
+    [[nodiscard]] std::shared_ptr<const expression::Function> findFunction(
+        std::string_view name) const override;
+    [[nodiscard]] std::vector<std::string> knownFunctions() const override { return names_.knownFunctions(); }
     [[nodiscard]] std::vector<std::string> known(std::string_view path) const override {
         return names_.known(path);
     }
     /// A name, and what it was. Without a meaning the count is none.
     struct Note {
+        enum class Kind : std::uint8_t { name, nameOfScene, function };
         std::string path;
         Environment::Slot slot = 0;
         std::optional<std::uint32_t> count;
+        Kind kind = Kind::name;
+        std::shared_ptr<const expression::Function> function{};
     };
     [[nodiscard]] std::vector<Note> take() const { return std::move(notes_); }
 
   private:
+    void note(std::string_view path, const std::optional<expression::Symbol>& symbol, Note::Kind kind) const;
+
     const Environment& names_;
     mutable std::vector<Note> notes_;
 };
@@ -255,12 +274,19 @@ class MadeOfNames {
     };
     static void note(Made& made, const Environment& names) {
         made.shape = names.shape();
-        made.asksCallers =
-            std::ranges::any_of(made.notes, [&](const auto& each) { return names.asksCallers(each.path); });
+        made.asksCallers = std::ranges::any_of(made.notes, [&](const auto& each) {
+            return each.kind == NotedNames::Note::Kind::name && names.asksCallers(each.path);
+        });
     }
     static bool isSame(const Made& made, const Environment& names) {
+        using Kind = NotedNames::Note::Kind;
         for (const NotedNames::Note& each : made.notes) {
-            const expression::Symbol* now = names.lookUp(each.path);
+            if (each.kind == Kind::function) {
+                if (names.findFunction(each.path) != each.function) return false;
+                continue;
+            }
+            const expression::Symbol* now =
+                each.kind == Kind::name ? names.lookUp(each.path) : names.lookUpInScene(each.path);
             if (now == nullptr ? each.count.has_value()
                                : !(each.count == now->count && each.slot == now->slot))
                 return false;

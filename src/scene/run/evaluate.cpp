@@ -71,7 +71,8 @@ expression::Depends dependsOf(Interpreter& in, const expression::Expression& exp
     return depends;
 }
 
-/// For an expression with an unknown name: where a Let below sets it. Empty if none does.
+}  // namespace
+
 std::string whereSet(const Interpreter& in, const Value& value, std::span<const NotedNames::Note> notes) {
     const auto unknown = std::ranges::find_if(
         notes, [](const auto& each) { return !each.count && each.path.find('.') == std::string::npos; });
@@ -85,6 +86,8 @@ std::string whereSet(const Interpreter& in, const Value& value, std::span<const 
     }
     return {};
 }
+
+namespace {
 
 ReadExpression& readExpression(Interpreter& in, const Value& value, const expression::Wanted& wanted) {
     const Environment& environment = in.names();
@@ -111,7 +114,8 @@ ReadExpression& readExpression(Interpreter& in, const Value& value, const expres
     return readSoFar.add(environment, std::move(notes), std::move(made));
 }
 
-/// True if the expression reads what a faulty statement would have declared.
+}  // namespace
+
 bool readsLostName(const Interpreter& in, std::string_view text) {
     if (in.modern.lostNames.empty()) return false;
     for (std::size_t at = 0; at < text.size();) {
@@ -122,6 +126,8 @@ bool readsLostName(const Interpreter& in, std::string_view text) {
     }
     return false;
 }
+
+namespace {
 
 /// Reads an expression, sets the names that it reads, and notes what it depends on. Null if it is wrong.
 ReadExpression* supplied(Interpreter& in, const Value& value, const expression::Wanted& wanted) {

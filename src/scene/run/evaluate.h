@@ -46,6 +46,12 @@ WrittenAt writtenAt(const Interpreter&, const Value& value);
 std::optional<expression::Value> evaluate(Interpreter&, const Value& value,
                                           const expression::Wanted& wanted = {});
 
+/// True if an expression reads what a faulty statement would have declared.
+bool readsLostName(const Interpreter&, std::string_view text);
+/// For an expression with an unknown name, which `notes` has: "; line 9 sets it, which is below", if a Let
+/// below sets it. Otherwise empty.
+std::string whereSet(const Interpreter&, const Value& value, std::span<const NotedNames::Note> notes);
+
 /// Gives the names that an expression reads their values where it stands, and notes what they depend on.
 /// False with the reason reported if the expression is wrong.
 bool supplyNames(Interpreter&, const Value& value, const expression::Wanted& wanted);

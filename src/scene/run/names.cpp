@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/suggest.h"
+#include "expression/functions.h"
 #include "expression/known_names.h"
 #include "scene/count_limits.h"
 #include "scene/run/evaluate.h"
@@ -32,6 +33,8 @@ const char* wordOfKind(NameKind kind) {
             return "a buffer";
         case NameKind::mesh:
             return "a mesh";
+        case NameKind::function:
+            return "a function";
         case NameKind::variable:
         case NameKind::computed:
             break;
@@ -42,6 +45,7 @@ const char* wordOfKind(NameKind kind) {
 bool isReserved(std::string_view name, NameKind kind) {
     constexpr std::array<std::string_view, 4> kWords{"camera", "pi", "true", "false"};
     if (name == "eye") return kind != NameKind::camera;
+    if (kind == NameKind::function && !expression::functionsNamed(name).empty()) return true;
     const auto isName = [&](const expression::NameRow& row) { return row.path == name; };
     const auto rows = expression::sceneNames();
     return std::ranges::find(kWords, name) != kWords.end() || std::ranges::any_of(rows, isName);

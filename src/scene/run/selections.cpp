@@ -312,10 +312,18 @@ std::shared_ptr<const ConditionNames> namesOfQuestion(Interpreter& in, const Val
     if (isKnown ? !supplyNames(in, value, wanted) : !supplyNames(in, value, paths)) return nullptr;
     // It is read again when it is answered, with all names in it: also those of what is folded, as in
     // arr.count.
-    for (const std::string& path : paths) {
-        const auto symbol = environment.find(path);
+    const NotedNames noted(environment);
+    static_cast<void>(expression::parse(value.text, {}, noted, wanted));
+    std::vector<NotedNames::Note> notes = noted.take();
+    for (const std::string& path : paths) notes.emplace_back().path = path;  // if it was not read to its end
+    for (const auto& [path, slot, elements, kind, function] : notes) {
+        if (function != nullptr) names->add(function);
+        const bool isOfScene = kind == NotedNames::Note::Kind::nameOfScene;
+        if (kind == NotedNames::Note::Kind::function || names->has(path, isOfScene)) continue;
+        const auto symbol = isOfScene ? environment.findInScene(path) : environment.find(path);
         if (!symbol) continue;
         ConditionNames::Name name{path, *symbol, {}};
+        name.isOfScene = isOfScene;
         if (any(symbol->depends & expression::Depends::buffer)) {
             constexpr std::string_view kCount = ".count";
             const std::string head =
@@ -328,9 +336,8 @@ std::shared_ptr<const ConditionNames> namesOfQuestion(Interpreter& in, const Val
             word.position = value.position;
             const auto object = objectNamed(in, word);
             if (const auto* view = object ? std::get_if<BufferView>(&*object) : nullptr) name.buffer = *view;
-            const expression::Symbol* const elements = environment.lookUp(head);
-            if (elements != nullptr && Environment::isBuffer(*elements))
-                name.elementSize = elements->type.size();
+            const expression::Symbol* const found = environment.lookUp(head);
+            if (found != nullptr && Environment::isBuffer(*found)) name.elementSize = found->type.size();
         }
         const std::size_t count = Environment::isBuffer(*symbol) ? 0 : std::max(1U, symbol->count);
         for (std::size_t i = 0; i < count; ++i) {

@@ -55,7 +55,7 @@ struct SceneCamera {
 
 /// A name of the namespace that variables, cameras, textures, samplers and buffers share.
 struct DeclaredName {
-    enum class Kind { variable, computed, camera, texture, sampler, buffer, mesh };
+    enum class Kind { variable, computed, function, camera, texture, sampler, buffer, mesh };
     Kind kind = Kind::variable;
     Place place;
     const glib::Command* command = nullptr;
@@ -251,6 +251,8 @@ struct KnownFiles {
 struct Computed {
     ExpressionCache expressions;
     std::map<WrittenAt, MadeOfNames<std::optional<expression::Type>>> arrayTypes;  ///< of `Let name[n] (...)`
+    /// Functions of expressions; null if the body is wrong.
+    std::map<WrittenAt, MadeOfNames<std::shared_ptr<const expression::Function>>> functions;
     std::map<WrittenAt, ComputedElements> elements;
     std::map<std::string, std::optional<MeshContent>> meshes;  ///< nothing: the shape cannot be made
 };
