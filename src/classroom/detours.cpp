@@ -100,7 +100,7 @@ std::optional<Code> asConditional(std::span<const CodeToken> statement, int nest
     const std::size_t signOne = onlyAssignment(one), signTwo = onlyAssignment(two);
     const auto isSame = [](const CodeToken& a, const CodeToken& b) { return a.text == b.text; };
     if (signOne == 0 || signOne != signTwo ||
-        !std::equal(one.begin(), one.begin() + signOne, two.begin(), isSame))
+        !std::ranges::equal(one.first(signOne), two.first(signTwo), isSame))
         return std::nullopt;
     Code made(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(signOne) + 1);
     const auto add = [&](std::span<const CodeToken> part) {

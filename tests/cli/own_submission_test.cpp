@@ -173,6 +173,13 @@ TEST_F(OwnSubmission, MayBeAFileOrAZipFileAndTheReferenceASuiteOrAnExercise) {
     EXPECT_EQ(solved.status, 0) << solved.err;
     EXPECT_TRUE(contains(solved.err, "1 of 1  is solved")) << solved.err;
     EXPECT_EQ(mine("bob").status, 1);
+    // Where many pictures are right, what they have goes along.
+    folder.write("course/dark.toml",
+                 "solution = \"solution.glib\"\nsweep = [\"uTone=[0]\"]\nhas = { color = [0, 0, "
+                 "0], within = 0.15, least = 0.99 }\n");
+    ASSERT_EQ(glibra(folder.path(), "class --reference course/dark.toml --hand-out reference").status, 0);
+    EXPECT_EQ(mine("ana").status, 0);
+    EXPECT_EQ(mine("bob").status, 1) << "it is not dark at uTone=0";
     // The pictures of before go.
     ASSERT_EQ(glibra(folder.path(),
                      "class --reference course/suite.toml --rubric course/class.toml "
