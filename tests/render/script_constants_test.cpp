@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "modern_text.h"
 #include "script_problems.h"
 
 namespace glibra::test {
@@ -73,12 +72,6 @@ TEST(ScriptConstants, AreRefusedWhereTheyCannotBe) {
     has("const N 1 const M 2", "no shader of Program 'P' has the name 'M', so 'const M' has no effect");
     has("const N", "[glib-E");
     EXPECT_EQ(problems("const N 1"), "");
-}
-
-TEST(ScriptConstants, FollowTheirVariable) {
-    TextScene scene(sized("Let size <1 8 64>\n", "", "(size)"));
-    scene.draw(0);
-    EXPECT_EQ(scene.buffer("numbers", 1), (std::vector<double>{808}));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ constexpr Specimen kSpecimens[] = {
     {"EndGroup", "Box\n", "Group\n"},
     {"Draw part size 2", "Box\n"},
     {"Repeat 3 as k", "    Box (k + 1)\nEndRepeat\n"},
-    {"Repeat 3 until (speed>0) as k", "    Box (k + 1)\nEndRepeat\n"},
+    {"Repeat 3 until (speed>0)", "    Box (i + 1)\nEndRepeat\n"},
     {"Repeat [add sub] as op", "    Box (op.index + 1)\nEndRepeat\n"},
     {"EndRepeat", "Box\n", "Repeat 2\n"},
     {"When (speed>0)", "    Box\nElse\n    Sphere\nEndWhen\n"},
