@@ -48,6 +48,24 @@ std::string found(const std::string& statement) {
     return problemsOf(kObjects + statement + "\n");
 }
 
+TEST(ScriptMeasures, GoIntoFunctionsOfTheScene) {
+    const std::string functions =
+        "Let twice(x) (2 * x)\nLet above(x) (x > k)\nLet least(x) (x)\n";  // a name of the language
+    EXPECT_NE(found(functions), "");
+    const std::string own = "Let twice(x) (2 * x)\nLet above(x) (x > k)\n";
+    EXPECT_EQ(found(own + "Expect (twice(sum(a)) == 246 && above(mean(a)) && twice(a[1]) == 24)"), "");
+    EXPECT_NE(found(own + "Expect (above(-sum(a)))"), "");
+}
+
+TEST(ScriptMeasures, DoNotEndRepetitions) {
+    const std::string problems =
+        found("Once\nRepeat 5 until (sum(a) > 100)\nFill pic with P\nEndRepeat\nEndOnce");
+    EXPECT_NE(problems.find("glib-E32"), std::string::npos) << problems;
+    EXPECT_EQ(found("Once\nRepeat 5 until (a[0] > 100)\nFill pic with P\nEndRepeat\nEndOnce\n"
+                    "Expect error glib-W43"),
+              "");
+}
+
 TEST(ScriptMeasures, AreThoseOfAllComponents) {
     for (const char* condition : {
              "sum(a) == 123",
