@@ -420,9 +420,7 @@ void addClass(CommandLine& program, int& status) {
         "class", "draws the submissions of a class beside a reference, on one page with scores and a table",
         "glibra class submissions/ --reference solution.glib -o site/   # a page and a table for the grade "
         "book\n"
-        "glibra class submissions/ --reference solution.glib --time 0 --time 2.5 --untrusted\n"
         "glibra class export/ --names moodle --roster grades.csv        # a learning platform's own names\n"
-        "glibra class --reference solution.glib --rubric class.toml --hand-out reference/\n"
         "glibra class . --mine --reference reference/                   # a student, before handing in");
     ClassArguments& to = *arguments;
     command.option("SUBMISSIONS", to.folder,

@@ -270,13 +270,14 @@ constexpr std::size_t kMostArguments = 16;
 
 Parser::Parsed Parser::measured(const MeasureCall& call) {
     if (!call.why.empty()) return problem(call.range, "expr-E04", call.why);
-    auto symbol = names_.find(call.path);
+    auto symbol = frame_ == nullptr ? names_.find(call.path) : std::nullopt;
     if (!symbol)
         return problem(
             call.range, "expr-E07",
             fmt::format("{} has no value here: only Expect (condition) and Print (expression) read "
-                        "what textures and buffers hold",
-                        quoted(code_.text, call.range)));
+                        "what textures and buffers hold{}",
+                        quoted(text_, call.range),
+                        frame_ == nullptr ? "" : "; give the value to the function as an argument"));
     lexer_.goTo(call.range.end);
     take();
     lastEnd_ = call.range.end;

@@ -283,7 +283,7 @@ Parser::Parsed Parser::unary() {
 
 Parser::Parsed Parser::postfix() {
     const std::optional<MeasureCall> measure =
-        token_.kind == TokenKind::name ? measureAt(code_.text, token_.range.begin) : std::nullopt;
+        token_.kind == TokenKind::name ? measureAt(text_, token_.range.begin) : std::nullopt;
     Parsed value = primary(measure ? &*measure : nullptr);
     while (value && (token_.is(".") || token_.is("["))) {
         if (!settle(*value)) return std::nullopt;

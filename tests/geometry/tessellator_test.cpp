@@ -63,7 +63,7 @@ TEST(Tessellator, VerticesOnAnEdgeFollowFromItsLevelAlone) {
         one[0] = other[2] = 1 + std::fmod(one[0], 7.F);
         // Vertices inside do not come near the edge.
         for (Levels* each : {&one, &other})
-            for (std::size_t inner : {4, 5}) (*each)[inner] = std::max(2.F, (*each)[inner]);
+            for (const std::size_t inner : {4U, 5U}) (*each)[inner] = std::max(2.F, (*each)[inner]);
         const auto edge = [&](const Levels& levels, float u) {
             std::set<float> places;
             for (const auto& each : tessellate(layout, levels))

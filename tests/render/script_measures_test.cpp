@@ -55,6 +55,9 @@ TEST(ScriptMeasures, GoIntoFunctionsOfTheScene) {
     const std::string own = "Let twice(x) (2 * x)\nLet above(x) (x > k)\n";
     EXPECT_EQ(found(own + "Expect (twice(sum(a)) == 246 && above(mean(a)) && twice(a[1]) == 24)"), "");
     EXPECT_NE(found(own + "Expect (above(-sum(a)))"), "");
+    EXPECT_EQ(found("Let wave(x t) (sin(3 * x + t))\nExpect (wave(0, 0) == 0)"), "");  // longer than its call
+    const std::string inside = found("Let total(x) (x + sum(a))\nExpect (total(1) == 124)");
+    EXPECT_NE(inside.find("as an argument"), std::string::npos) << inside;
 }
 
 TEST(ScriptMeasures, DoNotEndRepetitions) {
