@@ -203,7 +203,7 @@ RoundNames bindCounter(Environment& names, const std::string& name, const expres
 class RoundEnd {
   public:
     RoundEnd(Interpreter& in, const Command& command, double rounds)
-        : in_(in), rounds_(static_cast<std::size_t>(rounds)) {
+        : in_(in), rounds_(static_cast<std::size_t>(std::max(0., rounds))) {
         if (const KeyedValues* key = command.key("until")) value_ = &key->values.front();
         if (value_ != nullptr && in.out.nodes != nullptr) first_ = in.out.nodes->order.size();
         outer_ = in.around.conditions;
