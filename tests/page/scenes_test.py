@@ -17,6 +17,7 @@ import pathlib
 import subprocess
 import sys
 import threading
+import time
 import traceback
 
 from PIL import Image, ImageChops
@@ -27,6 +28,7 @@ from runtime_test import ROOT, webdriver
 # At least so many scenes are drawn; docs/cli.md says how many are.
 FEWEST_DRAWN = 441
 SECONDS = 120  # for the pictures of a scene
+SLOW_SECONDS = 20  # are said
 
 DRAW = """
 const done = arguments[arguments.length - 1], [scene, files, moments] = arguments;
@@ -58,12 +60,14 @@ FRAMES = [{"time": 0}, {"time": 1.5}, {"time": 4}, {"time": 0, "view": {"eye": t
 
 
 def moments_of(values):
-    """The frames, and those with the first slider at both ends of its range. It is one that no other program has."""
+    """The frames, and those with the first slider at a quarter and at three quarters of its range: at the ends scenes may take
+    minutes. It is a slider that no other program has."""
     names = [(each.program, each.name) for each in values]
     sliders = [each for each in values if each.type == "float" and each.range and each.range[0] < each.range[1]
                and names.count((each.program, each.name)) == 1]
-    ends = [{"owner": sliders[0].program, "name": sliders[0].name, "value": end} for end in sliders[0].range] if sliders else []
-    return [{"frame": each} for each in FRAMES] + [{"frame": {"time": 0}, "set": each} for each in ends]
+    sets = [{"owner": each.program, "name": each.name, "value": each.range[0] + share * (each.range[1] - each.range[0])}
+            for each in sliders[:1] for share in (.25, .75)]
+    return [{"frame": each} for each in FRAMES] + [{"frame": {"time": 0}, "set": each} for each in sets]
 
 
 def native(scene):
@@ -158,7 +162,10 @@ def main():
             if not pictures:
                 compared.failures.append(f"{scene}: {moments}")
                 continue
+            began = time.monotonic()
             compared.add(scene, moments, pictures)
+            if time.monotonic() - began > SLOW_SECONDS:
+                print(f"{scene} takes {time.monotonic() - began:.0f} s", file=sys.stderr)
     server.shutdown()
     failures = compared.failures
     if not wanted and compared.count < FEWEST_DRAWN:
