@@ -27,7 +27,7 @@ from runtime_test import ROOT, webdriver
 
 # At least so many scenes are drawn; docs/cli.md says how many are.
 FEWEST_DRAWN = 441
-SECONDS = 120  # for the pictures of a scene
+SECONDS = 60  # for the pictures of a scene
 SLOW_SECONDS = 20  # are said
 
 DRAW = """
@@ -112,18 +112,42 @@ def differing_pixels(one, other, most):
     return sum(functools.reduce(ImageChops.lighter, difference.split()).histogram()[most + 1:])
 
 
+def begun(driver, port):
+    """A browser whose page has the runtime and the library."""
+    browser = webdriver.Browser(gl="mesa" if driver == "mesa" else True).start()
+    browser.patience = SECONDS
+    browser.open(f"http://127.0.0.1:{port}/")
+    library = [each for name in ("shaders", "textures", "scenes/models") for each in page.files_below(name)]
+    if error := browser.ask("POST", browser.session + "/execute/async", {"script": page.BEGIN, "args": [library]}):
+        sys.exit(error)
+    browser.ask("POST", browser.session + "/timeouts", {"script": 1000 * SECONDS})
+    return browser
+
+
 class Comparison:
-    def __init__(self, browser, driver):
-        self.browser, self.driver = browser, driver
+    def __init__(self, begin, driver):
+        self.begin, self.browser, self.driver = begin, None, driver
         self.allowed, self.most = exceptions(driver), 8 if driver == "swiftshader" else 0
         # Points and edges of one sample lie elsewhere with another rasteriser.
         self.share = 0.02 if driver == "swiftshader" else 0
         self.failures, self.differing, self.count, self.pictures = [], set(), 0, 0
 
+    def end(self):
+        if self.browser:
+            self.browser.stop()
+            self.browser = None
+
     def add(self, scene, moments, pictures):
         name = scene.removeprefix("glib/").removesuffix(".glib")
-        got = self.browser.ask("POST", self.browser.session + "/execute/async",
-                               {"script": DRAW, "args": [scene, page.files_below(os.path.dirname(scene)), moments]})
+        self.browser = self.browser or self.begin()
+        try:
+            got = self.browser.ask("POST", self.browser.session + "/execute/async",
+                                   {"script": DRAW, "args": [scene, page.files_below(os.path.dirname(scene)), moments]})
+        except (TimeoutError, RuntimeError, ConnectionError) as problem:
+            self.failures.append(f"{name}: no picture after {SECONDS} s: {problem}")
+            print(self.failures[-1], file=sys.stderr)
+            self.end()
+            return
         if "error" in got or not got["opened"]["drawn"]:
             self.failures.append(f"{name}: {json.dumps(got)[:300]}")
             return
@@ -150,14 +174,8 @@ def main():
     server = http.server.ThreadingHTTPServer(
         ("127.0.0.1", 0), functools.partial(page.Server, pathlib.Path(module).read_bytes()))
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    with webdriver.Browser(gl="mesa" if driver == "mesa" else True) as browser, \
-            concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
-        browser.ask("POST", browser.session + "/timeouts", {"script": 1000 * SECONDS})
-        browser.open(f"http://127.0.0.1:{server.server_port}/")
-        library = [each for name in ("shaders", "textures", "scenes/models") for each in page.files_below(name)]
-        if error := browser.ask("POST", browser.session + "/execute/async", {"script": page.BEGIN, "args": [library]}):
-            sys.exit(error)
-        compared = Comparison(browser, driver)
+    compared = Comparison(lambda: begun(driver, server.server_port), driver)
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
         for scene, (moments, pictures) in zip(scenes, pool.map(native, scenes)):
             if not pictures:
                 compared.failures.append(f"{scene}: {moments}")
@@ -166,6 +184,7 @@ def main():
             compared.add(scene, moments, pictures)
             if time.monotonic() - began > SLOW_SECONDS:
                 print(f"{scene} takes {time.monotonic() - began:.0f} s", file=sys.stderr)
+    compared.end()
     server.shutdown()
     failures = compared.failures
     if not wanted and compared.count < FEWEST_DRAWN:

@@ -18,6 +18,7 @@ class Browser:
 
     def __init__(self, width=1400, height=900, gl=False):
         self.size = (width, height)
+        self.patience = 300  # seconds, for an answer
         self.gl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if gl else ["--disable-gpu"]
         self.environment = None
         if gl == "mesa":
@@ -73,7 +74,7 @@ class Browser:
         shutil.rmtree(self.profile, ignore_errors=True)
 
     def ask(self, method, path, body=None):
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=300)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=self.patience)
         connection.request(method, path, None if body is None else json.dumps(body),
                            {"Content-Type": "application/json"})
         answer = json.load(connection.getresponse())["value"]
