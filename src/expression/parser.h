@@ -144,7 +144,7 @@ class Parser {
 
     /// Fills the code, or returns the first problem.
     std::optional<Problem> parse();
-    /// Reads the body of a function whose parameters have these types, of which the code is not kept.
+    /// Reads the body of a function with parameters of these types, to find its problems.
     std::optional<Problem> parseBody(const std::shared_ptr<const Function>& function,
                                      std::span<const Type> types);
 

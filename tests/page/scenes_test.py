@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Every example scene that browsers can draw, drawn by the module in Chromium: at several times, with another value of a slider,
 and from other sides. By the rasteriser of this machine it is what `--driver gles` makes, byte by byte; scenes.txt says where it
-differs, and why. By Chromium's own at most 2 % of the pixels of a picture are off by more than 8 of 255 or have their column
-there.
+differs, and why. By Chromium's own at most 2 % of the pixels of a picture are off by more than 8 of 255. Values for which glibra
+has no picture, or takes long, are left out.
 
-usage: scenes_test.py GLIBRA MODULE [--swiftshader] [SCENE...]     MODULE: glibra.wasm; the Python package is on PYTHONPATH
+usage: scenes_test.py MODULE [--swiftshader] [SCENE...]     MODULE: glibra.wasm; the Python package is on PYTHONPATH
 """
 import concurrent.futures
 import functools
@@ -171,7 +171,7 @@ class Comparison:
 def main():
     words = [each for each in sys.argv[1:] if each != "--swiftshader"]
     driver = "swiftshader" if "--swiftshader" in sys.argv else "mesa"
-    module, *wanted = words[1:]
+    module, *wanted = words
     os.environ["GLIBRA_DRIVER"] = "gles"
     scenes = sorted(str(each.relative_to(ROOT)) for each in (ROOT / "glib").rglob("*.glib"))
     scenes = wanted or scenes

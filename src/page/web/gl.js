@@ -438,9 +438,12 @@ export function glImports(context, module) {
             if (content) memory().u8.set(content.subarray(offset, offset + size), at);
             else if (size > 0) gl.getBufferSubData(target, offset, memory().u8, at, size);
         },
-        glCopyBufferSubData: (...values) => {
-            settle();
-            gl.copyBufferSubData(...values);
+        glCopyBufferSubData: (source, target, at, to, size) => {
+            const from = waitingContent(source), into = waitingContent(target);
+            if (!from && !into) return gl.copyBufferSubData(source, target, at, to, size);
+            const bytes = from?.subarray(at, at + size) ?? new Uint8Array(size);  // WebGL copies no other data to indices
+            if (!from) gl.getBufferSubData(source, at, bytes);
+            if (into) into.set(bytes, to); else gl.bufferSubData(target, to, bytes);
         },
         glTexImage2D: upload("texImage2D"),
         glTexImage3D: upload("texImage3D"),
