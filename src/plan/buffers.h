@@ -45,6 +45,8 @@ class BufferLayouts {
                     std::span<const FramePlan* const> others = {});
     /// Null if no plan uses the buffer, or with an error.
     [[nodiscard]] const BufferLayout* find(scene::BufferIndex buffer) const;
+    /// The next plan that uses the buffer decides anew.
+    void forget(scene::BufferIndex buffer) { layouts_.erase(buffer); }
 
   private:
     std::map<scene::BufferIndex, BufferLayout> layouts_;

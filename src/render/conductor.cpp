@@ -226,13 +226,11 @@ bool Conductor::interpret(const scene::FrameInputs& wanted, Diagnostics& diagnos
     scene.diagnostics.clear();
     forgetView();
     device.beginMoment(plan);
-    bool hasLost = false;
-    append(diagnostics, device.followSizes(hasLost));
-    if (hasLost && simulation) {
-        // Its blocks may run over the texels of what has another size now, so they are planned anew.
-        simulation.reset();
-        forgetDrawn();
-    }
+    Resized resized;
+    append(diagnostics, device.followSizes(resized));
+    if (resized.isAny) forgetDrawn();  // nodes may be as before, but what they drew is gone
+    // Its blocks may run over the texels of what has another size now, so they are planned anew.
+    if (resized.hasLost) simulation.reset();
     return true;
 }
 

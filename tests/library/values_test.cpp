@@ -260,5 +260,46 @@ TEST(LibraryScene, RefusesViewsThatAreNotFinite) {
     }
 }
 
+/// The picture after changes of n is that of a scene that begins with its last value.
+void followsItsSizes(const std::string& declarations) {
+    Renderer renderer = opened();
+    Result<Scene> scene = renderer.loadText("WindowSize 16 16\nLet n <1 4 64>\n" + declarations);
+    ASSERT_TRUE(scene) << scene.message();
+    for (const int n : {4, 9, 2, 64, 4}) {
+        ASSERT_TRUE(scene->set("n", n));
+        const Result<Picture> picture = scene->draw();
+        ASSERT_TRUE(picture) << picture.message();
+        Result<Scene> other =
+            renderer.loadText("WindowSize 16 16\nLet n <1 " + std::to_string(n) + " 64>\n" + declarations);
+        ASSERT_TRUE(other) << other.message();
+        const Result<Picture> expected = other->draw();
+        ASSERT_TRUE(expected) << expected.message();
+        EXPECT_EQ(picture->data, expected->data) << n;
+    }
+}
+
+constexpr const char* kShowLength =
+    "Fragment inline\n#version 430\nlayout(std430) readonly buffer b { float v[]; };\nout vec4 c;\n"
+    "void main() { c = vec4(float(v.length()) / 64., v[v.length() - 1] / 64., 0, 1); }\nEndFragment\n"
+    "Program Show\nFill window with Show\n";
+
+TEST(LibraryValues, ChangeTheSizesOfBuffers) {
+    followsItsSizes(std::string("Buffer b float (n) (i + 1)\n") + kShowLength);
+    followsItsSizes(
+        std::string("Buffer b float (n)\nCompute inline\n#version 430\nlayout(local_size_x = 1) in;\n"
+                    "layout(std430) buffer b { float v[]; };\n"
+                    "void main() { v[gl_GlobalInvocationID.x] += 7.; }\nEndCompute\nProgram Add\n"
+                    "Once\nDispatch Add (n)\nEndOnce\n") +
+        kShowLength);
+}
+
+TEST(LibraryValues, ChangeTheSizesOfTargets) {
+    followsItsSizes(
+        "Texture2D t (n) (n) rgba8 nearest\nPass t clear {.5 .25 0}\nEndPass\nFragment inline\n#version 330\n"
+        "uniform sampler2D t; in vec2 vST; out vec4 c;\n"
+        "void main() { c = texture(t, vST) + vec4(0, 0, float(textureSize(t, 0).x) / 64., 1); }\n"
+        "EndFragment\nProgram Show\nFill window with Show\n");
+}
+
 }  // namespace
 }  // namespace glibra

@@ -44,6 +44,28 @@ Diagnostics DeviceBuffers::prepare(const plan::FramePlan& plan,
     return diagnostics;
 }
 
+static std::uint64_t declaredSize(const scene::Buffer& buffer) {
+    return buffer.count ? *buffer.count : buffer.values.size();
+}
+
+bool DeviceBuffers::followSizes() {
+    const auto hasOther = [&](const auto& each) {
+        return each.second.declaredSize != declaredSize(scene_.buffers[each.first]);
+    };
+    bool isAny = false;
+    for (auto each = made_.begin(); each != made_.end();) {
+        if (!hasOther(*each)) {
+            ++each;
+            continue;
+        }
+        isAny = true;
+        bytesLeft_ += each->second.charged;
+        layouts_.forget(each->first);
+        each = made_.erase(each);
+    }
+    return isAny;
+}
+
 Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     const scene::Buffer& buffer = scene_.buffers[index];
     const std::uint64_t bytes = std::max<std::uint64_t>(layouts_.find(index)->bytes, plan::kLeastBufferBytes);
@@ -73,7 +95,7 @@ Diagnostics DeviceBuffers::make(scene::BufferIndex index) {
     if (!content) return content.diagnostics;
     Result<gpu::Buffer> current = filled(bytes, *content);
     if (!current) return std::move(current.diagnostics);
-    Made made{std::move(*current), {}, {}, false, buffer.values};
+    Made made{std::move(*current), {}, {}, false, buffer.values, declaredSize(buffer), all};
     if (buffer.hasHistory) {
         Result<gpu::Buffer> previous = filled(bytes, *content);
         if (!previous) return std::move(previous.diagnostics);
@@ -240,6 +262,8 @@ void DeviceBuffers::takeOver(DeviceBuffers& previous, scene::BufferIndex buffer)
     const auto own = made_.find(buffer);
     if (found == previous.made_.end() || own == made_.end()) return;
     const std::uint64_t bytes = own->second.current.size();
+    found->second.declaredSize = own->second.declaredSize;
+    found->second.charged = own->second.charged;
     own->second = std::move(found->second);
     if (own->second.current.size() < bytes) grow(own->second, bytes);
     previous.made_.erase(found);

@@ -41,6 +41,8 @@ class DeviceBuffers {
     /// them, unless it lasts. Errors: memory-E03 to E05, E17, draw-E05, and those of files.
     /// `others`: as of plan::BufferLayouts::add.
     Diagnostics prepare(const plan::FramePlan& plan, std::span<const plan::FramePlan* const> others = {});
+    /// DeviceScene::followSizes. True if a buffer has been forgotten.
+    bool followSizes();
     /// What has happened to a buffer that nodes write.
     ObjectState& state(scene::BufferIndex buffer) { return states_[buffer]; }
 
@@ -82,6 +84,8 @@ class DeviceBuffers {
         std::optional<gpu::Buffer> declared;  ///< what reset() gives back; made when it is needed
         bool isGiven = false;                 ///< by write()
         scene::BufferValues values;           ///< that it was declared with
+        std::uint64_t declaredSize = 0;       ///< elements or numbers that the scene has declared
+        std::uint64_t charged = 0;            ///< bytes of bytesLeft_
     };
     Diagnostics make(scene::BufferIndex index);
     /// Gives a buffer that has become longer by padding that many bytes, with its content.

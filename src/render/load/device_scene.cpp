@@ -49,9 +49,13 @@ void DeviceScene::forget(const plan::FramePlan& plan) {
     meshes_.forget(plan);
 }
 
-Diagnostics DeviceScene::followSizes(bool& hasLost) {
-    Diagnostics diagnostics = textures_.followSizes(hasLost);
+Diagnostics DeviceScene::followSizes(Resized& resized) {
+    Diagnostics diagnostics = textures_.followSizes(resized);
     targets_.forget(textures_.takeGone());
+    if (buffers_.followSizes()) {
+        resized = {true, true};
+        vertexArrays_.clear();
+    }
     return diagnostics;
 }
 

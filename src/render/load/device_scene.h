@@ -54,10 +54,10 @@ class DeviceScene {
     /// Call it after the scene has been interpreted for another moment, before prepare() of that plan: shapes
     /// may have other indices, textures have not. Meshes that both moments have stay on the device.
     void beginMoment(const plan::FramePlan& plan);
-    /// Call it after beginMoment(): forgets empty textures that the scene now declares in another size than
-    /// they were made in; prepare() makes them again. Those that last are made at once, empty, and
-    /// `hasLost` is set to true.
-    Diagnostics followSizes(bool& hasLost);
+    /// Call it after beginMoment(): forgets empty textures and buffers that the scene now declares in another
+    /// size than they were made in; prepare() makes them again. Textures that last are made at once, empty.
+    /// Content is lost if a texture lasts, and with every buffer, since blocks may have bound it.
+    Diagnostics followSizes(Resized& resized);
     /// Textures that nodes of the plan write to are not shared. Call it before the first prepare().
     void noteWrites(const plan::FramePlan& plan) { textures_.noteWrites(plan); }
     /// Makes all meshes, textures and buffers of the plan, which must not move. Errors name the scene line

@@ -71,7 +71,7 @@ void DeviceTextures::drop(Made& made) {
     made.key.clear();
 }
 
-Diagnostics DeviceTextures::followSizes(bool& hasLost) {
+Diagnostics DeviceTextures::followSizes(Resized& resized) {
     Diagnostics diagnostics;
     for (auto& [index, made] : made_) {
         const auto* empty = std::get_if<scene::EmptySource>(&scene_.textures[index].source);
@@ -79,8 +79,9 @@ Diagnostics DeviceTextures::followSizes(bool& hasLost) {
             hasSizeOf(*made.copies->copies[0].texture, *empty))
             continue;
         drop(made);
+        resized.isAny = true;
         if (!made.state.lasts) continue;
-        hasLost = true;
+        resized.hasLost = true;
         append(diagnostics, make(index));
     }
     return diagnostics;

@@ -56,7 +56,7 @@ class DeviceTextures {
     /// Makes the textures of the plan, each in memory of its own or in that of another one.
     Diagnostics prepare(const plan::FramePlan& plan);
     /// DeviceScene::followSizes.
-    Diagnostics followSizes(bool& hasLost);
+    Diagnostics followSizes(Resized& resized);
     /// The textures that have been destroyed since the last call.
     std::set<const gpu::Texture*> takeGone() { return std::exchange(gone_, {}); }
     /// Reads the files of a texture or computes its noise, unless that is done; prepare() uses the result. No

@@ -14,6 +14,13 @@ GLenum glStage(glsl::Stage stage);
 /// GL_POINTS, GL_TRIANGLE_STRIP and so on: the mode of a draw call.
 GLenum glMode(const plan::Submission& submission);
 
+// What has happened when the scene declares objects in other sizes.
+
+struct Resized {
+    bool isAny = false;    ///< an object has been forgotten, because the scene declares another size
+    bool hasLost = false;  ///< blocks of Once and Step have to begin anew
+};
+
 // What has happened to a texture or buffer since it was made as the scene declares it.
 
 struct ObjectState {
