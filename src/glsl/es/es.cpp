@@ -565,6 +565,7 @@ class MergedStages {
         if (!tessellation_) return all;
         all.tessellation = tessellation_->layout();
         all.measuresLevels = control_ != nullptr;
+        all.areInSequence = tessellation_->areInSequence();
         if (!built_) all.vertices = all.ofPrimitive = cornersOf(tessellation_->layout());
         return all;
     }
@@ -691,14 +692,14 @@ class MergedStages {
         if (numbersPrimitives_) text += std::string(" ") + kPrimitive + " = glibra_patch;\n";
         if (tessellation_ && built_) {
             const ExpandedGeometry each = built_->expansion();
-            text += " int primitive = gl_VertexID / " + std::to_string(each.vertices) + ";\n";
+            text += " int primitive = glibra_at / " + std::to_string(each.vertices) + ";\n";
             for (int corner = 0; corner < each.corners; ++corner)
                 text += tessellation_->primitives().run(
                     corner, tessellation_->coordinate("primitive * " + std::to_string(each.corners) + " + " +
                                                       std::to_string(corner)));
-            text += built_->statements("(gl_VertexID - primitive * " + std::to_string(each.vertices) + ")");
+            text += built_->statements("(glibra_at - primitive * " + std::to_string(each.vertices) + ")");
         } else if (tessellation_) {
-            text += tessellation_->coordinate("gl_VertexID") + " glibra_e_main();\n";
+            text += tessellation_->coordinate("glibra_at") + " glibra_e_main();\n";
         } else {
             for (int corner = 0; corner < corners_; ++corner)
                 text += own_->run(corner, " glibra_vertex = " + std::to_string(corners_) +

@@ -119,18 +119,28 @@ BlockPlace TessellationInVertex::outputOf(Stage stage, bool isOfPatch) const {
 std::string TessellationInVertex::functions() const {
     return "uniform int glibra_Instance;\nuniform int glibra_Patches;\nuniform bool glibra_Measures;\n"
            "uniform highp sampler2D glibra_Coordinates;\n"
-           "out vec4 glibra_OuterLevels;\nout vec2 glibra_InnerLevels;\nint glibra_first;\n"
+           "uniform int glibra_Count;\n"
+           "out vec4 glibra_OuterLevels;\nout vec2 glibra_InnerLevels;\nint glibra_first, glibra_at;\n"
            "vec4 glibra_texel(int at) {\n"
            " int width = textureSize(glibra_Coordinates, 0).x;\n"
-           " return texelFetch(glibra_Coordinates, ivec2(at % width, at / width), 0);\n}\n";
+           " return texelFetch(glibra_Coordinates, ivec2(at % width, at / width), 0);\n}\n"
+           // The last patch that begins at or before a vertex: those before it may be empty.
+           "int glibra_patchOf(int vertex) {\n"
+           " int low = 0, high = glibra_Count;\n"
+           " while (high - low > 1) { int middle = (low + high) / 2; vec4 part = glibra_texel(middle);\n"
+           "  if (int(part.z) * 65536 + int(part.w) <= vertex) low = middle; else high = middle; }\n"
+           " return low;\n}\n";
 }
 
 std::string TessellationInVertex::statements() const {
-    std::string text =
-        " glibra_patch = gl_InstanceID % glibra_Patches;"
-        " glibra_instance = glibra_Instance + gl_InstanceID / glibra_Patches;\n"
-        " if (!glibra_Measures) { vec4 part = glibra_texel(gl_InstanceID); glibra_first = int(part.x);"
-        " if (gl_VertexID >= int(part.y)) { gl_Position = vec4(0., 0., 2., 1.); return; } }\n";
+    std::string text = areInSequence()
+                           ? " int work = glibra_Measures ? gl_InstanceID : glibra_patchOf(gl_VertexID);\n"
+                           : " int work = gl_InstanceID;\n";
+    text +=
+        " glibra_patch = work % glibra_Patches; glibra_instance = glibra_Instance + work / glibra_Patches;\n"
+        " if (!glibra_Measures) { vec4 part = glibra_texel(work); glibra_first = int(part.x);"
+        " glibra_at = gl_VertexID - int(part.z) * 65536 - int(part.w);"
+        " if (glibra_at >= int(part.y)) { gl_Position = vec4(0., 0., 2., 1.); return; } }\n";
     for (int corner = 0; corner < corners_; ++corner)
         text +=
             inputs_.run(corner, fmt::format(" glibra_vertex = {} * glibra_patch + {};", corners_, corner));

@@ -33,6 +33,8 @@ class TessellationInVertex {
     std::string prepare(int geometry);
     [[nodiscard]] const base::TessellationLayout& layout() const { return layout_; }
     [[nodiscard]] const CornerStage& corners() const { return inputs_; }
+    /// ExpandedGeometry::areInSequence: vertex data come with instances.
+    [[nodiscard]] bool areInSequence() const { return !inputs_.hasInputs(); }
     /// The evaluation stage before a geometry stage.
     CornerStage& primitives() { return primitives_; }
     [[nodiscard]] const CornerStage& primitives() const { return primitives_; }
@@ -44,7 +46,8 @@ class TessellationInVertex {
     [[nodiscard]] std::string functions() const;
     /// The first statements of main, up to the evaluation stage.
     [[nodiscard]] std::string statements() const;
-    /// Sets what the evaluation stage gets for a vertex of the patch, an expression.
+    /// Sets what the evaluation stage gets for a vertex of the patch, an expression. That which is drawn is
+    /// "glibra_at".
     [[nodiscard]] std::string coordinate(const std::string& vertex) const;
 
   private:

@@ -148,6 +148,9 @@ struct ExpandedGeometry {
     /// texture kCoordinates has in texel i, row by row, the texel of its first coordinate and the number
     /// of its vertices; the coordinates follow.
     std::optional<base::TessellationLayout> tessellation{};
+    /// No instances, but the vertices of all patches after each other: the uniform glibra_Count has the
+    /// number of the texels i, which also have 65,536ths of the vertices before theirs, and the rest of them.
+    bool areInSequence = false;
     /// With the uniform glibra_Measures, the first vertex of a patch delivers its levels in the outputs of
     /// kLevelOutputs.
     bool measuresLevels = false;

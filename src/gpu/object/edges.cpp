@@ -1,5 +1,6 @@
 #include "gpu/object/edges.h"
 
+#include <bit>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -26,10 +27,13 @@ std::vector<std::uint32_t> edgesOf(std::span<const std::uint32_t> indices, GLenu
 }
 
 void EdgeBuffers::draw(const Buffer* indices, std::size_t offset, int count, GLenum mode, int instances) {
-    const Key key{indices != nullptr ? indices->id() : 0, offset, count, mode};
+    // Those of fewer triangles are the first of those of more.
+    const bool isPart = indices == nullptr && mode == GL_TRIANGLES;
+    const std::uint32_t all = static_cast<std::uint32_t>(count);
+    const Key key{indices != nullptr ? indices->id() : 0, offset, isPart ? std::bit_ceil(all) : all, mode};
     auto known = made_.find(key);
     if (known == made_.end()) {
-        std::vector<std::uint32_t> read(static_cast<std::size_t>(count));
+        std::vector<std::uint32_t> read(std::get<2>(key));
         if (indices != nullptr)
             indices->read(offset, std::as_writable_bytes(std::span(read)));
         else
@@ -41,7 +45,8 @@ void EdgeBuffers::draw(const Buffer* indices, std::size_t offset, int count, GLe
     }
     // The buffer of indices is a part of the vertex array.
     known->second.buffer.bind(GL_ELEMENT_ARRAY_BUFFER);
-    glDrawElementsInstanced(GL_LINES, known->second.count, GL_UNSIGNED_INT, nullptr, instances);
+    glDrawElementsInstanced(GL_LINES, isPart ? count / 3 * 6 : known->second.count, GL_UNSIGNED_INT, nullptr,
+                            instances);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices != nullptr ? indices->id() : 0);
 }
 

@@ -28,7 +28,7 @@ class EdgeBuffers {
         Buffer buffer;
         int count = 0;
     };
-    using Key = std::tuple<GLuint, std::size_t, int, GLenum>;
+    using Key = std::tuple<GLuint, std::size_t, std::uint32_t, GLenum>;
     std::map<Key, Edges> made_;
 };
 

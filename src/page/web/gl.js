@@ -4,15 +4,14 @@
 /** @typedef {{memory: WebAssembly.Memory, allocate: (bytes: number) => number}} Module */
 /** @typedef {(...values: any[]) => any} Call */
 
+// What OpenGL ES has and WebGL has not.
 const NUMBER = {
-    INVALID_INDEX: 0xFFFFFFFF, CONDITION_SATISFIED: 0x911C,
-    VENDOR: 0x1F00, RENDERER: 0x1F01, VERSION: 0x1F02, EXTENSIONS: 0x1F03, SHADING_LANGUAGE_VERSION: 0x8B8C,
-    MAJOR_VERSION: 0x821B, MINOR_VERSION: 0x821C, NUM_EXTENSIONS: 0x821D, CONTEXT_FLAGS: 0x821E,
+    EXTENSIONS: 0x1F03, MAJOR_VERSION: 0x821B, MINOR_VERSION: 0x821C, NUM_EXTENSIONS: 0x821D, CONTEXT_FLAGS: 0x821E,
     NUM_COMPRESSED_TEXTURE_FORMATS: 0x86A2, NUM_PROGRAM_BINARY_FORMATS: 0x87FE, NUM_SHADER_BINARY_FORMATS: 0x8DF9,
     SHADER_COMPILER: 0x8DFA, INFO_LOG_LENGTH: 0x8B84, SHADER_SOURCE_LENGTH: 0x8B88, ACTIVE_UNIFORM_MAX_LENGTH: 0x8B87,
     ACTIVE_ATTRIBUTE_MAX_LENGTH: 0x8B8A, ACTIVE_UNIFORM_BLOCK_MAX_NAME_LENGTH: 0x8A35, UNIFORM_BLOCK_NAME_LENGTH: 0x8A41,
     TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH: 0x8C76, UNIFORM_NAME_LENGTH: 0x8A39, NUM_SAMPLE_COUNTS: 0x9380,
-    PIXEL_PACK_BUFFER: 0x88EB, PIXEL_UNPACK_BUFFER: 0x88EC, COPY_WRITE_BUFFER: 0x8F37, COPY_READ_BUFFER: 0x8F36, PRIMITIVE_RESTART_FIXED_INDEX: 0x8D69, INVALID_ENUM: 0x0500,
+    PRIMITIVE_RESTART_FIXED_INDEX: 0x8D69,
 };
 
 // WebGL's extensions that are enabled where they are there, and other names that OpenGL ES has for them.
@@ -155,7 +154,7 @@ export function glImports(context, module) {
     let uploaded = 0, read = 0;
     /** The content that has waited, or nothing. */
     const waitingContent = (/** @type {number} */ target) => {
-        const number = target === NUMBER.COPY_WRITE_BUFFER ? uploaded : target === NUMBER.COPY_READ_BUFFER ? read : 0;
+        const number = target === gl.COPY_WRITE_BUFFER ? uploaded : target === gl.COPY_READ_BUFFER ? read : 0;
         const of = number ? waiting.get(number) : null;
         if (of && typeof of.content === "number") of.content = new Uint8Array(of.content);
         return of ? /** @type {Uint8Array} */ (of.content) : null;
@@ -204,8 +203,8 @@ export function glImports(context, module) {
     };
     /** What is bound for uploads is so in WebGL, too. */
     const settle = () => {
-        for (const [target, number] of [[NUMBER.COPY_WRITE_BUFFER, uploaded], [NUMBER.COPY_READ_BUFFER, read]]) {
-            if (target === NUMBER.COPY_WRITE_BUFFER) uploaded = 0; else read = 0;
+        for (const [target, number] of [[gl.COPY_WRITE_BUFFER, uploaded], [gl.COPY_READ_BUFFER, read]]) {
+            if (target === gl.COPY_WRITE_BUFFER) uploaded = 0; else read = 0;
             if (number) bind(target, number, () => glBindBuffer(target, number));
         }
     };
@@ -217,16 +216,10 @@ export function glImports(context, module) {
         glDeleteShader: (number) => { glDeleteShader(number); names.h.remove(number); },
         glDeleteSync: (number) => { glDeleteSync(number); names.y.remove(number); },
         glBindBuffer: (target, number) => {
-            if (target === NUMBER.PIXEL_PACK_BUFFER) packs = number !== 0;
-            if (target === NUMBER.PIXEL_UNPACK_BUFFER) unpacks = number !== 0;
-            if (target === NUMBER.COPY_WRITE_BUFFER) {
-                uploaded = waiting.has(number) ? number : 0;
-                if (uploaded) return;
-            }
-            if (target === NUMBER.COPY_READ_BUFFER) {
-                read = waiting.get(number) ? number : 0;
-                if (read) return;
-            }
+            if (target === gl.PIXEL_PACK_BUFFER) packs = number !== 0;
+            if (target === gl.PIXEL_UNPACK_BUFFER) unpacks = number !== 0;
+            if (target === gl.COPY_WRITE_BUFFER && (uploaded = waiting.has(number) ? number : 0)) return;
+            if (target === gl.COPY_READ_BUFFER && (read = waiting.get(number) ? number : 0)) return;
             bind(target, number, () => glBindBuffer(target, number));
         },
         glBindBufferBase: (target, index, number) => bind(target, number, () => glBindBufferBase(target, index, number)),
@@ -237,8 +230,14 @@ export function glImports(context, module) {
             glLinkProgram(number);
         },
         glFenceSync: (condition, flags) => names.y.add(gl.fenceSync(condition, flags)),
-        // WebGL tells of an end only after the script has returned: whoever waits for it waits for all work.
-        glClientWaitSync: () => { gl.finish(); return NUMBER.CONDITION_SATISFIED; },
+        // WebGL tells of an end only after the script has returned, and its finish() does not wait. What reads waits for all.
+        glFinish: () => {
+            const before = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
+            gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+            if (!packs) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+            gl.bindFramebuffer(gl.READ_FRAMEBUFFER, before);
+        },
+        glClientWaitSync: () => { calls.glFinish(); return gl.CONDITION_SATISFIED; },
     }));
 
     // ---- Numbers that GL gives
@@ -308,7 +307,7 @@ export function glImports(context, module) {
         glGetError: () => {
             const unknown = isUnknown, now = performance.now();
             isUnknown = false;
-            if (unknown) return NUMBER.INVALID_ENUM;
+            if (unknown) return gl.INVALID_ENUM;
             if (!mayFail && now - asked < 1000) return gl.NO_ERROR;
             asked = now;
             const error = gl.getError();
@@ -323,8 +322,8 @@ export function glImports(context, module) {
         glGetString: (name) => {
             const text = name === NUMBER.EXTENSIONS ? extensionNames.join(" ") : String(gl.getParameter(name) ?? "");
             // WebGL's own numbers of versions follow those of OpenGL ES in text that others parse.
-            return keep(name === NUMBER.VERSION ? `OpenGL ES 3.0 (${text})`
-                        : name === NUMBER.SHADING_LANGUAGE_VERSION ? `OpenGL ES GLSL ES 3.00 (${text})` : text);
+            return keep(name === gl.VERSION ? `OpenGL ES 3.0 (${text})`
+                        : name === gl.SHADING_LANGUAGE_VERSION ? `OpenGL ES GLSL ES 3.00 (${text})` : text);
         },
         glGetStringi: (name, index) =>
             name === NUMBER.EXTENSIONS && index < extensionNames.length ? keep(extensionNames[index]) : 0,
@@ -369,7 +368,7 @@ export function glImports(context, module) {
         },
         glGetAttribLocation: (of, at) => gl.getAttribLocation(names.p.objects[of], textAt(at)),
         glGetFragDataLocation: (of, at) => gl.getFragDataLocation(names.p.objects[of], textAt(at)),
-        glGetUniformBlockIndex: (of, at) => gl.getUniformBlockIndex(names.p.objects[of], textAt(at)) ?? NUMBER.INVALID_INDEX,
+        glGetUniformBlockIndex: (of, at) => gl.getUniformBlockIndex(names.p.objects[of], textAt(at)) ?? gl.INVALID_INDEX,
         glGetUniformfv: uniformInto("f32"),
         glGetUniformiv: uniformInto("i32"),
         glGetUniformuiv: uniformInto("u32"),
@@ -421,7 +420,7 @@ export function glImports(context, module) {
         glDisable: (what) => { if (what !== NUMBER.PRIMITIVE_RESTART_FIXED_INDEX) gl.disable(what); },
         glDrawBuffers: (count, at) => gl.drawBuffers(numbersAt(at, count)),
         glBufferData: (target, size, at, usage) => {
-            if (uploaded && target === NUMBER.COPY_WRITE_BUFFER)
+            if (uploaded && target === gl.COPY_WRITE_BUFFER)
                 waiting.set(uploaded, {content: at ? memory().u8.slice(at, at + size) : size, usage});
             else if (at)
                 gl.bufferData(target, memory().u8, usage, at, size);

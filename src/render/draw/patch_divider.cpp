@@ -1,6 +1,8 @@
 #include "render/draw/patch_divider.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -32,18 +34,20 @@ void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTra
         bindings.forgetWorkUnit();
         if (work.bindAgain) work.bindAgain();
     }
-    if (!divided.coordinates || divided.most == 0) return;
+    if (!divided.coordinates || divided.vertices == 0) return;
     const int unit = capabilities.combinedTextureUnits - 1;  // the scene's are counted from 0
     bindings.bind(*divided.coordinates, unit);
     const auto [location, isNew] = locations_.try_emplace(&built, 0);
     if (isNew) location->second = glGetUniformLocation(built.program->id(), glsl::kCoordinates);
     glUniform1i(location->second, unit);
+    setOwnUniform(built, "glibra_Count", count);
+    const int instances = built.interface.facts.expanded.areInSequence ? 1 : count;
     constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
     const auto corners = static_cast<std::size_t>(built.interface.facts.expanded.ofPrimitive);
     if (work.asEdges && corners == 3)
-        edges_.draw(nullptr, 0, divided.most, GL_TRIANGLES, count);
+        edges_.draw(nullptr, 0, divided.vertices, GL_TRIANGLES, instances);
     else
-        glDrawArraysInstanced(kModes.at(corners - 1), 0, divided.most, count);
+        glDrawArraysInstanced(kModes.at(corners - 1), 0, divided.vertices, instances);
 }
 
 std::vector<TessellationLevels> PatchDivider::measured(const BuiltProgram& built, int count) {
@@ -78,6 +82,7 @@ PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities
     std::vector<ListTexel> texels(levels.size());
     std::map<TessellationLevels, ListTexel> known;
     Divided divided;
+    std::int64_t before = 0;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const auto [entry, isNew] = known.try_emplace(levels[i]);
         if (isNew) {
@@ -85,10 +90,20 @@ PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities
             const std::vector<std::array<float, 3>> coordinates = geometry::tessellate(layout, levels[i]);
             for (const auto& [u, v, w] : coordinates) texels.push_back({u, v, w, 0});
             const int count = static_cast<int>(coordinates.size()) / cornersOf(layout) * expanded.vertices;
-            divided.most = std::max(divided.most, count);
+            if (!expanded.areInSequence) divided.vertices = std::max(divided.vertices, count);
             entry->second = {first, static_cast<float>(count), 0, 0};
         }
         texels[i] = entry->second;
+        if (!expanded.areInSequence) continue;
+        texels[i][2] = static_cast<float>(before / 65536);
+        texels[i][3] = static_cast<float>(before % 65536);
+        before += static_cast<std::int64_t>(entry->second[1]);
+        if (before > std::numeric_limits<int>::max()) {
+            problems_.push_back(
+                diagnose("draw-E05", "out of memory: the patches have more than 2^31 vertices"));
+            return divided;
+        }
+        divided.vertices = static_cast<int>(before);
     }
     Result<gpu::Texture> texture = listTexture(capabilities, std::move(texels));
     append(problems_, std::move(texture.diagnostics));

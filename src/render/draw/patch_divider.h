@@ -48,7 +48,7 @@ class PatchDivider {
     struct Divided {
         std::vector<TessellationLevels> levels;
         std::optional<gpu::Texture> coordinates;
-        int most = 0;  ///< vertices of a patch
+        int vertices = 0;  ///< of an instance: of all patches, or the most of one
     };
     [[nodiscard]] std::vector<TessellationLevels> measured(const BuiltProgram& built, int count);
     Divided divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
