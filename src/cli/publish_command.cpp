@@ -130,6 +130,7 @@ int runPublishCommand(PublishArguments& arguments) {
     const std::string& output = arguments.made.site;
     arguments.page.width = picture.width;
     arguments.page.height = picture.height;
+    arguments.page.samples = picture.samples;
     if (named.hasFolder || named.scenes.size() > 1) {
         if (!picture.set.empty() || picture.time != 0)
             return refuse("--set and --time are for the page of one scene");
@@ -164,9 +165,10 @@ void addPublish(CommandLine& program, int& status) {
         "glibra publish scenes/ -o site/                   # site/index.html; the pages share one runtime");
     PublishArguments& to = *arguments;
     to.made.site.clear();
+    to.made.picture.options.samples = page::kPageSamples;
     command.list("SCENE", to.named, "scene files (.glib) or folders of them").required();
     addSiteOptions(command, to.made, "file of the page, or folder of the site for several scenes",
-                   {"size", "time", "set", "library", "memory"});
+                   {"size", "time", "set", "samples", "library", "memory"});
     command.option("--title", to.title, "heading of the page or site; by default its name");
     command.flag("--embed", to.page.isEmbedded,
                  "nothing but the scene and its controls, for a frame of another page");

@@ -195,6 +195,7 @@ class GalleryRun {
         for (std::size_t i = 0; i < plan_.scenes.size(); ++i)
             if (isDrawn(end_.gallery.scenes[i])) {
                 page::PageTask task{plan_.scenes[i], confined(), false, plan_.live->film};
+                task.options.samples = plan_.live->page.samples;
                 task.film.width = plan_.width;
                 task.film.height = plan_.height;
                 tasks.push_back(std::move(task));

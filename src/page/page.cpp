@@ -92,9 +92,10 @@ std::string dataOf(const PageScene& scene, const PageOptions& options) {
                            {"values", value->values},
                            {"word", value->word}});
     Json data = {
-        {"scene", scene.name},      {"files", std::move(files)},   {"content", packed(bytesOf(content))},
-        {"set", std::move(set)},    {"time", options.time},        {"width", options.width},
-        {"height", options.height}, {"embed", options.isEmbedded}, {"poster", options.hasPoster}};
+        {"scene", scene.name},        {"files", std::move(files)},  {"content", packed(bytesOf(content))},
+        {"set", std::move(set)},      {"time", options.time},       {"width", options.width},
+        {"height", options.height},   {"samples", options.samples}, {"embed", options.isEmbedded},
+        {"poster", options.hasPoster}};
     if (isFilm(scene)) data["film"] = filmJson(scene);
     return scriptText(data);
 }

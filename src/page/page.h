@@ -18,6 +18,9 @@
 
 namespace glibra::page {
 
+/// Samples per pixel of a canvas, as those of glibra's window.
+inline constexpr int kPageSamples = 4;
+
 /// How a page begins.
 struct PageOptions {
     bool isEmbedded = false;         ///< for a frame of another page: nothing but the scene and its controls
@@ -25,6 +28,7 @@ struct PageOptions {
     std::vector<std::string> set{};  ///< "NAME=VALUE"
     double time = 0;                 ///< seconds
     int width = 0, height = 0;       ///< of the canvas; 0: the scene's window
+    int samples = kPageSamples;      ///< per pixel, limited to the browser's maximum
 };
 
 /// The runtime of live pages, glibra.wasm, packed for them. It is looked for where the modules are, and in a

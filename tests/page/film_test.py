@@ -116,7 +116,7 @@ class Film(unittest.TestCase):
         return json.loads(re.search(r'id="glibra-scene">(.*?)</script>', self.page, re.DOTALL)[1])
 
     def rendered(self, *words, scene="a.glib", size=SIZE):
-        self.glibra("render", scene, "-o", "picture.png", "--size", size, *words)
+        self.glibra("render", scene, "-o", "picture.png", "--samples", "4", "--size", size, *words)
         return self.pixels(os.path.join(self.folder, "picture.png"))
 
     @staticmethod
@@ -216,7 +216,7 @@ void main() {
         film = self.publish("--frames", "12", scene="s.glib")["film"]
         self.assertEqual((film["length"], len(film["frames"])), (3, 12))
         pictures = self.pictures(film)
-        self.glibra("render", "s.glib", "-o", "f.png", "--size", SIZE, "--frames", "12", "--fps", "4")
+        self.glibra("render", "s.glib", "-o", "f.png", "--samples", "4", "--size", SIZE, "--frames", "12", "--fps", "4")
         for i, each in enumerate(film["frames"]):
             self.assertEqual(pictures[each], self.pixels(os.path.join(self.folder, f"f_{i:04}.png")), i)
         self.assertGreater(len(pictures), 8)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Live pages as `glibra publish` writes them, opened from the disk in Chromium and operated by hand. By the rasteriser of this
-machine their pictures are those of `glibra render --driver gles`, byte by byte.
+machine their pictures are those of `glibra render --driver gles --samples 4`, byte by byte.
 
 usage: live_test.py GLIBRA [TEST...]
 """
@@ -199,7 +199,7 @@ class Pages(unittest.TestCase):
 
     def rendered(self, scene, *options, size=SIZE):
         (self.folder / "render.png").unlink(missing_ok=True)
-        run = glibra("render", scene, "--driver", "gles", "--size", size, *options, "-o", self.folder / "render.png")
+        run = glibra("render", scene, "--driver", "gles", "--samples", "4", "--size", size, *options, "-o", self.folder / "render.png")
         if "--incomplete" not in options:
             self.assertEqual(run.returncode, 0, run.stderr.decode())
         with Image.open(self.folder / "render.png") as picture:

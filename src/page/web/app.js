@@ -324,7 +324,7 @@ export class App {
         this.keys.hold(this.clock.secondsSince(milliseconds));
         this.clock.advance(milliseconds);
         this.isStale = false;
-        this.take(this.runtime?.draw({ ...this.size, time: this.clock.seconds, samples: 1, view: this.view.view, mouse: this.view.mouse }));
+        this.take(this.runtime?.draw({ ...this.size, time: this.clock.seconds, samples: this.data.samples, view: this.view.view, mouse: this.view.mouse }));
         this.clock.show();
         if (!this.isMoving) this.clock.last = undefined;
         this.ask();

@@ -16,7 +16,8 @@
  *             projection: "scene" | "perspective" | "orthographic" }} View
  * @typedef {{ program: string, name: string, values: number[], word: string }} Setting
  * @typedef {{ scene: string, files: { name: string, bytes: number, converted: boolean }[], content: string,
- *             set: Setting[], time: number, width: number, height: number, embed: boolean, poster: boolean, film?: FilmData }} Scene
+ *             set: Setting[], time: number, width: number, height: number, samples: number,
+ *             embed: boolean, poster: boolean, film?: FilmData }} Scene
  * @typedef {{ width: number, height: number, begin: number, length: number, frames: number[], parts: number[], shared: number[][],
  *             knobs: (Knob & { stops: number[][], pictures: number[][] })[], files: { name: string, language: string }[],
  *             sources: string, pictures: string[] }} FilmData
