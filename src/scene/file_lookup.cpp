@@ -148,7 +148,9 @@ class FolderSearch {
     bool findCaseless(const fs::path& folder, const std::vector<std::string>& parts) {
         const std::vector<fs::path> found = CaselessSearch(listings_).find(folder, parts);
         if (found.empty()) return false;
-        reference_.path = found.front();
+        base::FileSource source = all_.sourceAt(found.front());
+        reference_.path = std::move(source.path);
+        reference_.content = std::move(source.content);
         const auto shown = [&](const fs::path& path) {
             return folder.empty() || folder == folder.root_path()
                        ? path.generic_string()

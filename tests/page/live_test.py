@@ -176,6 +176,7 @@ class Pages(unittest.TestCase):
         self.write("own/quad.glib", QUAD)
         self.write("own/quad.vert", VERTEX)
         self.write("own/quad.frag", FRAGMENT)
+        self.write("own/cased.glib", QUAD.replace("Fragment quad", "Fragment Quad").replace("quad.vert", "QUAD.VERT"))
         self.write("own/steps.glib", STEPS)
         self.write("own/gather.frag", GATHER)
         self.write("own/show.frag", SHOW)
@@ -263,6 +264,10 @@ class Values(Pages):
         self.press_on("canvas", " ")
         self.type_into(".seconds", "1.25")
         self.assert_shows(self.render("lights/two_shadows", "--time", "1.25", "--set", "sun=0"))
+
+    def test_files_are_found_in_another_case(self):
+        self.open("own/cased")
+        self.assert_shows(self.render("own/quad"))
 
     def test_a_slider_is_moved_by_keys_the_mouse_and_its_field(self):
         self.open("start/teapot")

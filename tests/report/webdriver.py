@@ -79,7 +79,7 @@ class Browser:
                            {"Content-Type": "application/json"})
         answer = json.load(connection.getresponse())["value"]
         connection.close()
-        if isinstance(answer, dict) and "error" in answer:
+        if isinstance(answer, dict) and "error" in answer and "message" in answer:  # not a script's own answer
             raise RuntimeError(answer["error"] + ": " + answer["message"])
         return answer
 

@@ -97,6 +97,17 @@ TEST_F(FileLookup, AnotherCaseIsFoundAndReported) {
     EXPECT_EQ(file.remarks.at(0).place.column, 5);
 }
 
+// What an editor has not saved, or a page that has no disk.
+TEST_F(FileLookup, AFileThatIsFoundInAnotherCaseHasItsTextInMemory) {
+    const fs::path path = folder.write("Lit.frag");
+    const auto text = std::make_shared<const std::string>("changed");
+    InterpretOptions options;
+    options.inMemory = [&](const fs::path& asked) { return asked == path ? text : nullptr; };
+    const FileReference file = scene::find("lit.frag", folder.path() / "scene.glib", options);
+    EXPECT_EQ(file.path, path);
+    EXPECT_EQ(file.content, text);
+}
+
 TEST_F(FileLookup, EveryPartMayDifferInCase) {
     const fs::path path = folder.write("Textures/Wood/a.bmp");
     const FileReference file = find("textures\\wood\\A.bmp");
