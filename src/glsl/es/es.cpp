@@ -662,7 +662,7 @@ class MergedStages {
         }
         CornerStage& corners = tessellation_ ? tessellation_->primitives() : *own_;
         GeometryInVertex& built = built_.emplace(corners, *geometry_, fragment, program);
-        std::string problem = built.prepare(tessellation_ ? "glibra_patch" : "gl_InstanceID");
+        std::string problem = built.prepare(tessellation_ ? "glibra_patch" : "gl_InstanceID", !tessellation_);
         for (const Unit* each : {vertex_, control_, evaluation_})
             if (each) removeTwins(*geometry_, *each);
         // Vertices without data are numbered; those of a mesh have lost their numbers.

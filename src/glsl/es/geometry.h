@@ -25,9 +25,9 @@ class GeometryInVertex {
     GeometryInVertex(CornerStage& corners, Unit& geometry, Unit* fragment, const TranslatedProgram& program)
         : corners_(corners), geometry_(geometry), fragment_(fragment), program_(program) {}
 
-    /// Rewrites the stage. `primitive`: what gl_PrimitiveIDIn is written as. Returns what cannot be
-    /// expressed, as a text, or nothing.
-    std::string prepare(const std::string& primitive);
+    /// Rewrites the stage. `primitive`: what gl_PrimitiveIDIn is written as. `isOfMesh`: each instance is one
+    /// primitive. Returns what cannot be expressed, as a text, or nothing.
+    std::string prepare(const std::string& primitive, bool isOfMesh);
     /// Another output, such as the variable in place of a member of a block.
     void keep(std::string type, std::string name, std::string sizes = {}) {
         blockOutputs_.push_back({std::move(type), std::move(name), std::move(sizes)});
@@ -48,6 +48,8 @@ class GeometryInVertex {
     };
     [[nodiscard]] std::vector<Kept> kept() const;
     [[nodiscard]] int cornersOfOutput() const;
+    /// ExpandedGeometry::mostEmitted is told.
+    [[nodiscard]] bool isMeasured() const;
     /// How many primitives an invocation delivers at most.
     [[nodiscard]] int most() const;
 
@@ -56,6 +58,7 @@ class GeometryInVertex {
     Unit* fragment_;
     const TranslatedProgram& program_;
     int invocations_ = 1;
+    bool isMeasured_ = false;  ///< isMeasured(), as far as the stage itself is asked
     std::vector<Kept> blockOutputs_;
 };
 

@@ -154,6 +154,11 @@ struct ExpandedGeometry {
     /// With the uniform glibra_Measures, the first vertex of a patch delivers its levels in the outputs of
     /// kLevelOutputs.
     bool measuresLevels = false;
+    /// The most vertices that the geometry stage emits for a primitive, if it is worth to ask how many it
+    /// emits; 0: it is not. With the uniform glibra_Mode, each instance has 0: the corners of the primitives
+    /// that are emitted, 1: the vertices in the order in which they are emitted, 2: one vertex, whose outputs
+    /// kStripOutputs tell the strips.
+    int mostEmitted = 0;
     /// Inputs of the vertex stage that do not fit into its attributes. The texture kFetchedInputs has them in
     /// texels, row by row: all of them for each vertex, the corners of a primitive after each other.
     struct Fetched {
@@ -168,6 +173,10 @@ inline constexpr const char* kFetchedInputs = "glibra_Inputs";
 inline constexpr const char* kCoordinates = "glibra_Coordinates";
 /// The outputs of levels: four outer ones, two inner ones.
 inline constexpr std::array<const char*, 2> kLevelOutputs{"glibra_OuterLevels", "glibra_InnerLevels"};
+/// A bit for each vertex that begins a strip, from the lowest one on, and how many vertices are emitted.
+inline constexpr std::array<const char*, 3> kStripOutputs{"glibra_Begins", "glibra_MoreBegins",
+                                                          "glibra_Emitted"};
+inline constexpr int kMostMeasured = 256;  ///< vertices, whose bits these have
 
 struct TranslatedProgram {
     std::vector<TranslatedStage> stages;  ///< empty if `diagnostics` has an error

@@ -22,6 +22,7 @@
 #include "render/draw/dispatch.h"
 #include "render/draw/fetched_inputs.h"
 #include "render/draw/memory_order.h"
+#include "render/draw/emitted_strips.h"
 #include "render/draw/patch_divider.h"
 #include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
@@ -309,6 +310,7 @@ class FrameDrawer {
     mutable std::optional<gpu::Buffer> command_;  ///< the arguments of an indirect draw
     mutable gpu::EdgeBuffers edges_;
     mutable PatchDivider patches_;
+    mutable StripDrawer strips_;
     FetchedInputs fetched_;
     bool lineWidthReported_ = false;
     std::set<const plan::PlannedDraw*> bordersChecked_;

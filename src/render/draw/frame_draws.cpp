@@ -306,22 +306,10 @@ void FrameDrawer::submitPatches(const plan::PlannedDraw& planned, const BuiltPro
 void FrameDrawer::submitExpanded(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                  const Elements& elements) const {
     if (built.interface.facts.expanded.tessellation) return submitPatches(planned, built, elements);
-    const int corners = built.interface.facts.expanded.corners,
-              vertices = built.interface.facts.expanded.vertices,
-              ofPrimitive = built.interface.facts.expanded.ofPrimitive;
-    const bool asEdges = drawsEdges(planned);
-    constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
-    const auto instance =
-        std::ranges::find(built.interface.uniforms, "glibra_Instance", &base::ActiveUniform::emittedName);
+    const int primitives = elements.count / built.interface.facts.expanded.corners;
     for (int i = 0; i < elements.instances; ++i) {
-        const std::array<double, 1> number{static_cast<double>(i)};
-        if (instance != built.interface.uniforms.end()) gpu::setUniform(*built.program, *instance, number);
-        if (asEdges && ofPrimitive == 3) {
-            edges_.draw(nullptr, 0, vertices, GL_TRIANGLES, elements.count / corners);
-            continue;
-        }
-        glDrawArraysInstanced(kModes.at(static_cast<std::size_t>(ofPrimitive) - 1), 0, vertices,
-                              elements.count / corners);
+        setOwnUniform(built, "glibra_Instance", i);
+        strips_.draw(built, primitives, drawsEdges(planned));
     }
 }
 
@@ -444,6 +432,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInP
     if (hook_) hook_(planned, isWindow, true);
     if (!recordLoops(planned, built, pass.frame, raster)) submitInShares(planned, built);
     append(diagnostics, patches_.takeProblems());
+    append(diagnostics, strips_.takeProblems());
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();

@@ -4,30 +4,23 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "geometry/tessellator.h"
-#include "gpu/object/uniform.h"
 #include "render/draw/texel_list.h"
 
 namespace glibra::render {
-void setOwnUniform(const BuiltProgram& built, std::string_view name, double value) {
-    const auto uniform = std::ranges::find(built.interface.uniforms, name, &base::ActiveUniform::emittedName);
-    if (uniform != built.interface.uniforms.end())
-        gpu::setUniform(*built.program, *uniform, std::array<double, 1>{value});
-}
-
 void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTracker& bindings,
                           const BuiltProgram& built, const Work& work) {
     const int count = work.patches * work.instances;
     if (count <= 0) return;
     setOwnUniform(built, "glibra_Instance", work.first);
     setOwnUniform(built, "glibra_Patches", work.patches);
-    std::vector<TessellationLevels> levels =
-        built.interface.facts.expanded.measuresLevels
-            ? measured(built, count)
-            : std::vector<TessellationLevels>(static_cast<std::size_t>(count), work.levels);
+    std::vector<TessellationLevels> levels(static_cast<std::size_t>(count), work.levels);
+    if (built.interface.facts.expanded.measuresLevels &&
+        !captured_.read(built, {"glibra_Measures", 1}, count, std::as_writable_bytes(std::span(levels)),
+                        problems_))
+        return;
     Divided& divided = divided_[{work.draw, work.first}];
     if (divided.levels != levels) {
         divided = divide(capabilities, built, std::move(levels));
@@ -48,31 +41,6 @@ void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTra
         edges_.draw(nullptr, 0, divided.vertices, GL_TRIANGLES, instances);
     else
         glDrawArraysInstanced(kModes.at(corners - 1), 0, divided.vertices, instances);
-}
-
-std::vector<TessellationLevels> PatchDivider::measured(const BuiltProgram& built, int count) {
-    std::vector<TessellationLevels> levels(static_cast<std::size_t>(count));
-    const std::span<std::byte> bytes = std::as_writable_bytes(std::span(levels));
-    if (!measures_ || measures_->size() < bytes.size()) {
-        Result<gpu::Buffer> room = gpu::Buffer::create(bytes.size(), GL_STREAM_READ);
-        append(problems_, std::move(room.diagnostics));
-        if (!room) return {};
-        measures_ = std::move(*room);
-    }
-    setOwnUniform(built, "glibra_Measures", 1);
-    measures_->bindBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
-    // WebGL writes into no buffer that is bound for something else, too.
-    glBindBuffer(GL_COPY_READ_BUFFER, 0);
-    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-    glEnable(GL_RASTERIZER_DISCARD);
-    glBeginTransformFeedback(GL_POINTS);
-    glDrawArraysInstanced(GL_POINTS, 0, 1, count);
-    glEndTransformFeedback();
-    glDisable(GL_RASTERIZER_DISCARD);
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-    setOwnUniform(built, "glibra_Measures", 0);
-    measures_->read(0, bytes);
-    return levels;
 }
 
 PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,

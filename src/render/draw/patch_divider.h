@@ -6,25 +6,21 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "gpu/context/capabilities.h"
-#include "gpu/object/buffer.h"
 #include "gpu/object/edges.h"
 #include "gpu/object/texture.h"
 #include "gpu/state/binding_tracker.h"
 #include "plan/frame_plan.h"
+#include "render/draw/captured_outputs.h"
 #include "render/load/programs.h"
 
 namespace glibra::render {
 
 using TessellationLevels = std::array<float, 6>;  ///< four outer ones, two inner ones
 inline constexpr TessellationLevels kOneLevel{1, 1, 1, 1, 1, 1};
-
-/// Sets a uniform that the translation added, if the program has it.
-void setOwnUniform(const BuiltProgram& built, std::string_view name, double value);
 
 class PatchDivider {
   public:
@@ -50,13 +46,12 @@ class PatchDivider {
         std::optional<gpu::Texture> coordinates;
         int vertices = 0;  ///< of an instance: of all patches, or the most of one
     };
-    [[nodiscard]] std::vector<TessellationLevels> measured(const BuiltProgram& built, int count);
     Divided divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
                    std::vector<TessellationLevels> levels);
 
     std::map<std::pair<const plan::PlannedDraw*, int>, Divided> divided_;  ///< by draw and first instance
     std::map<const BuiltProgram*, GLint> locations_;                       ///< of the coordinates
-    std::optional<gpu::Buffer> measures_;
+    CapturedOutputs captured_;
     gpu::EdgeBuffers edges_;
     Diagnostics problems_;
 };

@@ -278,6 +278,8 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     gpu::ProgramSource source{.stages = stages};
     if (translated.expanded.measuresLevels)
         source.captured.assign(glsl::kLevelOutputs.begin(), glsl::kLevelOutputs.end());
+    if (translated.expanded.mostEmitted > 0)
+        source.captured.assign(glsl::kStripOutputs.begin(), glsl::kStripOutputs.end());
     gpu::BuildOutcome outcome = gpu::buildProgram(context_.capabilities(), source);
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
         if (outcome.stages[i].compiled) continue;
