@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "glib/text.h"
+#include "system/folder.h"
 
 namespace glibra::classroom {
 namespace {
@@ -29,6 +30,38 @@ struct CloseArchive {
 };
 using Archive = std::unique_ptr<std::remove_pointer_t<unzFile>, CloseArchive>;
 
+std::ifstream& streamOf(void* file) {
+    auto& stream = *static_cast<std::ifstream*>(file);
+    stream.clear();
+    return stream;
+}
+
+/// What minizip reads an archive with. It is given a path: its own functions take names of bytes alone.
+zlib_filefunc64_def fileFunctions() {
+    zlib_filefunc64_def functions{};
+    functions.zopen64_file = [](void*, const void* path, int) -> void* {
+        auto file = std::make_unique<std::ifstream>(*static_cast<const fs::path*>(path), std::ios::binary);
+        return *file ? file.release() : nullptr;
+    };
+    functions.zread_file = [](void*, void* file, void* to, uLong size) {
+        return static_cast<uLong>(
+            streamOf(file).read(static_cast<char*>(to), static_cast<std::streamsize>(size)).gcount());
+    };
+    functions.ztell64_file = [](void*, void* file) { return static_cast<ZPOS64_T>(streamOf(file).tellg()); };
+    functions.zseek64_file = [](void*, void* file, ZPOS64_T offset, int origin) -> long {
+        const auto from = origin == ZLIB_FILEFUNC_SEEK_SET   ? std::ios::beg
+                          : origin == ZLIB_FILEFUNC_SEEK_CUR ? std::ios::cur
+                                                             : std::ios::end;
+        return streamOf(file).seekg(static_cast<std::streamoff>(offset), from) ? 0 : -1;
+    };
+    functions.zclose_file = [](void*, void* file) {
+        delete static_cast<std::ifstream*>(file);
+        return 0;
+    };
+    functions.zerror_file = [](void*, void*) { return 0; };
+    return functions;
+}
+
 /// The path of an entry below the folder; nothing for one that is left out. Windows writes backslashes.
 std::optional<fs::path> pathOf(std::string name) {
     std::ranges::replace(name, '\\', '/');
@@ -38,7 +71,8 @@ std::optional<fs::path> pathOf(std::string name) {
     for (const fs::path& each : fs::path(name)) {
         const std::string part = each.generic_string();
         if (part.empty() || part == ".") continue;
-        if (part.front() == '.' || part == "__MACOSX" || part.size() > 255 || ++depth > kDeepestEntry)
+        if (part.front() == '.' || part == "__MACOSX" || part.size() > 255 || ++depth > kDeepestEntry ||
+            !system::isPlainName(part))
             return std::nullopt;
         path /= each;
     }
@@ -103,7 +137,8 @@ std::string unpackArchive(const fs::path& archive, const fs::path& into, UnpackL
         limits.entries -= made;
         return true;
     };
-    const Archive file(unzOpen64(archive.c_str()));
+    zlib_filefunc64_def functions = fileFunctions();
+    const Archive file(unzOpen2_64(&archive, &functions));
     if (!file) return fmt::format("'{}' is no zip file", archive.filename().generic_string());
     int status = unzGoToFirstFile(file.get());
     if (status == UNZ_END_OF_LIST_OF_FILE) return {};

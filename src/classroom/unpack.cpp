@@ -75,7 +75,7 @@ std::string unpack(const Submission& submission, const UnpackLimits& allowed) {
             continue;
         }
         const fs::path name = fs::path(each.name).filename();
-        if (name.empty() || name.generic_string().front() == '.') continue;
+        if (!system::isPlainName(name.generic_string()) || name.generic_string().front() == '.') continue;
         if (std::string why = copy(each.file, submission.folder / name, limits); !why.empty()) return why;
     }
     return {};

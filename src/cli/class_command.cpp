@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/files.h"
 #include "base/utf8.h"
 #include "classroom/class_page.h"
 #include "classroom/class_run.h"
@@ -235,12 +236,18 @@ int reportOwn(const ClassArguments& arguments, const ClassInput& input, const cl
     return classroom::reachesAll(room) ? kDone : kDiffers;
 }
 
+constexpr const char* kDrawn = ".drawn";
+
 /// Why the folder of --hand-out is not written; empty if it may be.
 std::string whyNotHandedOut(const fs::path& folder) {
     std::error_code failure;
     if (!fs::exists(folder, failure) || classroom::hasReferencePictures(folder)) return {};
     if (!fs::is_directory(folder, failure)) return "it is no folder";
-    return fs::is_empty(folder, failure) ? "" : "it has other files; name a new or empty folder";
+    // What was drawn before a run was stopped, or, where a worker is the program started again, in this run.
+    const auto isOther = [](const fs::directory_entry& each) { return each.path().filename() != kDrawn; };
+    return std::ranges::none_of(base::entriesOf(folder), isOther)
+               ? ""
+               : "it has other files; name a new or empty folder";
 }
 
 /// Draws the reference alone, for students. The exit status.
@@ -252,7 +259,7 @@ int handOut(const ClassArguments& given) {
     if (arguments.reference.empty()) return refuse("--hand-out needs --reference");
     if (const std::string why = whyNotHandedOut(folder); !why.empty())
         return refuse(fmt::format("--hand-out {}: {}", arguments.handOut, why));
-    arguments.made.site = (folder / ".drawn").generic_string();
+    arguments.made.site = (folder / kDrawn).generic_string();
     ClassInput input;
     if (const int status = readInput(arguments, input); status != kDone) return status;
     if (!input.plan.pictures.empty()) return refuse("--hand-out draws the scene of --reference");

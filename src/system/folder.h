@@ -11,6 +11,10 @@
 
 namespace glibra::system {
 
+/// True for a name that means a file of that name in its folder and nothing else: no way to other folders, no
+/// device, no part of a file.
+bool isPlainName(const std::string& name);
+
 /// What an open folder is for: in a sandbox some can be passed and not be listed.
 enum class FolderUse { listed, passed };
 

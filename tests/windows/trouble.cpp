@@ -1,13 +1,24 @@
 // Makes trouble for a program of Windows, as other programs and users do. Prints nothing but errors; the exit
 // status is that of the program, or 99 if there was nothing to do it to.
 //
-//   glibra_trouble crash MILLISECONDS PROGRAM WORD...   an access violation in a worker of it that has
-//   computed for so long glibra_trouble kill MILLISECONDS PROGRAM WORD...    TerminateProcess() of that
-//   worker, as the task manager does glibra_trouble ctrl-c MILLISECONDS PROGRAM WORD...  Ctrl+C in the
-//   console of both, when a worker has computed for so long glibra_trouble break MILLISECONDS PROGRAM WORD...
-//   Ctrl+Break, likewise glibra_trouble hold FILE                            has the file open, which nobody
-//   else may open, until its input ends glibra_trouble number                               prints the number
-//   of its process, and waits until its input ends
+//   glibra_trouble crash MILLISECONDS PROGRAM WORD...
+//       an access violation in a worker of it that has computed for so long
+//
+//   glibra_trouble kill MILLISECONDS PROGRAM WORD...
+//       TerminateProcess() of that worker, as the task manager does
+//
+//   glibra_trouble ctrl-c MILLISECONDS PROGRAM WORD...
+//       Ctrl+C in the console of both, when a worker has computed for so long
+//
+//   glibra_trouble hold FILE
+//       has the file open, which nobody else may open, until its input ends
+//
+//   glibra_trouble number
+//       prints the number of its process, and waits until its input ends
+//
+//   curl --disable ... --output FILE ... --url ADDRESS
+//       under this name, as glibra starts it: a server whose files lie in the folder that the variable SERVED
+//       names
 
 #include <windows.h>
 
@@ -47,6 +58,18 @@ void waitForEndOfInput() {
     DWORD count = 0;
     while (ReadFile(GetStdHandle(STD_INPUT_HANDLE), &byte, 1, &count, nullptr) && count > 0) {
     }
+}
+
+/// Status 22 is curl's for what a server does not give.
+int download(int count, wchar_t** words) {
+    std::wstring file, address, folder(MAX_PATH, L'\0');
+    for (int i = 1; i + 1 < count; ++i) {
+        if (std::wstring(words[i]) == L"--output") file = words[i + 1];
+        if (std::wstring(words[i]) == L"--url") address = words[i + 1];
+    }
+    folder.resize(GetEnvironmentVariableW(L"SERVED", folder.data(), MAX_PATH));
+    const std::wstring served = folder + L'\\' + address.substr(address.rfind(L'/') + 1);
+    return CopyFileW(served.c_str(), file.c_str(), FALSE) ? 0 : 22;
 }
 
 std::wstring quoted(const std::wstring& word) {
@@ -120,6 +143,7 @@ int main() {
         waitForEndOfInput();
         return 0;
     }
+    if (what == L"--disable") return download(count, words);
     if (count < 4) return 2;
     return trouble(what, words[2], count - 3, words + 3);
 }

@@ -10,12 +10,14 @@ import filecmp
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
 import urllib.parse
+import zipfile
 
 WINDOWS = os.environ["GLIBRA_PROGRAM"]
 WINE = os.environ["GLIBRA_WINE"]
@@ -56,9 +58,14 @@ class Case(unittest.TestCase):
         file.write_bytes(text if isinstance(text, bytes) else text.encode())
         return file
 
-    def run_program(self, program, *words):
-        return subprocess.run([program, *map(str, words)], cwd=self.folder, text=True, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300)
+    def run_program(self, program, *words, **more):
+        """Into files: what Wine starts beside a program, such as its desktop, may hold pipes for longer."""
+        with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+            ran = subprocess.run([program, *map(str, words)], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=output, stderr=errors,
+                                 timeout=300, **more)
+            for each in (output, errors):
+                each.seek(0)
+            return subprocess.CompletedProcess(ran.args, ran.returncode, output.read(), errors.read())
 
     def windows(self, *words):
         return self.run_program(WINDOWS, *words)
@@ -228,6 +235,94 @@ class Texts(Case):
         picture = subprocess.run([WINDOWS, "render", "a.glib", "-o", "-"], cwd=self.folder, stdout=subprocess.PIPE, check=True)
         self.assertEqual(self.windows("render", "a.glib", "-o", "a.png").returncode, 0)
         self.assertEqual(picture.stdout, (self.folder / "a.png").read_bytes())
+
+
+class Classes(Case):
+    """Zip files of students, pictures that are handed out, and goldens in a store."""
+
+    def assertGood(self, ran, status=0):
+        self.assertEqual(ran.returncode, status, ran.stdout + ran.stderr)
+        self.assertNotIn("\\", ran.stdout + ran.stderr)
+        return ran.stdout + ran.stderr
+
+    def pack(self, name, **more):
+        with zipfile.ZipFile(self.folder / name, "w") as archive:
+            for each in ("a.glib", "a.vert", "a.frag"):
+                archive.write(self.folder / each, each)
+            for each, text in more.items():
+                archive.writestr(each, text)
+
+    def test_are_unpacked_without_leaving_their_folder(self):
+        (self.folder / "class").mkdir()
+        bad = [dos(self.folder / "out.txt"), dos(self.folder / "out.txt").replace("\\", "/"), "Z:out.txt", "a.frag:out",
+               "nul.txt", "sub\\..\\..\\..\\out.txt", "\\\\?\\Z:\\out.txt", "a.vert."]
+        self.pack("class/Ada.zip", **{each: "out" for each in bad})
+        before = self.names(".")
+        out = self.assertGood(self.windows("class", "class", "--reference", "a.glib", "-o", "site"))
+        self.assertEqual(self.names("."), sorted([*before, "site"]), out)
+        self.assertEqual(self.names("site/unpacked/Ada"), ["a.frag", "a.glib", "a.vert"])
+        self.assertEqual((self.folder / "site/unpacked/Ada/a.vert").read_text(), VERTEX)
+
+    def test_are_handed_out_and_checked_by_students(self):
+        rubric = self.write("rubric.toml", "[[check]]\npoints = 4\nlike = 0.99\n")
+        told = []
+        for program, site in ((LINUX, "linux"), (WINDOWS, "windows")):
+            out = self.assertGood(self.run_program(program, "class", "--hand-out", site, "--reference", "a.glib", "--rubric", rubric.name,
+                                                   "--time", "0", "--time", "0.5"))
+            told.append(out.replace(site, "SITE"))
+        self.assertEqual(*told)
+        self.assertEqual(self.names("linux"), self.names("windows"))
+        for each in self.names("linux"):
+            self.assertEqual((self.folder / "linux" / each).read_bytes(), (self.folder / "windows" / each).read_bytes(), each)
+        self.pack("Ada.zip")
+        mine = [self.run_program(program, "class", "Ada.zip", "--mine", "--reference", "windows", "-o", "mine")
+                for program in (LINUX, WINDOWS)]
+        self.assertEqual(*[(each.returncode, each.stdout, each.stderr) for each in mine])
+        self.assertEqual(mine[0].returncode, 0, mine[0].stdout + mine[0].stderr)
+
+    def test_have_goldens_in_a_store(self):
+        (self.folder / "store").mkdir()
+        self.write("suite.toml", 'store = "store"\n[[shot]]\nscript = "a.glib"\n')
+        self.assertGood(self.windows("test", "suite.toml", "--update"))
+        self.assertEqual(len(self.names("store")), 1)
+        for program in (LINUX, WINDOWS):
+            self.assertEqual(self.run_program(program, "test", "suite.toml").returncode, 0)
+        self.write("a.frag", PLAIN.replace(".2", ".9"))
+        self.assertIn("results/suite/a.got.png", self.assertGood(self.windows("test", "suite.toml", "--results", "results"), 1))
+        self.assertGood(self.windows("review", "results", "--accept", "a*"))
+        self.assertEqual(len(self.names("store")), 2)
+        self.assertEqual(self.run_program(LINUX, "test", "suite.toml").returncode, 0)
+
+    def test_have_goldens_in_a_store_of_a_server(self):
+        shutil.copy(TROUBLE, self.folder / "curl.exe")
+        variables = dict(os.environ, WINEPATH=dos(self.folder), SERVED=dos(self.folder / "glibra-results/upload"),
+                         XDG_CACHE_HOME=str(self.folder / "ein Ördner"))
+        self.write("suite.toml", 'store = "http://nowhere.invalid/{hash}.png"\n[[shot]]\nscript = "a.glib"\n')
+
+        def test(*words, status):
+            return self.assertGood(self.run_program(WINDOWS, "test", "suite.toml", *words, env=variables), status)
+
+        test("--update", status=0)
+        shutil.rmtree(self.folder / "ein Ördner")
+        self.write("a.frag", PLAIN.replace(".2", ".9"))
+        self.assertIn("by more than", test(status=1))
+        self.assertEqual([f"{each}.png" for each in self.names("ein Ördner/glibra/goldens")], self.names("glibra-results/upload"))
+        shutil.rmtree(self.folder / "ein Ördner")
+        shutil.rmtree(self.folder / "glibra-results/upload")
+        self.assertIn("curl ended with status 22", test(status=1))
+
+
+class Pages(Case):
+    def test_are_those_of_linux(self):
+        """Films: browsers have no doubles."""
+        self.write("a.frag", PLAIN.replace("330", "400").replace("void", "uniform float Timer;\nvoid").replace(
+            "{ ", "{ double x = Timer; ").replace(".2", "float(x)"))
+        pages = []
+        for program in (LINUX, WINDOWS):
+            ran = self.run_program(program, "publish", "a.glib", "-o", "a.html", "--frames", "2")
+            pages.append((ran.returncode, ran.stdout, ran.stderr, (self.folder / "a.html").read_bytes()))
+            (self.folder / "a.html").unlink()
+        self.assertEqual(*pages)
 
 
 class LanguageServer(Case):

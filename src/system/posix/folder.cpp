@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string_view>
 
 #include "system/posix/extras.h"
 
@@ -45,6 +46,11 @@ void keepOwnerOf(const fs::path& replaced, int file) {
 }
 
 }  // namespace
+
+bool isPlainName(const std::string& name) {
+    return !name.empty() && name != "." && name != ".." &&
+           name.find_first_of(std::string_view("/\0", 2)) == name.npos;
+}
 
 File openFolder(const fs::path& folder, FolderUse use) {
     return File(::open(folder.empty() ? "." : folder.c_str(), modeOf(use) | O_DIRECTORY | O_CLOEXEC));

@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 constexpr DWORD kOpen = 1, kMakeNew = 2;                                                     // dispositions
 constexpr DWORD kFolder = 1, kSynchronous = 0x20, kNoFolder = 0x40, kLinkItself = 0x200000;  // options
 
-/// True for a name that means a file of that name and nothing else.
-bool isPlainName(std::wstring_view name) {
+bool isPlain(std::wstring_view name) {
     if (name.empty() || name.back() == L'.' || name.back() == L' ') return false;
     const auto isForbidden = [](wchar_t each) {
         return each < L' ' || std::wstring_view(LR"(\/:*?"<>|)").find(each) != std::wstring_view::npos;
@@ -96,7 +95,7 @@ File makeBetween(HANDLE folder) {
 
 File openIn(HANDLE folder, const std::wstring& name, DWORD access, DWORD disposition, DWORD options,
             DWORD attributes) {
-    if (!isPlainName(name)) {
+    if (!isPlain(name)) {
         errno = EINVAL;
         return {};
     }
@@ -115,6 +114,10 @@ File openIn(HANDLE folder, const std::wstring& name, DWORD access, DWORD disposi
     ::SetLastError(::RtlNtStatusToDosError(result));
     errno = lastErrno();
     return {};
+}
+
+bool isPlainName(const std::string& name) {
+    return isPlain(wideOf(name));
 }
 
 File openFolder(const fs::path& folder, FolderUse use) {
@@ -172,7 +175,7 @@ int clearNameIn(const File& folder, const std::string& name) {
 int replaceIn(const File& folder, const std::string& name, std::span<const std::byte> bytes) {
     if (repeatsParent()) return 0;
     const std::wstring wide = wideOf(name);
-    if (!isPlainName(wide)) return EINVAL;
+    if (!isPlain(wide)) return EINVAL;
     const File file = makeBetween(winOf(folder));
     if (!file) return errno;
     int problem = writeAll(file, bytes);
