@@ -5,7 +5,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "bench/core/device.h"
+#include "bench/core/computed.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
@@ -50,18 +50,18 @@ double summedInDouble(int steps) {
     return largestParameterError(steps, [&, t = 0.](int) mutable { return t += step; });
 }
 
-struct ParameterMethod {
-    const char* name;
-    double (*largestError)(int steps);
-    std::size_t bytes;  ///< of the state between two steps
-};
+template <double (*largestError)(int steps)>
+void errorOf(const ComputedCase& each, Numbers& result) {
+    result.front().x = largestError(static_cast<int>(each.setting));
+}
 
-constexpr ParameterMethod kParameterMethods[] = {
-    {"float, t += dt", summed, sizeof(float)},
-    {"float, t += dt with compensation", summedWithCompensation, 2 * sizeof(float)},
-    {"float, t = i * dt", multipliedStep, sizeof(int)},
-    {"float, t = i / n", divided, sizeof(int)},
-    {"double, t += dt", summedInDouble, sizeof(double)},
+/// With the bytes of the state between two steps.
+const std::vector<Computation> kParameterWays{
+    {"float, t += dt", errorOf<summed>, sizeof(float)},
+    {"float, t += dt with compensation", errorOf<summedWithCompensation>, 2 * sizeof(float)},
+    {"float, t = i * dt", errorOf<multipliedStep>, sizeof(int)},
+    {"float, t = i / n", errorOf<divided>, sizeof(int)},
+    {"double, t += dt", errorOf<summedInDouble>, sizeof(double)},
 };
 
 constexpr const char* kSummingShader = R"(uniform int uSteps;
@@ -71,7 +71,7 @@ vec4 value() {
         t += dt; t += dt; t += dt; t += dt; t += dt;
         t += dt; t += dt; t += dt; t += dt; t += dt;
     }
-    return vec4(t);
+    return vec4(abs(t - 1.));  // the last parameter is the worst one of a sum
 }
 )";
 
@@ -109,31 +109,25 @@ Figure parameterFigure(Bench& bench) {
                   .errorName = "largest error of t",
                   .reference = "i / n in double",
                   .alternatives = Alternatives::setting};
-    const auto add = [&](const char* curve, int steps, double error, const Timing& time, double bytes) {
-        figure.add(curve, {1. * steps, fmt::format("{} steps", steps), error, time, bytes});
+    const auto upTo = [](int most) {
+        std::vector<ComputedCase> cases;
+        for (int steps = 10; steps <= most; steps *= 10)
+            cases.push_back({1. * steps, fmt::format("{} steps", steps),
+                             [](const Numbers& error) { return error.front().x; }});
+        return cases;
     };
-    const int most = bench.pick(100000, 10000000);
-    for (const ParameterMethod& method : kParameterMethods)
-        for (int steps = 10; steps <= most; steps *= 10) {
-            const Timing time = bench.time([&] {
-                // The result must reach memory, otherwise the compiler removes the work.
-                const volatile double kept = method.largestError(steps);
-                static_cast<void>(kept);
-            });
-            add(method.name, steps, method.largestError(steps), time, static_cast<double>(method.bytes));
-        }
+    addComputed(figure, bench, kParameterWays, upTo(bench.pick(100000, 10000000)));
+    addComputed(figure, bench,
+                {{.name = "shader, t += dt (at the end)",
+                  .glsl = kSummingShader,
+                  .uniforms =
+                      [](const Shader& shader, const ComputedCase& each) {
+                          shader.set("uSteps", static_cast<int>(each.setting));
+                      }}},
+                upTo(kMostShaderSteps));
     std::optional<int> runs;  // of a loop of kManyRuns in a shader
     bench.attempt([&] {
-        const Four nothing{};
-        const ShaderValues sum(bench, kSummingShader, std::span(&nothing, 1));
-        for (int steps = 10; steps <= kMostShaderSteps; steps *= 10) {
-            sum.shader().set("uSteps", steps);
-            // The last parameter is the worst one of a sum.
-            add("shader, t += dt (at the end)", steps,
-                std::abs(static_cast<double>(sum.values().front()[0]) - 1),
-                bench.time([&] { sum.compute(); }), sum.bytes());
-        }
-        const ShaderValues loop(bench, kLoopShader, std::span(&nothing, 1));
+        const ShaderValues loop(bench, kLoopShader, std::array{Four(0)});
         loop.shader().set("uRuns", kManyRuns);
         runs = static_cast<int>(loop.values().front()[0]);
     });

@@ -21,6 +21,11 @@ std::vector<Figure> measureCurves(Bench& bench);
 std::vector<Figure> measureTime(Bench& bench);
 std::vector<Figure> measureFractals(Bench& bench);
 std::vector<Figure> measureRaySphere(Bench& bench);
+std::vector<Figure> measureNoise(Bench& bench);
+std::vector<Figure> measureAntialiasing(Bench& bench);
+std::vector<Figure> measureMinification(Bench& bench);
+std::vector<Figure> measureVolume(Bench& bench);
+std::vector<Figure> measureLighting(Bench& bench);
 std::vector<Figure> measureLayers(Bench& bench);
 std::vector<Figure> measureColors(Bench& bench);
 /// One figure per claim, named by the row of docs/coverage.md that it answers. The first finding is the
