@@ -3,10 +3,6 @@
 #include <vector>
 
 #include "bench/subjects/builtins.h"
-#include "bench/subjects/depth.h"
-#include "bench/subjects/filters.h"
-
-#include "bench/subjects/tessellation.h"
 
 namespace glibra::bench {
 
