@@ -77,15 +77,6 @@ struct MeasuredSweep {
     Precision precision;
 };
 
-/// True for the vertex stage if the fragment stage gave the same.
-bool isRepeated(const MeasuredSweep& each, const std::vector<MeasuredSweep>& all) {
-    return each.stage == GL_VERTEX_SHADER && std::ranges::any_of(all, [&](const MeasuredSweep& other) {
-               return other.stage == GL_FRAGMENT_SHADER && other.sweep == each.sweep &&
-                      other.precision.largest == each.precision.largest &&
-                      other.precision.mean == each.precision.mean;
-           });
-}
-
 std::string foundOf(const MeasuredSweep& each) {
     const std::string where = fmt::format("{} over {}{}", each.function->name, each.sweep->words,
                                           each.stage == GL_VERTEX_SHADER ? " in the vertex stage" : "");
@@ -120,7 +111,6 @@ std::vector<std::string> precisionFindings(const std::vector<MeasuredSweep>& all
     const MeasuredSweep* worst = nullptr;
     std::size_t bounded = 0, kept = 0;
     for (const MeasuredSweep& each : all) {
-        if (isRepeated(each, all)) continue;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
         if (each.precision.timesTheBound) {
             ++bounded;
@@ -143,23 +133,34 @@ std::vector<std::string> precisionFindings(const std::vector<MeasuredSweep>& all
     return sentences;
 }
 
-/// A curve of one function in one stage, timed in the fragment stage. The measured values are also added to
-/// `all`.
-Curve functionCurve(Bench& bench, const BuiltinFunction& function, GLenum stage,
-                    std::vector<MeasuredSweep>& all) {
-    Curve curve{std::string(function.name) + (stage == GL_VERTEX_SHADER ? ", vertex stage" : "")};
+/// Adds the curves of a function: in the fragment stage, which is timed, and in the vertex stage if a result
+/// differs. The measured values are also added to `all`, but those of the vertex stage that are repeated.
+void addCurves(Figure& figure, Bench& bench, const BuiltinFunction& function,
+               std::vector<MeasuredSweep>& all) {
+    Curve fragment{std::string(function.name)}, vertex{fragment.name + ", vertex stage"};
+    bool differs = false;
     for (const ArgumentSweep& sweep : function.sweeps) {
-        const ShaderValues values = evaluating(bench, function, sweep, stage, bench.pick(32, 512));
-        const Precision found = judgePrecision(function, sweep, values.values());
-        std::optional<Timing> time;
-        if (stage == GL_FRAGMENT_SHADER) time = bench.timeDrawing([&] { values.compute(); });
-        curve.points.push_back(
-            {sweep.setting, sweep.words,
-             found.notNumbers > 0 ? std::numeric_limits<double>::quiet_NaN() : found.largest, time,
-             values.bytes()});
-        all.push_back({&function, &sweep, stage, found});
+        const auto measured = [&](GLenum stage, Curve& to, bool isTimed) {
+            const ShaderValues values = evaluating(bench, function, sweep, stage, bench.pick(32, 512));
+            const Precision found = judgePrecision(function, sweep, values.values());
+            std::optional<Timing> time;
+            if (isTimed) time = bench.timeDrawing([&] { values.compute(); });
+            to.points.push_back(
+                {sweep.setting, sweep.words,
+                 found.notNumbers > 0 ? std::numeric_limits<double>::quiet_NaN() : found.largest, time,
+                 values.bytes()});
+            return found;
+        };
+        const Precision found = measured(GL_FRAGMENT_SHADER, fragment, true);
+        all.push_back({&function, &sweep, GL_FRAGMENT_SHADER, found});
+        if (bench.isQuick()) continue;
+        const Precision other = measured(GL_VERTEX_SHADER, vertex, false);
+        if (other.largest == found.largest && other.mean == found.mean) continue;
+        all.push_back({&function, &sweep, GL_VERTEX_SHADER, other});
+        differs = true;
     }
-    return curve;
+    figure.curves.push_back(std::move(fragment));
+    if (differs) figure.curves.push_back(std::move(vertex));
 }
 
 }  // namespace
@@ -285,17 +286,8 @@ std::vector<Figure> measureBuiltins(Bench& bench) {
                       .reference = "the same function of the same floats in long double on the CPU",
                       .alternatives = Alternatives::none};
         std::vector<MeasuredSweep> all;
-        for (const BuiltinFunction& function : builtinFunctions()) {
-            if (function.group != name) continue;
-            for (const GLenum stage : {GL_FRAGMENT_SHADER, GL_VERTEX_SHADER}) {
-                if (bench.isQuick() && stage == GL_VERTEX_SHADER) continue;
-                Curve curve = functionCurve(bench, function, stage, all);
-                const std::span<const MeasuredSweep> own = std::span(all).last(curve.points.size());
-                if (std::ranges::any_of(own,
-                                        [&](const MeasuredSweep& each) { return !isRepeated(each, all); }))
-                    figure.curves.push_back(std::move(curve));
-            }
-        }
+        for (const BuiltinFunction& function : builtinFunctions())
+            if (function.group == name) addCurves(figure, bench, function, all);
         figure.findings = precisionFindings(all);
         figures.push_back(std::move(figure));
     }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "bench/core/device.h"
@@ -198,22 +197,22 @@ Figure gapFigure(Bench& bench, std::string name, std::string title, std::string 
                   .errorUnit = "distances",
                   .reference = kOrderReference,
                   .alternatives = Alternatives::setting};
-    std::vector<Curve> theories;
-    for (const DepthKind& kind : usableKinds(bench.capabilities())) {
+    const std::vector<DepthKind> kinds = usableKinds(bench.capabilities());
+    for (const DepthKind& kind : kinds) {
         const DepthPicture picture(bench, kind, kBufferSide);
-        // A scene has no statement that turns depth round.
-        Curve curve{.name = std::string(kind.name), .isForScenes = !kind.isReversed};
-        Curve theory{.name = fmt::format("theory: {}", kind.name), .theoryOf = figure.curves.size()};
-        for (const GapPlace& at : places) {
-            curve.points.push_back({at.setting, at.label, smallestGap(picture, at.far, at.z, bench.isQuick()),
-                                    std::nullopt, bufferBytes(kind, kBufferSide)});
-            theory.points.push_back({at.setting, at.label, depthStep(kind, kNear, at.far, at.z) / at.z});
-        }
-        noteTheory(figure, curve, theory);
-        figure.curves.push_back(std::move(curve));
-        theories.push_back(std::move(theory));
+        for (const GapPlace& at : places)  // a scene has no statement that turns depth round
+            figure
+                .add(kind.name, {at.setting, at.label, smallestGap(picture, at.far, at.z, bench.isQuick()),
+                                 std::nullopt, bufferBytes(kind, kBufferSide)})
+                .isForScenes = !kind.isReversed;
     }
-    std::ranges::move(theories, std::back_inserter(figure.curves));
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const std::string theory = fmt::format("theory: {}", kinds[i].name);
+        for (const GapPlace& at : places)
+            figure.add(theory, {at.setting, at.label, depthStep(kinds[i], kNear, at.far, at.z) / at.z})
+                .theoryOf = i;
+        noteTheory(figure, figure.curves[i], figure.curves.back());
+    }
     if (!bench.capabilities().atLeast(4, 5))
         figure.note(
             "this driver has no glClipControl (GL 4.5), so that reversed depth in 0..1 is not measured");

@@ -4,6 +4,7 @@
 
 #include "bench/core/computed.h"
 #include "bench/subjects/subjects.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
@@ -107,35 +108,6 @@ void perturbed(const ComputedCase& each, Numbers& counts) {
     }
 }
 
-/// {0}: "d" for doubles, {1}: the type of a number.
-constexpr std::string_view kPlainShader = R"(uniform {0}vec2 uCentre;
-uniform {1} uSpacing;
-vec4 value() {{
-    {0}vec2 c = uCentre + uSpacing * {0}vec2(given(0).xy), z = {0}vec2(0);
-    int i = 0;
-    for (; i < {2}; ++i) {{
-        {1} xx = z.x * z.x, yy = z.y * z.y;
-        if (xx + yy > 4.) break;
-        z = {0}vec2(xx - yy, 2. * z.x * z.y) + c;
-    }}
-    return vec4(i);
-}}
-)";
-constexpr std::string_view kPerturbedShader = R"(uniform float uSpacing;
-uniform vec2 uOrbit[{0}];
-vec4 value() {{
-    vec2 c = uSpacing * given(0).xy, d = vec2(0);
-    int i = 0;
-    for (; i < {0}; ++i) {{
-        vec2 all = uOrbit[i] + d;
-        if (dot(all, all) > 4.) break;
-        vec2 sum = uOrbit[i] + all;
-        d = vec2(sum.x * d.x - sum.y * d.y, sum.x * d.y + sum.y * d.x) + c;
-    }}
-    return vec4(i);
-}}
-)";
-
 glm::dvec2 roundedCentre() {
     const Pair<Deep> middle = centre();
     return {static_cast<double>(middle.x), static_cast<double>(middle.y)};
@@ -143,25 +115,29 @@ glm::dvec2 roundedCentre() {
 
 std::vector<Computation> fractalWays(int side) {
     const double bytes = 1. * side * side * sizeof(int);
+    const auto mandelbrot = [](const char* macros) {
+        return fmt::format("{}#define MOST {}\n{}", macros, kMostIterations,
+                           bench_shaders::mandelbrot_glsl());
+    };
     return {
         {"CPU, float", countIterations<float>, bytes, false},
         {"CPU, double", countIterations<double>, bytes, false},
         {"CPU, long double", countIterations<long double>, bytes, false},
         {"CPU, float by perturbation", perturbed, bytes + kMostIterations * sizeof(glm::vec2), false},
         {.name = "shader, float",
-         .glsl = fmt::format(kPlainShader, "", "float", kMostIterations),
+         .glsl = mandelbrot("#define NUMBER float\n#define VEC2 vec2\n"),
          .uniforms =
              [](const Shader& shader, const ComputedCase& each) {
                  shader.set("uCentre", glm::vec2(roundedCentre())).set("uSpacing", spacingOf(each));
              }},
         {.name = "shader, double",
-         .glsl = fmt::format(kPlainShader, "d", "double", kMostIterations),
+         .glsl = mandelbrot("#define NUMBER double\n#define VEC2 dvec2\n"),
          .uniforms =
              [](const Shader& shader, const ComputedCase& each) {
                  shader.setDouble("uCentre", roundedCentre()).setDouble("uSpacing", spacingOf(each));
              }},
         {.name = "shader, float by perturbation",
-         .glsl = fmt::format(kPerturbedShader, kMostIterations),
+         .glsl = mandelbrot("#define PERTURBED\n"),
          .uniforms =
              [](const Shader& shader, const ComputedCase& each) {
                  shader.set("uOrbit", centreOrbit()).set("uSpacing", spacingOf(each));

@@ -105,8 +105,8 @@ std::string slicesLabel(int slices) {
 /// All measures of one mesh.
 struct MeasuredMesh {
     int count = 0;  ///< slices or cells
-    double triangles = 0, bytes = 0, outline = 0, volume = 0;
-    MeshError error;
+    double triangles = 0, bytes = 0;
+    double outline = 0, volume = 0, distance = 0, normal = 0, faceNormal = 0;  ///< errors
     Timing time;
 };
 
@@ -122,20 +122,26 @@ Sweep measuredSweep(const Bench& bench, const Solid& solid, const std::vector<in
     const auto extent = [&](const glm::dvec3& direction) { return solid.extent(direction) / scale; };
     for (const int count : counts) {
         const geometry::Mesh mesh = solid.mesh(count);
+        const MeshError error = solid.foot ? meshError(mesh, solid.foot) : MeshError{};
         sweep.meshes.push_back(
-            {count, static_cast<double>(mesh.indices.size()) / 3, meshBytes(mesh),
-             kOutlineRadius * outlineError(mesh, extent) * scale,
-             std::abs(std::abs(signedVolume(mesh)) * std::pow(scale, 3) / solid.volume - 1),
-             solid.foot ? meshError(mesh, solid.foot) : MeshError{}, bench.time([&] { solid.mesh(count); })});
+            {.count = count,
+             .triangles = static_cast<double>(mesh.indices.size()) / 3,
+             .bytes = meshBytes(mesh),
+             .outline = kOutlineRadius * outlineError(mesh, extent) * scale,
+             .volume = std::abs(std::abs(signedVolume(mesh)) * std::pow(scale, 3) / solid.volume - 1),
+             .distance = error.distance,
+             .normal = error.normal,
+             .faceNormal = error.faceNormal,
+             .time = bench.time([&] { solid.mesh(count); })});
     }
     return sweep;
 }
 
-using ErrorOf = double (*)(const MeasuredMesh&);
+using ErrorOf = double MeasuredMesh::*;
 
 void addSweep(Figure& figure, const std::string& curve, const Sweep& sweep, ErrorOf error) {
     for (const MeasuredMesh& each : sweep.meshes)
-        figure.add(curve, {1. * each.count, fmt::format("{} {}", each.count, figure.settingName), error(each),
+        figure.add(curve, {1. * each.count, fmt::format("{} {}", each.count, figure.settingName), each.*error,
                            each.time, each.bytes});
 }
 
@@ -146,21 +152,8 @@ Figure byCounts(std::span<const Sweep> sweeps, ErrorOf error, Figure figure) {
     return figure;
 }
 
-double distanceOf(const MeasuredMesh& mesh) {
-    return mesh.error.distance;
-}
-double normalOf(const MeasuredMesh& mesh) {
-    return mesh.error.normal;
-}
-double outlineOf(const MeasuredMesh& mesh) {
-    return mesh.outline;
-}
-double volumeOf(const MeasuredMesh& mesh) {
-    return mesh.volume;
-}
-
 Figure positionFigure(std::span<const Sweep> sweeps) {
-    Figure figure = byCounts(sweeps, distanceOf,
+    Figure figure = byCounts(sweeps, &MeasuredMesh::distance,
                              {.name = "position",
                               .title = "Distance of the mesh from the surface",
                               .settingName = "slices",
@@ -172,15 +165,14 @@ Figure positionFigure(std::span<const Sweep> sweeps) {
 }
 
 Figure normalFigure(std::span<const Sweep> sweeps) {
-    Figure figure = byCounts(sweeps, normalOf,
+    Figure figure = byCounts(sweeps, &MeasuredMesh::normal,
                              {.name = "normal",
                               .title = "Interpolated normals, and the normals of flat triangles",
                               .settingName = "slices",
                               .errorName = "largest angle",
                               .errorUnit = "degrees",
                               .reference = kClosedForm});
-    addSweep(figure, "sphere, flat triangles", sweeps.front(),
-             [](const MeasuredMesh& each) { return each.error.faceNormal; });
+    addSweep(figure, "sphere, flat triangles", sweeps.front(), &MeasuredMesh::faceNormal);
     for (const Curve& each : figure.curves) figure.findings.push_back(angleSentence(each, "slices", 8));
     figure.note(
         "sphere, {}: interpolated normals are within {} degrees of the radius, flat triangles {} degrees "
@@ -192,7 +184,7 @@ Figure normalFigure(std::span<const Sweep> sweeps) {
 
 Figure outlineFigure(std::span<const Sweep> sweeps) {
     Figure figure = byCounts(
-        sweeps, outlineOf,
+        sweeps, &MeasuredMesh::outline,
         {.name = "outline",
          .title = fmt::format("Outline, where the radius is {} pixels", kOutlineRadius),
          .settingName = "slices",
@@ -213,7 +205,7 @@ Figure outlineFigure(std::span<const Sweep> sweeps) {
 
 Figure volumeFigure(std::span<const Sweep> sweeps) {
     Figure figure =
-        byCounts(sweeps, volumeOf,
+        byCounts(sweeps, &MeasuredMesh::volume,
                  {.name = "volume",
                   .title = "Volume",
                   .settingName = "slices",
@@ -232,21 +224,21 @@ std::vector<Figure> cutFigures(const Bench& bench) {
     const std::span<const Sweep> both = sweeps, ball = both.first(1);
     const char* const cells = "cells along an edge";
     std::vector<Figure> figures{
-        byCounts(ball, distanceOf,
+        byCounts(ball, &MeasuredMesh::distance,
                  {.name = "ball-position",
                   .title = "Soccer ball: distance of the mesh from the surface",
                   .settingName = cells,
                   .errorName = "largest distance",
                   .errorUnit = "radii",
                   .reference = "the sphere in closed form, at a net of 28 points on every triangle"}),
-        byCounts(ball, normalOf,
+        byCounts(ball, &MeasuredMesh::normal,
                  {.name = "ball-normal",
                   .title = "Soccer ball: interpolated normals",
                   .settingName = cells,
                   .errorName = "largest angle",
                   .errorUnit = "degrees",
                   .reference = "the radius at the same places"}),
-        byCounts(both, outlineOf,
+        byCounts(both, &MeasuredMesh::outline,
                  {.name = "cut-outline",
                   .title = fmt::format("Soccer ball and teapot: outline, a radius being {} pixels",
                                        kOutlineRadius),
@@ -256,7 +248,7 @@ std::vector<Figure> cutFigures(const Bench& bench) {
                   .reference =
                       "the extent in 360 directions of three views: of the sphere, and of the patches by a "
                       "search in double"}),
-        byCounts(both, volumeOf,
+        byCounts(both, &MeasuredMesh::volume,
                  {.name = "cut-volume",
                   .title = "Soccer ball and teapot: volume",
                   .settingName = cells,
@@ -278,7 +270,7 @@ Figure balanceFigure(const Bench& bench, const Sweep& balanced) {
                   .errorName = "largest distance",
                   .errorUnit = "radii",
                   .reference = kClosedForm};
-    addSweep(figure, "stacks = slices / 2", balanced, distanceOf);
+    addSweep(figure, "stacks = slices / 2", balanced, &MeasuredMesh::distance);
     for (const int stacks : bench.pick(std::vector{8}, {8, 32, 128})) {
         const std::string name = fmt::format("{} stacks", stacks);
         for (const int slices : sliceCounts(bench)) {
@@ -309,7 +301,7 @@ Figure triangleFigure(const Bench& bench, std::span<const Sweep> sweeps, const F
     };
     for (const Sweep& sweep : sweeps)
         for (const MeasuredMesh& each : sweep.meshes)
-            add(sweep.name, each.triangles, each.error.distance, each.time, each.bytes);
+            add(sweep.name, each.triangles, each.distance, each.time, each.bytes);
     const geometry::Mesh ball = geometry::soccerball(kSolidRadius);
     const double ballError = sphereError(ball).distance;
     add("soccer ball", static_cast<double>(ball.indices.size()) / 3, ballError,

@@ -102,20 +102,20 @@ MeasuredScene measureScene(Bench& bench, const ShippedScene& scene) {
 }
 
 /// Scenes by one measure of their error, largest first; one curve per way.
-Figure ranked(std::vector<MeasuredScene> all, Figure figure, double (*errorOf)(const PictureError&)) {
+Figure ranked(std::vector<MeasuredScene> all, Figure figure, double PictureError::* error) {
     std::ranges::sort(all, std::ranges::greater(),
-                      [&](const MeasuredScene& each) { return errorOf(each.errors.front()); });
+                      [&](const MeasuredScene& each) { return each.errors.front().*error; });
     for (std::size_t i = 0; i < kWays.size(); ++i)
         for (std::size_t rank = 0; rank < all.size(); ++rank) {
             Point point = all[rank].points[i];
             point.setting = static_cast<double>(rank + 1);
-            point.error = errorOf(all[rank].errors[i]);
+            point.error = all[rank].errors[i].*error;
             figure.add(kWays[i].name, std::move(point));
         }
     constexpr std::size_t kNamed = 10;
     for (const MeasuredScene& each : std::span(all).first(std::min(kNamed, all.size())))
         figure.note("{} ({} x {}): {}, with 4 samples {}; {} and {}", each.name, each.width, each.height,
-                    numberText(errorOf(each.errors[kPlain])), numberText(errorOf(each.errors[kFourSamples])),
+                    numberText(each.errors[kPlain].*error), numberText(each.errors[kFourSamples].*error),
                     secondsText(each.seconds(kPlain)), secondsText(each.seconds(kFourSamples)));
     return figure;
 }
@@ -211,14 +211,14 @@ std::vector<Figure> measureScenes(Bench& bench) {
         ranked(all,
                figure("root-mean-square", "Shipped scenes: error of the picture, largest first",
                       "root mean square"),
-               [](const PictureError& each) { return each.rootMeanSquare; }),
+               &PictureError::rootMeanSquare),
         ranked(all,
                figure("pixels", "Shipped scenes: pixels that are visibly off, largest share first",
                       "share of pixels off by more than 8/255"),
-               [](const PictureError& each) { return each.differing; }),
+               &PictureError::differing),
         ranked(all,
                figure("flip", "Shipped scenes: difference that a person sees, largest first", "mean FLIP"),
-               [](const PictureError& each) { return each.flip; })};
+               &PictureError::flip)};
     std::vector<std::string>& first = figures.front().findings;
     std::vector<std::string> summary = overall(all);
     std::ranges::move(onTheDevice(all), std::back_inserter(summary));

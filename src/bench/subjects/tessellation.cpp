@@ -292,18 +292,16 @@ std::vector<Figure> surfaceFigures(Bench& bench, const Analytic& surface) {
 
 using ControlPoints = std::vector<glm::vec3>;
 
-/// The edges of a quad patch, by the coordinate that is constant there.
-enum class Side { left, right, bottom, top };
-constexpr std::array kSides{Side::left, Side::right, Side::bottom, Side::top};
-
-struct Edge {
-    int patch = 0;
-    Side side = Side::left;
+/// The edges of a quad patch, u = 0, u = 1, v = 0 and v = 1, by the first control point and the step to the
+/// next one. The edges of several patches are numbered patch * 4 + side.
+struct Side {
+    std::size_t first, step;
 };
+constexpr std::array kSides{Side{0, 4}, Side{3, 4}, Side{0, 1}, Side{12, 1}};
 
 /// Two edges whose control points are bit for bit the same.
 struct SharedEdge {
-    Edge first, second;
+    std::size_t first = 0, second = 0;
     bool isReversed = false;  ///< the second runs in the opposite direction
 };
 
@@ -331,37 +329,29 @@ ControlPoints turnedTeapot() {
     return points;
 }
 
-std::array<glm::vec3, 4> edgePoints(const ControlPoints& points, const Edge& edge) {
-    const std::span<const glm::vec3> patch =
-        std::span(points).subspan(16 * static_cast<std::size_t>(edge.patch), 16);
-    const auto at = [&](std::size_t row, std::size_t column) { return patch[row * 4 + column]; };
+std::array<glm::vec3, 4> edgePoints(const ControlPoints& points, std::size_t edge) {
+    const auto [first, step] = kSides.at(edge % 4);
     std::array<glm::vec3, 4> along;
-    for (std::size_t place = 0; place < 4; ++place)
-        along[place] = edge.side == Side::left     ? at(place, 0)
-                       : edge.side == Side::right  ? at(place, 3)
-                       : edge.side == Side::bottom ? at(0, place)
-                                                   : at(3, place);
+    for (std::size_t i = 0; i < 4; ++i) along[i] = points[edge / 4 * 16 + first + i * step];
     return along;
 }
 
 std::vector<SharedEdge> sharedEdges(const ControlPoints& points) {
-    std::vector<Edge> edges;
-    for (int patch = 0; patch < static_cast<int>(points.size() / 16); ++patch)
-        for (const Side side : kSides) edges.push_back({patch, side});
+    const std::size_t edges = points.size() / 16 * 4;
     std::vector<SharedEdge> shared;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t j = i + 1; j < edges.size(); ++j) {
-            const std::array<glm::vec3, 4> first = edgePoints(points, edges[i]);
-            std::array<glm::vec3, 4> second = edgePoints(points, edges[j]);
-            if (first.front() == first.back() || edges[i].patch == edges[j].patch) continue;
-            if (first == second) shared.push_back({edges[i], edges[j], false});
+    for (std::size_t i = 0; i < edges; ++i)
+        for (std::size_t j = i + 1; j < edges; ++j) {
+            const std::array<glm::vec3, 4> first = edgePoints(points, i);
+            std::array<glm::vec3, 4> second = edgePoints(points, j);
+            if (first.front() == first.back() || i / 4 == j / 4) continue;
+            if (first == second) shared.push_back({i, j, false});
             std::ranges::reverse(second);
-            if (first == second) shared.push_back({edges[i], edges[j], true});
+            if (first == second) shared.push_back({i, j, true});
         }
     return shared;
 }
 
-/// The vertices on every edge: [patch * 4 + side].
+/// The vertices on every edge.
 std::vector<EdgeVertices> edgeVertices(const std::vector<TessellatedVertex>& vertices, int patches) {
     std::vector<EdgeVertices> edges(static_cast<std::size_t>(patches) * 4);
     for (const TessellatedVertex& vertex : vertices) {
@@ -375,17 +365,6 @@ std::vector<EdgeVertices> edgeVertices(const std::vector<TessellatedVertex>& ver
     return edges;
 }
 
-const EdgeVertices& verticesAlong(const std::vector<EdgeVertices>& edges, const Edge& edge) {
-    return edges[static_cast<std::size_t>(edge.patch) * 4 + static_cast<std::size_t>(edge.side)];
-}
-
-bool isSamePlace(const glm::vec3& a, const glm::vec3& b) {
-    for (glm::length_t i = 0; i < 3; ++i)
-        // -0 and 0 are the same place.
-        if (a[i] != b[i]) return false;
-    return true;
-}
-
 struct Cracks {
     int vertices = 0, different = 0, withoutPartner = 0;
     double widest = 0;  ///< between a vertex and its partner
@@ -394,13 +373,13 @@ struct Cracks {
 Cracks countCracks(const std::vector<SharedEdge>& shared, const std::vector<EdgeVertices>& edges) {
     Cracks count;
     for (const SharedEdge& each : shared) {
-        const EdgeVertices& other = verticesAlong(edges, each.second);
-        for (const auto& [place, position] : verticesAlong(edges, each.first)) {
+        const EdgeVertices& other = edges[each.second];
+        for (const auto& [place, position] : edges[each.first]) {
             ++count.vertices;
             const auto partner = other.find(each.isReversed ? 1 - place : place);
             if (partner == other.end()) {
                 ++count.withoutPartner;
-            } else if (!isSamePlace(position, partner->second)) {
+            } else if (position != partner->second) {  // -0 and 0 are the same place
                 ++count.different;
                 count.widest =
                     std::max(count.widest, glm::length(glm::dvec3(position) - glm::dvec3(partner->second)));
@@ -503,7 +482,7 @@ Figure levelGapFigure(Bench& bench) {
                 const float own = level + static_cast<float>(i);
                 const std::vector<TessellatedVertex> vertices = patch.capture({.outer = own, .inner = own});
                 bytes += captureBytes(vertices);
-                sides[i] = edgeVertices(vertices, 1)[static_cast<std::size_t>(Side::left)];
+                sides[i] = edgeVertices(vertices, 1).front();
             }
             figure.add(spacingName(spacing),
                        {static_cast<double>(level), fmt::format("{:g} against {:g}", level, level + 1),
