@@ -74,30 +74,8 @@ Result<Report> readEarlier(const std::string& path) {
     return readJsonReport(text, path);
 }
 
-/// A file to write: its name, the option that names it or its folder, and its text.
-struct Output {
-    std::filesystem::path file;
-    const char* option;
-    image::NamedBy named;
-    std::string (*text)(const Report& report, const RunComparison* comparison);
-};
-
-/// The files of --csv, --json and --html, and the three files of -o.
-std::vector<Output> outputsOf(const MeasureArguments& arguments) {
-    const Output kinds[] = {{arguments.csv, "--csv", image::NamedBy::user,
-                             [](const Report& report, const RunComparison*) { return csvReport(report); }},
-                            {arguments.json, "--json", image::NamedBy::user,
-                             [](const Report& report, const RunComparison*) { return jsonReport(report); }},
-                            {arguments.html, "--html", image::NamedBy::user, htmlReport}};
-    std::vector<Output> outputs;
-    for (const Output& each : kinds) {
-        if (!each.file.empty()) outputs.push_back(each);
-        if (!arguments.folder.empty())
-            outputs.push_back(
-                {std::filesystem::path(arguments.folder) / (std::string("bench.") + (each.option + 2)), "-o",
-                 image::NamedBy::program, each.text});
-    }
-    return outputs;
+Diagnostics writeText(const std::filesystem::path& file, const std::string& text, image::NamedBy named) {
+    return image::writeFileAtomically(file, std::as_bytes(std::span(text)), named);
 }
 
 /// file-E13 for each file that would replace the earlier run which --against names.
@@ -105,8 +83,13 @@ Diagnostics overwritten(const MeasureArguments& arguments) {
     cli::ReadFiles read;
     read.add(arguments.against, "--against compares with it");
     Diagnostics problems;
-    for (const Output& each : outputsOf(arguments))
-        append(problems, read.overwrittenBy(each.file, each.option));
+    for (const auto& [file, option] :
+         {std::pair(&arguments.csv, "--csv"), std::pair(&arguments.json, "--json"),
+          std::pair(&arguments.html, "--html")})
+        if (!file->empty()) append(problems, read.overwrittenBy(*file, option));
+    if (!arguments.folder.empty())
+        for (const char* each : {"bench.csv", "bench.json", "bench.html"})
+            append(problems, read.overwrittenBy(std::filesystem::path(arguments.folder) / each, "-o"));
     return problems;
 }
 
@@ -119,21 +102,26 @@ Diagnostics makeFolder(const std::string& folder) {
 }
 
 /// True if writing the file again would add to what is there, as in a pipe.
-bool isStream(const std::filesystem::path& file) {
+bool isStream(const std::string& file) {
     std::error_code failure;
     return std::filesystem::exists(file, failure) && !std::filesystem::is_regular_file(file, failure);
 }
 
-/// Writes all files; streams only at the end.
+/// Writes the files of --csv, --json and --html, and the three files of -o; streams only at the end.
 Diagnostics writeFiles(const MeasureArguments& arguments, const Report& report,
                        const RunComparison* comparison, bool isEnd) {
     Diagnostics problems;
-    for (const Output& each : outputsOf(arguments))
-        if (isEnd || !isStream(each.file)) {
-            const std::string text = each.text(report, comparison);
-            append(problems,
-                   image::writeFileAtomically(each.file, std::as_bytes(std::span(text)), each.named));
-        }
+    const std::filesystem::path folder = arguments.folder;
+    const auto write = [&](std::string named, const char* inFolder, const auto& text) {
+        if (!isEnd && isStream(named)) named.clear();
+        if (named.empty() && folder.empty()) return;
+        const std::string content = text();
+        if (!named.empty()) append(problems, writeText(named, content, image::NamedBy::user));
+        if (!folder.empty()) append(problems, writeText(folder / inFolder, content, image::NamedBy::program));
+    };
+    write(arguments.csv, "bench.csv", [&] { return csvReport(report); });
+    write(arguments.json, "bench.json", [&] { return jsonReport(report); });
+    write(arguments.html, "bench.html", [&] { return htmlReport(report, comparison); });
     return problems;
 }
 

@@ -6,6 +6,7 @@
 #include "bench/reference/pixel_filter.h"
 #include "bench/reference/test_card.h"
 #include "bench/subjects/subjects.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
@@ -21,25 +22,13 @@ struct CardView {
     glm::dvec2 start{.3, .7};  ///< texels
 };
 
-/// The texels at a place of the picture, 0..1 from the lower left. The shader below computes the same in
+/// The texels at a place of the picture, 0..1 from the lower left. shaders/card.frag computes the same in
 /// float.
 glm::dvec2 texelsAt(const CardView& view, const glm::dvec2& place) {
     if (!view.isPlane) return view.start + view.texels * place;
     const double depth = 1 / (1.1 - place.y);
     return view.start + view.texels * glm::dvec2((place.x - .5) * depth, depth);
 }
-
-/// uView: start, texels, is a plane.
-constexpr std::string_view kCardFragment = R"(in vec2 vPlace;
-uniform sampler2D uCard;
-uniform vec4 uView;
-out vec4 fColor;
-void main() {
-    float depth = 1. / (1.1 - vPlace.y);
-    vec2 place = uView.w > 0. ? vec2((vPlace.x - .5) * depth, depth) : vPlace;
-    fColor = texture(uCard, (uView.xy + uView.z * place) / 512.);
-}
-)";
 
 /// A way of reading a texture, and the largest number of texels that one pixel reads.
 struct Filter {
@@ -84,7 +73,7 @@ class CardPicture {
   public:
     CardPicture(Bench& bench, int side)
         : bench_(bench),
-          shader_(bench, kCardFragment),
+          shader_(bench, bench_shaders::card_frag()),
           card_(need(gpu::Texture::create(
               bench.capabilities(),
               {.size = {kCardSide, kCardSide, 1},

@@ -217,7 +217,7 @@ class NoisePicture {
 Point drawn(const Bench& bench, const NoisePicture& picture, const NoiseVolume* volume,
             const Texels* texture) {
     const NoisePlane plane{.corner = {.013, .027, .37}, .across = {.95, .02, .11}, .up = {.03, .93, .29}};
-    static const std::vector<Octaves> wanted = picture.wanted(plane);
+    static const std::vector<Octaves> wanted = picture.wanted(plane);  // all pictures have one size
     const Timing time = bench.timeDrawing([&] { picture.draw(plane, texture); });
     std::vector<double> sums, wantedSums;
     std::ranges::transform(picture.drawn(plane, texture), std::back_inserter(sums), sumOf);
