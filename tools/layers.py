@@ -109,7 +109,8 @@ ORDER = {
     },
     "bench": {
         "core": set(),
-        "subjects": {"core"},
+        "reference": set(),
+        "subjects": {"core", "reference"},
         "report": {"core"},
         "program": {"core", "subjects", "report"},
     },

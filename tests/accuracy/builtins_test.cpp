@@ -23,12 +23,12 @@ const BuiltinFunction& functionOf(std::string_view name) {
 }
 
 /// The results of a device that computes each result of a sweep by `answer`.
-std::vector<float> answers(const ArgumentSweep& sweep, std::uint32_t count,
-                           const std::function<std::array<float, 3>(const std::array<float, 8>&)>& answer) {
-    std::vector<float> results;
+std::vector<Four> answers(const ArgumentSweep& sweep, std::uint32_t count,
+                          const std::function<std::array<float, 3>(const std::array<float, 8>&)>& answer) {
+    std::vector<Four> results;
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::array<float, 3> values = answer(argumentsOf(sweep, i));
-        results.insert(results.end(), {values[0], values[1], values[2], 0});
+        results.emplace_back(values[0], values[1], values[2], 0);
     }
     return results;
 }
@@ -76,9 +76,9 @@ TEST(JudgedPrecision, CountsTheUnitsByWhichAResultIsWrong) {
 TEST(JudgedPrecision, ReportsNotANumberAndItsArguments) {
     const BuiltinFunction& function = functionOf("exp");
     const ArgumentSweep& sweep = function.sweeps.front();
-    std::vector<float> results =
+    std::vector<Four> results =
         answers(sweep, 100, [](const auto& x) { return std::array<float, 3>{std::exp(x[0]), 0, 0}; });
-    results[4 * 17] = std::numeric_limits<float>::quiet_NaN();
+    results[17].x = std::numeric_limits<float>::quiet_NaN();
     const Precision precision = judgePrecision(function, sweep, results);
     EXPECT_EQ(precision.notNumbers, 1U);
     EXPECT_TRUE(std::isinf(precision.largest));
@@ -89,12 +89,11 @@ TEST(JudgedPrecision, ReportsNotANumberAndItsArguments) {
 TEST(JudgedPrecision, LetsAnArgumentAtABorderFallToEitherSide) {
     const BuiltinFunction& function = functionOf("mod");
     const ArgumentSweep border{10, "a border", {10, 10}, {2.5, 2.5}};
-    const auto judged = [&](float got) { return judgePrecision(function, border, {got, 0, 0, 0}); };
+    const auto judged = [&](float got) { return judgePrecision(function, border, {Four(got)}); };
     EXPECT_EQ(judged(0).largest, 0);
     EXPECT_EQ(judged(2.5f).largest, 0);
     EXPECT_GT(judged(1.25f).largest, 1e6);
-    EXPECT_GT(judgePrecision(function, {11, "no border", {11, 11}, {2.5, 2.5}}, {3.5f, 0, 0, 0}).largest,
-              1e6);
+    EXPECT_GT(judgePrecision(function, {11, "no border", {11, 11}, {2.5, 2.5}}, {Four(3.5f)}).largest, 1e6);
 }
 
 TEST(BuiltinFunctions, EqualWiderArithmetic) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bench/core/figure.h"
-#include "bench/subjects/depth.h"
+#include "bench/reference/depth_step.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 
@@ -76,8 +76,7 @@ TEST_F(Depth, PlanesSixteenStepsApartDoNotFightAndThoseAnEighthApartDo) {
 
 TEST_F(Depth, TheStateOfTheContextIsAsBefore) {
     Bench bench({.quick = true});
-    for (const DepthKind& kind : usableKinds(bench.capabilities()))
-        DepthPicture(bench, kind, 16).drawLayers(2);
+    (void)measureDepth(bench);
     GLint compare = 0;
     glGetIntegerv(GL_DEPTH_FUNC, &compare);
     EXPECT_EQ(compare, GL_LESS);

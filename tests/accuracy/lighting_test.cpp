@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "bench/core/figure.h"
-#include "bench/subjects/lighting.h"
+#include "bench/reference/lit_surface.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

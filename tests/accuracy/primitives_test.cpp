@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "bench/core/figure.h"
-#include "bench/subjects/mesh_error.h"
+#include "bench/reference/bezier_patch.h"
+#include "bench/reference/mesh_error.h"
 #include "bench/subjects/subjects.h"
-#include "bench/subjects/teapot.h"
 #include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/spheres.h"
 #include "geometry/shapes/teapot.h"

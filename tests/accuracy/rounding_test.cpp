@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "bench/core/device.h"
-#include "bench/core/exact.h"
 #include "bench/core/figure.h"
+#include "bench/reference/exact.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "bench/core/figure.h"
+#include "bench/reference/pn_triangle.h"
 #include "bench/subjects/subjects.h"
-#include "bench/subjects/tessellation.h"
 #include "samples.h"
 
 namespace glibra::bench::test {
@@ -70,19 +70,12 @@ TEST_F(Tessellation, NeighboursOfDifferentLevelsLeaveGapsThatShrinkWithTheSquare
 }
 
 TEST_F(Tessellation, TheSpacingsDivideAsTheirNamesSay) {
-    Bench bench({.quick = true});
-    for (const auto& [spacing, segments] :
-         {std::pair(kSpacings[0], 4), {kSpacings[1], 4}, {kSpacings[2], 5}}) {
-        const Tessellator octant(bench, kSphereOctant, spacing, {});
-        // 3.2 is rounded up to an integer, to an even one, and to an odd one.
-        std::vector<float> places;
-        for (const TessellatedVertex& each : octant.capture({.outer = 3.2F, .inner = 3.2F}))
-            if (each.coordinate.x == 0) places.push_back(each.coordinate.y);
-        std::ranges::sort(places);
-        const auto repeated = std::ranges::unique(places);
-        places.erase(repeated.begin(), repeated.end());
-        EXPECT_EQ(static_cast<int>(places.size()), segments + 1) << spacing;
-    }
+    // Rings of triangles around the middle: 3 (4 + 2) + 3 * 2 with 4 segments on an edge. An odd spacing
+    // makes 5 of level 4: 3 (5 + 3) + 3 (3 + 1) + 1.
+    for (const auto& [spacing, triangles] : {std::pair("equal spacing", "level 4, 24 triangles"),
+                                             {"fractional even spacing", "level 4, 24 triangles"},
+                                             {"fractional odd spacing", "level 4, 37 triangles"}})
+        EXPECT_EQ(curve("sphere-largest", spacing).points[2].label, triangles) << spacing;
 }
 
 }  // namespace

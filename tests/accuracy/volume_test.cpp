@@ -6,8 +6,8 @@
 #include <random>
 
 #include "bench/core/figure.h"
+#include "bench/reference/volume_light.h"
 #include "bench/subjects/subjects.h"
-#include "bench/subjects/volume.h"
 
 namespace glibra::bench {
 namespace {

@@ -11,6 +11,8 @@ glibra_room(bench ROOMS render LINK Boost::headers nlohmann_json::nlohmann_json)
 set(bench_page_files page.html bench.css bench.js)
 list(TRANSFORM bench_page_files PREPEND ${PROJECT_SOURCE_DIR}/src/bench/report/page/)
 glibra_embed(glibra_bench bench_page ${bench_page_files})
+file(GLOB bench_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/bench/shaders/*)
+glibra_embed(glibra_bench bench_shaders ${bench_shaders})
 
 file(GLOB bench_program_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/bench/program/*.cpp)
 add_executable(glibra_bench_program ${bench_program_sources})

@@ -1,7 +1,5 @@
 #include "bench/core/device.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 #include <cstring>
 
@@ -41,17 +39,35 @@ gpu::Program built(const gpu::Capabilities& capabilities, std::span<const gpu::S
                                                   log + outcome.linkLog))});
 }
 
-std::string valuesShader(std::string_view glsl, int inputsPerValue, int rows) {
+/// Reads the inputs of a value, whose place is a pixel of the results; these are read back from the top row.
+std::string givenText(int inputsPerValue, int rows, std::string_view glsl) {
     return fmt::format(R"(uniform sampler2D uInputs;
-out vec4 fColor;
-vec4 given(int k) {{
-    // Pixels are read back from the top row.
-    return texelFetch(uInputs, ivec2(int(gl_FragCoord.x) * {} + k, {} - int(gl_FragCoord.y)), 0);
-}}
+ivec2 place;
+vec4 given(int k) {{ return texelFetch(uInputs, ivec2(place.x * {} + k, {} - place.y), 0); }}
 {}
-void main() {{ fColor = value(); }}
 )",
                        inputsPerValue, rows - 1, glsl);
+}
+
+Shader valuesShader(Bench& bench, std::string_view given, int rows, GLenum stage) {
+    if (stage == GL_FRAGMENT_SHADER)
+        return {bench, fmt::format(R"({}out vec4 fColor;
+void main() {{
+    place = ivec2(gl_FragCoord.xy);
+    fColor = value();
+}}
+)",
+                                   given)};
+    return {bench,
+            fmt::format(R"({0}flat out vec4 vResult;
+void main() {{
+    place = ivec2(gl_VertexID % {1}, gl_VertexID / {1});
+    vResult = value();
+    gl_Position = vec4((vec2(place) + .5) * 2. / vec2({1}, {2}) - 1., 0., 1.);
+}}
+)",
+                        given, kColumns, rows),
+            "flat in vec4 vResult;\nout vec4 fColor;\nvoid main() { fColor = vResult; }\n"};
 }
 
 int rowsOf(std::size_t count) {
@@ -90,51 +106,6 @@ Shader::Shader(Bench& bench, std::string_view fragment) : Shader(bench, kWholeTa
 GLint Shader::location(const char* name) const {
     use();
     return glGetUniformLocation(id(), name);
-}
-
-const Shader& Shader::set(const char* name, int value) const {
-    glUniform1i(location(name), value);
-    return *this;
-}
-const Shader& Shader::set(const char* name, double value) const {
-    glUniform1f(location(name), static_cast<float>(value));
-    return *this;
-}
-const Shader& Shader::set(const char* name, const glm::vec2& value) const {
-    glUniform2fv(location(name), 1, glm::value_ptr(value));
-    return *this;
-}
-const Shader& Shader::set(const char* name, const glm::vec3& value) const {
-    glUniform3fv(location(name), 1, glm::value_ptr(value));
-    return *this;
-}
-const Shader& Shader::set(const char* name, const glm::vec4& value) const {
-    glUniform4fv(location(name), 1, glm::value_ptr(value));
-    return *this;
-}
-const Shader& Shader::set(const char* name, const glm::mat3& value) const {
-    glUniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
-    return *this;
-}
-const Shader& Shader::set(const char* name, const glm::mat4& value) const {
-    glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
-    return *this;
-}
-const Shader& Shader::set(const char* name, std::span<const glm::vec2> values) const {
-    glUniform2fv(location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
-    return *this;
-}
-const Shader& Shader::setDouble(const char* name, double value) const {
-    glUniform1d(location(name), value);
-    return *this;
-}
-const Shader& Shader::setDouble(const char* name, const glm::dvec2& value) const {
-    glUniform2dv(location(name), 1, glm::value_ptr(value));
-    return *this;
-}
-const Shader& Shader::setDouble(const char* name, const glm::dmat4& value) const {
-    glUniformMatrix4dv(location(name), 1, GL_FALSE, glm::value_ptr(value));
-    return *this;
 }
 
 void Shader::draw(GLenum primitive, int count, int first) const {
@@ -257,20 +228,24 @@ double Vertices::bytes() const {
 }
 
 ShaderValues::ShaderValues(Bench& bench, std::string_view glsl, std::span<const Four> inputs,
-                           int inputsPerValue)
+                           int inputsPerValue, GLenum stage)
     : count_(inputs.size() / static_cast<std::size_t>(inputsPerValue)),
       inputs_(bench, gpu::TexelFormat::rgba32f, {kColumns * inputsPerValue, rowsOf(count_), 1},
               padded(inputs, inputsPerValue, rowsOf(count_)), 4),
       canvas_(bench, kColumns, rowsOf(count_), gpu::TexelFormat::rgba32f),
-      shader_(bench, valuesShader(glsl, inputsPerValue, rowsOf(count_))) {
+      shader_(valuesShader(bench, givenText(inputsPerValue, rowsOf(count_), glsl), rowsOf(count_), stage)),
+      byPoints_(stage == GL_VERTEX_SHADER) {
     inputs_.sampledBy({.filter = base::Filter::nearest, .border = {}});
 }
 
 void ShaderValues::compute() const {
     canvas_.bind();
     inputs_.bind(0);
-    shader_.set("uInputs", 0).draw();
-    glFinish();
+    shader_.set("uInputs", 0);
+    if (byPoints_)
+        shader_.draw(GL_POINTS, kColumns * canvas_.height());
+    else
+        shader_.draw();
 }
 
 std::vector<Four> ShaderValues::values() const {

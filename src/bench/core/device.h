@@ -16,6 +16,7 @@
 #include <type_traits>
 
 #include "bench/core/bench.h"
+#include "bench/core/pixels.h"
 #include "geometry/mesh.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
@@ -25,8 +26,6 @@
 #include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {
-
-inline constexpr double kByte = 255;  ///< errors of pictures are in steps of a byte
 
 /// The formats of colours that subjects compare, coarsest first.
 struct NamedFormat {
@@ -59,19 +58,19 @@ class Shader {
     /// the target, (1, 1) at the upper right one.
     Shader(Bench& bench, std::string_view fragment);
 
-    /// Sets a uniform by its name. Doubles are rounded to float. Names that are not active are ignored.
-    const Shader& set(const char* name, int value) const;  ///< or the texture unit of a sampler
-    const Shader& set(const char* name, double value) const;
-    const Shader& set(const char* name, const glm::vec2& value) const;
-    const Shader& set(const char* name, const glm::vec3& value) const;
-    const Shader& set(const char* name, const glm::vec4& value) const;
-    const Shader& set(const char* name, const glm::mat3& value) const;
-    const Shader& set(const char* name, const glm::mat4& value) const;
-    const Shader& set(const char* name, std::span<const glm::vec2> values) const;
+    /// Sets a uniform by its name: an int (or the texture unit of a sampler), a double, vector or matrix
+    /// rounded to float, or several vec2. Names that are not active are ignored.
+    template <class Value>
+    const Shader& set(const char* name, const Value& value) const {
+        upload(location(name), value);
+        return *this;
+    }
     /// A uniform whose type in GLSL is double, dvec2 or dmat4.
-    const Shader& setDouble(const char* name, double value) const;
-    const Shader& setDouble(const char* name, const glm::dvec2& value) const;
-    const Shader& setDouble(const char* name, const glm::dmat4& value) const;
+    template <class Value>
+    const Shader& setDouble(const char* name, const Value& value) const {
+        uploadDouble(location(name), value);
+        return *this;
+    }
     [[nodiscard]] bool has(const char* name) const { return location(name) >= 0; }
     [[nodiscard]] GLuint id() const { return program_->id(); }
     void use() const { program_->use(); }
@@ -86,6 +85,22 @@ class Shader {
                                    int mostVertices) const;
 
   private:
+    static void upload(GLint at, int value) { glUniform1i(at, value); }
+    static void upload(GLint at, double value) { glUniform1f(at, static_cast<float>(value)); }
+    static void upload(GLint at, const glm::vec2& value) { glUniform2fv(at, 1, &value.x); }
+    static void upload(GLint at, const glm::vec3& value) { glUniform3fv(at, 1, &value.x); }
+    static void upload(GLint at, const glm::vec4& value) { glUniform4fv(at, 1, &value.x); }
+    static void upload(GLint at, const glm::mat3& value) { glUniformMatrix3fv(at, 1, GL_FALSE, &value[0].x); }
+    static void upload(GLint at, const glm::mat4& value) { glUniformMatrix4fv(at, 1, GL_FALSE, &value[0].x); }
+    static void upload(GLint at, const std::vector<glm::vec2>& values) {
+        glUniform2fv(at, static_cast<GLsizei>(values.size()), &values.front().x);
+    }
+    static void uploadDouble(GLint at, double value) { glUniform1d(at, value); }
+    static void uploadDouble(GLint at, const glm::dvec2& value) { glUniform2dv(at, 1, &value.x); }
+    static void uploadDouble(GLint at, const glm::dmat4& value) {
+        glUniformMatrix4dv(at, 1, GL_FALSE, &value[0].x);
+    }
+
     [[nodiscard]] GLint location(const char* name) const;
     std::shared_ptr<const gpu::Program> program_;
     const gpu::Capabilities* capabilities_;
@@ -176,16 +191,17 @@ class Vertices {
     bool isIndexed_ = false;
 };
 
-using Four = std::array<float, 4>;
+using Four = glm::vec4;
 
-/// Evaluates a GLSL function for many inputs, one pixel each, in the driver's arithmetic.
+/// Evaluates a GLSL function for many inputs, in the driver's arithmetic.
 class ShaderValues {
   public:
-    /// `glsl` defines `vec4 value()` in GLSL 4.10, which reads the inputs of its pixel as given(0), given(1)
-    /// ... `inputs` holds `inputsPerValue` vectors per value.
-    ShaderValues(Bench& bench, std::string_view glsl, std::span<const Four> inputs, int inputsPerValue = 1);
+    /// `glsl` defines `vec4 value()` in GLSL 4.10, which reads its inputs as given(0), given(1) ... `inputs`
+    /// holds `inputsPerValue` vectors per value. Each value is a pixel of the fragment stage, or a vertex.
+    ShaderValues(Bench& bench, std::string_view glsl, std::span<const Four> inputs, int inputsPerValue = 1,
+                 GLenum stage = GL_FRAGMENT_SHADER);
 
-    /// Draws and waits for it.
+    /// Draws.
     void compute() const;
     /// Draws. The results, one vector per value.
     [[nodiscard]] std::vector<Four> values() const;
@@ -199,6 +215,7 @@ class ShaderValues {
     Texels inputs_;
     Canvas canvas_;
     Shader shader_;
+    bool byPoints_;
 };
 
 }  // namespace glibra::bench

@@ -162,8 +162,10 @@ std::string chooseCurve(std::span<const Choice> choices, const Figure& figure) {
 
 }  // namespace
 
-void Figure::add(std::string_view curve, Point point) {
-    curveNamed(*this, curve).points.push_back(std::move(point));
+Curve& Figure::add(std::string_view curve, Point point) {
+    Curve& to = curveNamed(*this, curve);
+    to.points.push_back(std::move(point));
+    return to;
 }
 
 void Figure::noteOrders(std::string_view setting, double from, std::size_t first) {

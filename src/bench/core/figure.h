@@ -57,7 +57,7 @@ struct Figure {
         findings.push_back(fmt::format(text, std::forward<Arguments>(arguments)...));
     }
     /// Adds a point to the curve of that name, which is added if there is none.
-    void add(std::string_view curve, Point point);
+    Curve& add(std::string_view curve, Point point);
     /// The last point of a curve.
     [[nodiscard]] const Point& last(std::size_t curve) const { return curves[curve].points.back(); }
     /// Adds the order of each curve from number `first` on, but theories.

@@ -35,18 +35,11 @@ BoundValues valuesWith(Bench& bench, const ShippedScene& scene, const RenderOpti
     return values;
 }
 
-/// One way of drawing a scene.
-struct DrawnBound {
-    image::Image picture{};
-    Timing time{};
-};
-
-DrawnBound drawnWith(Bench& bench, const ShippedScene& scene, const std::vector<std::string>& set) {
+DrawnScene drawnWith(Bench& bench, const ShippedScene& scene, const std::vector<std::string>& set) {
     RenderOptions options;
     options.set = set;
     options.samples = 1;
-    return {need(scenePicture(bench.context(), scene.path, options)),
-            bench.time([&] { (void)scenePicture(bench.context(), scene.path, options); }, .2)};
+    return drawnScene(bench, scene.path, options, .2);
 }
 
 /// One bound, and what is found of it.
@@ -60,7 +53,6 @@ struct MeasuredBound {
 }  // namespace
 
 std::vector<Figure> measureBounds(Bench& bench) {
-    (void)bench.context();
     std::vector<MeasuredBound> bounds;
     for (const double bound : bench.pick(std::vector{1.}, {.5, 1., 4.}))
         bounds.push_back(
@@ -73,31 +65,22 @@ std::vector<Figure> measureBounds(Bench& bench) {
               .reference =
                   "the picture of full size with the finest values; what chooses sees small pictures only",
               .alternatives = Alternatives::none}});
-    std::vector<std::string> failures;
     int count = 0;
-    for (const ShippedScene& scene : shippedScenes()) {
+    const std::vector<std::string> failures = forEachScene(bench, 1, [&](const ShippedScene& scene) {
         BoundValues own;
         try {
             own = valuesWith(bench, scene, {});
         } catch (const Failed&) {  // it cannot be drawn, with or without a bound
         }
-        if (own.set.empty()) continue;
-        if (bench.isQuick() && count >= 3) break;
+        if (own.set.empty() || (bench.isQuick() && count >= 3)) return;
         ++count;
-        DrawnBound finest, stated;
-        try {
-            finest = drawnWith(bench, scene, own.finest);
-            stated = drawnWith(bench, scene, own.set);
-        } catch (const Failed& failed) {
-            failures.push_back(
-                fmt::format("{} cannot be drawn: {}", scene.name, toString(failed.diagnostics.front())));
-            continue;
-        }
+        const DrawnScene finest = drawnWith(bench, scene, own.finest),
+                         stated = drawnWith(bench, scene, own.set);
         for (MeasuredBound& each : bounds) {
             RenderOptions options;
             options.maxError = each.bound;
             const BoundValues values = valuesWith(bench, scene, options);
-            const DrawnBound chosen = drawnWith(bench, scene, values.set);
+            const DrawnScene chosen = drawnWith(bench, scene, values.set);
             const budget::ContourShifts shifts(chosen.picture, finest.picture);
             for (const auto& [curve, drawn] : {std::pair("--max-error", &chosen),
                                                {"values of the scene", &stated},
@@ -123,7 +106,7 @@ std::vector<Figure> measureBounds(Bench& bench) {
                 each.figure.note("{}: {} of 1000 pixels have another colour", scene.name,
                                  numberText(1000 * colored));
         }
-    }
+    });
     if (count == 0)
         throw Failed({diagnose("bench-E05", "no scene of the library that has a Bound can be drawn")});
     std::vector<Figure> figures;

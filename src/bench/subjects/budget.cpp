@@ -77,11 +77,10 @@ SceneRow measuredRow(Bench& bench, const ShippedScene& scene) {
         // Only meshes and noise are compared: all pictures have the default number of samples.
         RenderOptions timed = optionsOf(kBudgetWays[i]);
         timed.samples = 1;
+        const DrawnScene drawn = drawnScene(bench, scene.path, timed);
         row.settings[i] = {
             static_cast<double>(displacement(*large, reference, kMostDisplacement)) / kEnlarged,
-            tellsOfTheBound(large.diagnostics),
-            bench.time([&] { (void)scenePicture(bench.context(), scene.path, timed); }),
-            scenePictureBytes(bench.context(), scene.path, timed)};
+            tellsOfTheBound(large.diagnostics), drawn.time, drawn.bytes};
     }
     return row;
 }
@@ -112,17 +111,10 @@ std::string finding(const std::vector<SceneRow>& rows, std::size_t way) {
 }  // namespace
 
 std::vector<Figure> measureBudget(Bench& bench) {
-    (void)bench.context();
-    const std::vector<ShippedScene> scenes = shippedScenes();
     std::vector<SceneRow> rows;
-    std::vector<std::string> failures;
-    for (std::size_t i = 0; i < scenes.size(); i += bench.pick<std::size_t>(3, 1)) try {
-            rows.push_back(measuredRow(bench, scenes[i]));
-        } catch (const Failed& failed) {
-            failures.push_back(
-                fmt::format("{} cannot be drawn: {}", scenes[i].name, toString(failed.diagnostics.front())));
-        }
-    if (rows.empty()) throw Failed({diagnose("bench-E05", "none of the scenes of the library can be drawn")});
+    const std::vector<std::string> failures =
+        forEachScene(bench, bench.pick<std::size_t>(3, 1),
+                     [&](const ShippedScene& scene) { rows.push_back(measuredRow(bench, scene)); });
     std::ranges::stable_sort(rows, std::ranges::greater(),
                              [](const SceneRow& each) { return each.settings[0].off; });
     Figure figure{.name = "bound",

@@ -12,94 +12,22 @@
 namespace glibra::bench {
 namespace {
 
-enum class PrecisionStage { vertex, fragment };
-
 constexpr long double kSmallestNormal = 0x1p-126L;
 
-constexpr std::string_view kInputs = "uniform sampler2D uA;\nuniform sampler2D uB;\n";
-
-/// A float, vec2 or vec3 as the first components of a vec4.
-std::string asVec4(const BuiltinFunction& function) {
-    switch (function.components) {
-        case 1:
-            return fmt::format("vec4({}, 0., 0., 0.)", function.expression);
-        case 2:
-            return fmt::format("vec4({}, 0., 0.)", function.expression);
-        default:
-            return fmt::format("vec4({}, 0.)", function.expression);
-    }
-}
-
-/// The statement that reads the arguments at `place` and evaluates the function.
-std::string evaluation(const BuiltinFunction& function, std::string_view result) {
-    return fmt::format(
-        "    vec4 a = texelFetch(uA, place, 0);\n    vec4 b = texelFetch(uB, place, 0);\n    {} = {};\n",
-        result, asVec4(function));
-}
-
-Shader evaluating(Bench& bench, const BuiltinFunction& function, PrecisionStage stage, int side) {
-    if (stage == PrecisionStage::fragment)
-        return {bench, fmt::format("{}out vec4 fResult;\nvoid main() {{\n    ivec2 place = "
-                                   "ivec2(gl_FragCoord.xy);\n{}}}\n",
-                                   kInputs, evaluation(function, "fResult"))};
-    return {bench,
-            fmt::format("{0}flat out vec4 vResult;\nvoid main() {{\n"
-                        "    ivec2 place = ivec2(gl_VertexID % {1}, gl_VertexID / {1});\n{2}"
-                        "    gl_Position = vec4((vec2(place) + .5) * {3} - 1., 0., 1.);\n}}\n",
-                        kInputs, side, evaluation(function, "vResult"), 2.0 / side),
-            "flat in vec4 vResult;\nout vec4 fResult;\nvoid main() {\n    fResult = vResult;\n}\n"};
-}
-
-Texels argumentTexels(Bench& bench, const ArgumentSweep& sweep, std::size_t first, int side) {
-    std::vector<float> texels;
+/// A function at side * side argument sets of a sweep on the device.
+ShaderValues evaluating(Bench& bench, const BuiltinFunction& function, const ArgumentSweep& sweep,
+                        GLenum stage, int side) {
+    std::vector<Four> arguments;
     for (int i = 0; i < side * side; ++i) {
-        const std::array<float, 8> arguments = argumentsOf(sweep, static_cast<std::uint32_t>(i));
-        texels.insert(texels.end(), &arguments[first], &arguments[first] + 4);
+        const std::array<float, 8> x = argumentsOf(sweep, static_cast<std::uint32_t>(i));
+        arguments.insert(arguments.end(), {Four(x[0], x[1], x[2], x[3]), Four(x[4], x[5], x[6], x[7])});
     }
-    return {bench, gpu::TexelFormat::rgba32f, {side, side, 1}, texels, 4};
+    constexpr std::array kRest{", 0., 0., 0.", ", 0., 0.", ", 0."};  // of a float, vec2 or vec3 as a vec4
+    const std::string glsl =
+        fmt::format("vec4 value() {{ vec4 a = given(0), b = given(1); return vec4({}{}); }}",
+                    function.expression, kRest.at(static_cast<std::size_t>(function.components - 1)));
+    return {bench, glsl, arguments, 2, stage};
 }
-
-/// One function over one sweep of arguments on the device: side * side argument sets.
-class PrecisionRun {
-  public:
-    PrecisionRun(Bench& bench, const BuiltinFunction& function, const ArgumentSweep& sweep,
-                 PrecisionStage stage, int side)
-        : a_(argumentTexels(bench, sweep, 0, side)),
-          b_(argumentTexels(bench, sweep, 4, side)),
-          canvas_(bench, side, side, gpu::TexelFormat::rgba32f),
-          shader_(evaluating(bench, function, stage, side)),
-          byPoints_(stage == PrecisionStage::vertex) {
-        shader_.set("uA", 0).set("uB", 1);
-    }
-    /// Evaluates all sets once; does not wait.
-    void draw() const {
-        canvas_.bind();
-        a_.bind(0);
-        b_.bind(1);
-        if (byPoints_)
-            shader_.draw(GL_POINTS, canvas_.width() * canvas_.width());
-        else
-            shader_.draw();
-    }
-    /// Draws. Four floats per argument set, in the order of their indices.
-    [[nodiscard]] std::vector<float> results() const {
-        draw();
-        const std::vector<float> topFirst = canvas_.pixels();
-        std::vector<float> values;
-        const auto row = static_cast<std::ptrdiff_t>(4) * canvas_.width();
-        for (auto end = topFirst.end(); end != topFirst.begin(); end -= row)
-            values.insert(values.end(), end - row, end);
-        return values;
-    }
-    /// Bytes of arguments and results.
-    [[nodiscard]] double bytes() const { return a_.bytes() + b_.bytes() + canvas_.bytes(); }
-
-  private:
-    Texels a_, b_;
-    Canvas canvas_;
-    Shader shader_;
-    bool byPoints_;
-};
 
 /// The distance from the exact value. A result with a period has the distance to the nearest neighbour that
 /// the rounding of the arguments could mean.
@@ -145,22 +73,13 @@ constexpr std::array<std::array<const char*, 2>, 6> kGroups{
 struct MeasuredSweep {
     const BuiltinFunction* function;
     const ArgumentSweep* sweep;
-    PrecisionStage stage;
+    GLenum stage;
     Precision precision;
 };
 
-/// True for the vertex stage if the fragment stage gave the same.
-bool isRepeated(const MeasuredSweep& each, const std::vector<MeasuredSweep>& all) {
-    return each.stage == PrecisionStage::vertex && std::ranges::any_of(all, [&](const MeasuredSweep& other) {
-               return other.stage == PrecisionStage::fragment && other.sweep == each.sweep &&
-                      other.precision.largest == each.precision.largest &&
-                      other.precision.mean == each.precision.mean;
-           });
-}
-
 std::string foundOf(const MeasuredSweep& each) {
     const std::string where = fmt::format("{} over {}{}", each.function->name, each.sweep->words,
-                                          each.stage == PrecisionStage::vertex ? " in the vertex stage" : "");
+                                          each.stage == GL_VERTEX_SHADER ? " in the vertex stage" : "");
     if (each.precision.notNumbers > 0)
         return fmt::format("{} gives NaN or infinity {} times in {}", where, each.precision.notNumbers,
                            each.precision.samples);
@@ -177,7 +96,7 @@ std::string bestAndWorst(const BuiltinFunction& function, const std::vector<Meas
     const MeasuredSweep* best = nullptr;
     const MeasuredSweep* worst = nullptr;
     for (const MeasuredSweep& each : all) {
-        if (each.function != &function || each.stage != PrecisionStage::fragment) continue;
+        if (each.function != &function || each.stage != GL_FRAGMENT_SHADER) continue;
         if (!best || each.precision.largest < best->precision.largest) best = &each;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
     }
@@ -192,7 +111,6 @@ std::vector<std::string> precisionFindings(const std::vector<MeasuredSweep>& all
     const MeasuredSweep* worst = nullptr;
     std::size_t bounded = 0, kept = 0;
     for (const MeasuredSweep& each : all) {
-        if (isRepeated(each, all)) continue;
         if (!worst || each.precision.largest > worst->precision.largest) worst = &each;
         if (each.precision.timesTheBound) {
             ++bounded;
@@ -215,33 +133,44 @@ std::vector<std::string> precisionFindings(const std::vector<MeasuredSweep>& all
     return sentences;
 }
 
-/// A curve of one function in one stage, timed in the fragment stage. The measured values are also added to
-/// `all`.
-Curve functionCurve(Bench& bench, const BuiltinFunction& function, PrecisionStage stage,
-                    std::vector<MeasuredSweep>& all) {
-    Curve curve{std::string(function.name) + (stage == PrecisionStage::vertex ? ", vertex stage" : "")};
+/// Adds the curves of a function: in the fragment stage, which is timed, and in the vertex stage if a result
+/// differs. The measured values are also added to `all`, but those of the vertex stage that are repeated.
+void addCurves(Figure& figure, Bench& bench, const BuiltinFunction& function,
+               std::vector<MeasuredSweep>& all) {
+    Curve fragment{std::string(function.name)}, vertex{fragment.name + ", vertex stage"};
+    bool differs = false;
     for (const ArgumentSweep& sweep : function.sweeps) {
-        const PrecisionRun run(bench, function, sweep, stage, bench.pick(32, 512));
-        const Precision found = judgePrecision(function, sweep, run.results());
-        std::optional<Timing> time;
-        if (stage == PrecisionStage::fragment) time = bench.timeDrawing([&] { run.draw(); });
-        curve.points.push_back(
-            {sweep.setting, sweep.words,
-             found.notNumbers > 0 ? std::numeric_limits<double>::quiet_NaN() : found.largest, time,
-             run.bytes()});
-        all.push_back({&function, &sweep, stage, found});
+        const auto measured = [&](GLenum stage, Curve& to, bool isTimed) {
+            const ShaderValues values = evaluating(bench, function, sweep, stage, bench.pick(32, 512));
+            const Precision found = judgePrecision(function, sweep, values.values());
+            std::optional<Timing> time;
+            if (isTimed) time = bench.timeDrawing([&] { values.compute(); });
+            to.points.push_back(
+                {sweep.setting, sweep.words,
+                 found.notNumbers > 0 ? std::numeric_limits<double>::quiet_NaN() : found.largest, time,
+                 values.bytes()});
+            return found;
+        };
+        const Precision found = measured(GL_FRAGMENT_SHADER, fragment, true);
+        all.push_back({&function, &sweep, GL_FRAGMENT_SHADER, found});
+        if (bench.isQuick()) continue;
+        const Precision other = measured(GL_VERTEX_SHADER, vertex, false);
+        if (other.largest == found.largest && other.mean == found.mean) continue;
+        all.push_back({&function, &sweep, GL_VERTEX_SHADER, other});
+        differs = true;
     }
-    return curve;
+    figure.curves.push_back(std::move(fragment));
+    if (differs) figure.curves.push_back(std::move(vertex));
 }
 
 }  // namespace
 
 Precision judgePrecision(const BuiltinFunction& function, const ArgumentSweep& sweep,
-                         const std::vector<float>& results) {
+                         const std::vector<Four>& results) {
     Precision found;
     double sum = 0, timesTheBound = 0;
     std::size_t finite = 0;
-    found.samples = results.size() / 4;
+    found.samples = results.size();
     for (std::size_t i = 0; i < found.samples; ++i) {
         const std::array<float, 8> given = argumentsOf(sweep, static_cast<std::uint32_t>(i));
         Arguments arguments{};
@@ -250,7 +179,7 @@ Precision judgePrecision(const BuiltinFunction& function, const ArgumentSweep& s
         function.exact(arguments, exact);
         for (int c = 0; c < function.components; ++c) {
             const long double wanted = exact[static_cast<std::size_t>(c)];
-            const float got = results[4 * i + static_cast<std::size_t>(c)];
+            const float got = results[i][c];
             double ulps = std::numeric_limits<double>::infinity();
             if (!std::isfinite(got)) {
                 ++found.notNumbers;
@@ -281,12 +210,11 @@ std::vector<PrecisionRow> precisionTable(Bench& bench, int side) {
     std::vector<PrecisionRow> rows;
     for (const BuiltinFunction& function : builtinFunctions())
         for (const ArgumentSweep& sweep : function.sweeps) {
-            const auto judged = [&](PrecisionStage stage) {
+            const auto judged = [&](GLenum stage) {
                 return judgePrecision(function, sweep,
-                                      PrecisionRun(bench, function, sweep, stage, side).results());
+                                      evaluating(bench, function, sweep, stage, side).values());
             };
-            rows.push_back(
-                {&function, &sweep, judged(PrecisionStage::vertex), judged(PrecisionStage::fragment)});
+            rows.push_back({&function, &sweep, judged(GL_VERTEX_SHADER), judged(GL_FRAGMENT_SHADER)});
         }
     return rows;
 }
@@ -358,17 +286,8 @@ std::vector<Figure> measureBuiltins(Bench& bench) {
                       .reference = "the same function of the same floats in long double on the CPU",
                       .alternatives = Alternatives::none};
         std::vector<MeasuredSweep> all;
-        for (const BuiltinFunction& function : builtinFunctions()) {
-            if (function.group != name) continue;
-            for (const PrecisionStage stage : {PrecisionStage::fragment, PrecisionStage::vertex}) {
-                if (bench.isQuick() && stage == PrecisionStage::vertex) continue;
-                Curve curve = functionCurve(bench, function, stage, all);
-                const std::span<const MeasuredSweep> own = std::span(all).last(curve.points.size());
-                if (std::ranges::any_of(own,
-                                        [&](const MeasuredSweep& each) { return !isRepeated(each, all); }))
-                    figure.curves.push_back(std::move(curve));
-            }
-        }
+        for (const BuiltinFunction& function : builtinFunctions())
+            if (function.group == name) addCurves(figure, bench, function, all);
         figure.findings = precisionFindings(all);
         figures.push_back(std::move(figure));
     }

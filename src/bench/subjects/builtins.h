@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "bench/core/bench.h"
+#include "bench/core/device.h"
 #include "bench/subjects/builtin_functions.h"
 
 namespace glibra::bench {
@@ -24,10 +24,10 @@ struct Precision {
     std::optional<double> timesTheBound;
 };
 
-/// Compares results (four floats per argument set) with the exact values. Results below the smallest normal
+/// Compares results (one for each argument set) with the exact values. Results below the smallest normal
 /// float may be 0, as the specification allows.
 Precision judgePrecision(const BuiltinFunction& function, const ArgumentSweep& sweep,
-                         const std::vector<float>& results);
+                         const std::vector<Four>& results);
 
 /// One line of the table.
 struct PrecisionRow {

@@ -1,8 +1,6 @@
 #include "bench/subjects/claims.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "bench/core/device.h"
@@ -78,13 +76,6 @@ Figure claimFigure(Bench& bench, const Claim& claim) {
         figure.add(way->name, {1, claim.work, way->error, time, way->memory});
     figure.note("{}: {} / {}", verdict(timing.ratio, claim.mayBeEqual), claim.slower.name, claim.faster.name);
     return figure;
-}
-
-double largestDifference(const std::vector<float>& a, const std::vector<float>& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        largest = std::max(largest, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
-    return largest;
 }
 
 std::string pixelsText(int side) {

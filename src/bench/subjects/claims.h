@@ -35,7 +35,6 @@ PairedTiming timedInTurn(Bench& bench, const Draw& slower, const Draw& faster);
 /// Measures both ways.
 Figure claimFigure(Bench& bench, const Claim& claim);
 
-double largestDifference(const std::vector<float>& a, const std::vector<float>& b);
 /// "512 x 512 pixels"
 std::string pixelsText(int side);
 

@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "bench/core/device.h"
 #include "bench/subjects/claims.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
@@ -11,125 +12,39 @@ using gpu::TexelFormat;
 
 constexpr int kTimes = 32;
 
-/// Two ways of writing `float form(vec2 p)`.
+/// Two ways of writing `float form(vec2 p)`, in shaders/forms.glsl.
 struct FormPair {
-    const char *name, *text, *slowerName, *slower, *fasterName, *faster;
+    const char *name, *text, *macro, *slower, *faster;
     bool mayBeEqual = false;
 };
 
-constexpr const char* kUnrolled =
-    R"(float form(vec2 p) {
-    float sum = p.y;
-    sum = sum * p.x + p.y + 1.;
-    sum = sum * p.x + p.y + 2.;
-    sum = sum * p.x + p.y + 3.;
-    return .01 * sum;
-}
-)";
-
 constexpr FormPair kFormPairs[] = {
-    {"pf05-branch", "An if is slow: an arithmetic choice is faster", "if, else",
-     R"(float form(vec2 p) {
-    if (fract(37. * p.x + 91. * p.y) > .5) return p.x * p.y + .25;
-    else return p.x - .5 * p.y;
-}
-)",
-     "mix and step",
-     R"(float form(vec2 p) {
-    return mix(p.x - .5 * p.y, p.x * p.y + .25, 1. - step(fract(37. * p.x + 91. * p.y), .5));
-}
-)"},
-    {"pf05-loop", "A short loop is better unrolled", "loop with a bound that a uniform states",
-     R"(uniform int uFour;
-float form(vec2 p) {
-    float sum = 0.;
-    for (int i = 0; i < uFour; ++i) sum = sum * p.x + p.y + float(i);
-    return .01 * sum;
-}
-)",
-     "unrolled", kUnrolled, false},
-    {"pf05-constant-loop", "A short loop is better unrolled, even if its bound is constant",
-     "loop with a constant bound",
-     R"(float form(vec2 p) {
-    float sum = 0.;
-    for (int i = 0; i < 4; ++i) sum = sum * p.x + p.y + float(i);
-    return .01 * sum;
-}
-)",
-     "unrolled", kUnrolled, false},
-    {"pf06-length", "A built-in function is never slower than the form written by hand: length",
-     "sqrt(x * x + y * y + z * z)",
-     R"(float form(vec2 p) {
-    vec3 v = vec3(p, .3 - p.x);
-    return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-)",
-     "length", "float form(vec2 p) { return length(vec3(p, .3 - p.x)); }\n", true},
-    {"pf06-dot", "A built-in function is never slower than the form written by hand: dot", "x * x + y * y",
-     "float form(vec2 p) { return p.x * p.x + p.y * p.y; }\n", "dot",
-     "float form(vec2 p) { return dot(p, p); }\n", true},
+    {"pf05-branch", "An if is slow: an arithmetic choice is faster", "BRANCH", "if, else", "mix and step"},
+    {"pf05-loop", "A short loop is better unrolled", "LOOP", "loop with a bound that a uniform states",
+     "unrolled"},
+    {"pf05-constant-loop", "A short loop is better unrolled, even if its bound is constant", "CONSTANT_LOOP",
+     "loop with a constant bound", "unrolled"},
+    {"pf06-length", "A built-in function is never slower than the form written by hand: length", "LENGTH",
+     "sqrt(x * x + y * y + z * z)", "length", true},
+    {"pf06-dot", "A built-in function is never slower than the form written by hand: dot", "DOT",
+     "x * x + y * y", "dot", true},
     {"pf06-normalize", "A built-in function is never slower than the form written by hand: normalize",
-     "v / sqrt(x * x + y * y + z * z)",
-     R"(float form(vec2 p) {
-    vec3 v = vec3(p, .3 - p.x);
-    return (v / sqrt(v.x * v.x + v.y * v.y + v.z * v.z)).x;
-}
-)",
-     "normalize", "float form(vec2 p) { return normalize(vec3(p, .3 - p.x)).x; }\n", true},
-    {"pf07", "One comparison of vectors with any() is faster than an if per component", "three ifs",
-     R"(float form(vec2 p) {
-    vec3 v = fract(vec3(17., 29., 43.) * p.xyx + p.y);
-    if (v.x > .8) return 0.;
-    if (v.y > .7) return 0.;
-    if (v.z > .9) return 0.;
-    return v.x;
-}
-)",
-     "any(greaterThan())",
-     R"(float form(vec2 p) {
-    vec3 v = fract(vec3(17., 29., 43.) * p.xyx + p.y);
-    return any(greaterThan(v, vec3(.8, .7, .9))) ? 0. : v.x;
-}
-)"},
-    {"pf08", "Do not compute an angle by atan to take its sine and cosine", "atan, sin, cos",
-     R"(float form(vec2 p) {
-    float r = length(p), angle = atan(p.y, p.x), wave = r + .1 * r * r;
-    vec2 q = wave * vec2(cos(angle), sin(angle));
-    return q.x + .5 * q.y;
-}
-)",
-     "divided by the radius",
-     R"(float form(vec2 p) {
-    float r = length(p), wave = r + .1 * r * r;
-    vec2 q = wave * p / r;
-    return q.x + .5 * q.y;
-}
-)"},
-    {"pf09", "The polar hyperbolic zoom needs only one square root", "polar coordinates: atan, cos, sin",
-     R"(float form(vec2 p) {
-    float r = length(p), angle = atan(p.y, p.x), far = r / (r + .7);
-    return far * cos(angle) + far * sin(angle);
-}
-)",
-     "one square root",
-     R"(float form(vec2 p) {
-    vec2 far = p / (sqrt(dot(p, p)) + .7);
-    return far.x + far.y;
-}
-)"},
+     "NORMALIZE", "v / sqrt(x * x + y * y + z * z)", "normalize", true},
+    {"pf07", "One comparison of vectors with any() is faster than an if per component", "COMPARISON",
+     "three ifs", "any(greaterThan())"},
+    {"pf08", "Do not compute an angle by atan to take its sine and cosine", "ANGLE", "atan, sin, cos",
+     "divided by the radius"},
+    {"pf09", "The polar hyperbolic zoom needs only one square root", "ZOOM",
+     "polar coordinates: atan, cos, sin", "one square root"},
 };
 
 /// Functions against a multiplication and an addition.
-constexpr std::array<std::array<const char*, 2>, 10> kMeasuredFunctions{{{"sqrt", "sqrt(x)"},
-                                                                         {"inversesqrt", "inversesqrt(x)"},
-                                                                         {"division", ".7 / x"},
-                                                                         {"exp2", "exp2(x)"},
-                                                                         {"log2", "log2(x)"},
-                                                                         {"pow", "pow(x, 2.3)"},
-                                                                         {"sin", "sin(x)"},
-                                                                         {"tan", "tan(.3 * x)"},
-                                                                         {"atan", "atan(x)"},
-                                                                         {"atan of two", "atan(x, 1.3)"}}};
+constexpr std::pair<const char*, const char*> kMeasuredFunctions[] = {
+    {"sqrt", "sqrt(x)"},    {"inversesqrt", "inversesqrt(x)"},
+    {"division", ".7 / x"}, {"exp2", "exp2(x)"},
+    {"log2", "log2(x)"},    {"pow", "pow(x, 2.3)"},
+    {"sin", "sin(x)"},      {"tan", "tan(.3 * x)"},
+    {"atan", "atan(x)"},    {"atan of two", "atan(x, 1.3)"}};
 
 /// A program over a whole target, and its picture.
 struct DrawnForm {
@@ -236,15 +151,16 @@ void addFragmentClaims(std::vector<Figure>& figures, Bench& bench) {
     const std::string work = fmt::format("{}, {} times", pixelsText(side), kTimes);
     figures.push_back(functionCosts(bench, canvas, work));
     for (const FormPair& each : kFormPairs) {
-        const DrawnForm slower(bench, canvas, each.slower), faster(bench, canvas, each.faster);
+        const std::string form = fmt::format("#define {}\n{}", each.macro, bench_shaders::forms_glsl());
+        const DrawnForm slower(bench, canvas, "#define SLOWER\n" + form), faster(bench, canvas, form);
         figures.push_back(claimFigure(
             bench, {.name = each.name,
                     .text = each.text,
                     .work = work,
                     .errorName = "largest difference",
                     .reference = kOtherPicture,
-                    .slower = {each.slowerName, slower.draw},
-                    .faster = {each.fasterName, faster.draw, largestDifference(slower.values, faster.values)},
+                    .slower = {each.slower, slower.draw},
+                    .faster = {each.faster, faster.draw, largestDifference(slower.values, faster.values)},
                     .mayBeEqual = each.mayBeEqual}));
     }
     figures.push_back(discardOrBlend(bench, side));

@@ -7,23 +7,12 @@
 
 #include "bench/core/device.h"
 #include "bench/subjects/claims.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
 
 using gpu::TexelFormat;
-
-constexpr std::string_view kPlainFragment = R"(in vec3 vPosition;
-out vec4 fColor;
-void main() { fColor = vec4(fract(vPosition), 1.); }
-)";
-/// Gives each vertex its number, for the stages after it.
-constexpr std::string_view kNumberVertex = R"(flat out int vNumber;
-void main() {
-    vNumber = gl_VertexID;
-    gl_Position = vec4(0.);
-}
-)";
 
 Canvas meshCanvas(Bench& bench) {
     return {bench, 512, 512, TexelFormat::rgba8};
@@ -45,16 +34,10 @@ Figure stripOrTriangles(Bench& bench) {
         }
         strip.push_back(kRestart);
     }
-    const Shader shader(bench,
-                        fmt::format(R"(out vec3 vPosition;
-void main() {{
-    vec2 p = vec2(gl_VertexID % {0}, gl_VertexID / {0}) / vec2({0}, {1});
-    vPosition = vec3(2. * p - 1., .2 * sin(20. * p.x) * cos(15. * p.y));
-    gl_Position = vec4(vPosition.xy * .95, vPosition.z, 1.);
-}}
-)",
-                                    width, height),
-                        kPlainFragment);
+    const Shader shader(
+        bench,
+        fmt::format("#define WIDTH {}\n#define HEIGHT {}\n{}", width, height, bench_shaders::grid_vert()),
+        bench_shaders::plain_frag());
     const auto drawing = [&](const std::vector<std::uint32_t>& indices, GLenum primitive) -> Draw {
         return [=, vertices = std::make_shared<const Vertices>(std::vector<Vertices::Values>(), indices)] {
             canvas.bind();
@@ -86,82 +69,29 @@ void main() {{
     return figure;
 }
 
-/// The corners of octant i of a sphere, moved so that many spheres stand in a grid.
-constexpr std::string_view kOctants =
-    R"(vec3 octantSigns(int i) { return vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1) * 2. - 1.; }
-vec3 placed(vec3 p, int ball) {
-    return vec3(vec2(ball % 8, ball / 8) * .24 - .84, 0.) + .11 * p;
-}
-)";
-
-/// Subdivides octants in a geometry stage: `level` rows of strips each.
-Shader geometryBalls(Bench& bench, int level) {
-    const std::string geometry = fmt::format(R"(layout(points) in;
-layout(triangle_strip, max_vertices = {0}) out;
-flat in int vNumber[];
-out vec3 vPosition;
-{1}void put(int row, int column, vec3 signs, int ball) {{
-    vec3 p = vec3(float({2} - row), float(row - column), float(column)) / {2}.;
-    vPosition = placed(signs * normalize(p), ball);
-    gl_Position = vec4(vPosition, 1.);
-    EmitVertex();
-}}
-void main() {{
-    vec3 signs = octantSigns(vNumber[0] % 8);
-    int ball = vNumber[0] / 8;
-    for (int row = 0; row < {2}; ++row) {{
-        put(row + 1, 0, signs, ball);
-        for (int column = 0; column <= row; ++column) {{
-            put(row, column, signs, ball);
-            put(row + 1, column + 1, signs, ball);
-        }}
-        EndPrimitive();
-    }}
-}}
-)",
-                                             level * (level + 2), kOctants, level);
-    return {bench, std::array{gpu::StageSource{GL_VERTEX_SHADER, kNumberVertex},
+/// Subdivides octants in a geometry stage.
+Shader geometryBalls(Bench& bench, int rows) {
+    const std::string geometry =
+        fmt::format("#define ROWS {}\n#define VERTICES {}\n{}{}", rows, rows * (rows + 2),
+                    bench_shaders::octants_glsl(), bench_shaders::balls_geom());
+    return {bench, std::array{gpu::StageSource{GL_VERTEX_SHADER, bench_shaders::number_vert()},
                               gpu::StageSource{GL_GEOMETRY_SHADER, geometry},
-                              gpu::StageSource{GL_FRAGMENT_SHADER, kPlainFragment}}};
+                              gpu::StageSource{GL_FRAGMENT_SHADER, bench_shaders::plain_frag()}}};
 }
 
-/// Spheres by tessellation: of octants, or of one rectangle of longitude and latitude. `atOrigin` leaves them
-/// at the origin with radius 1, for captures.
+/// Spheres by tessellation, as shaders/balls.tese has them. A level of 0 is that of the uniform.
 Shader tessellatedBalls(Bench& bench, bool octants, double level, bool atOrigin) {
-    const std::string control = fmt::format(R"(layout(vertices = 1) out;
-flat in int vNumber[];
-out int cNumber[];
-uniform float uLevel;
-void main() {{
-    cNumber[gl_InvocationID] = vNumber[0];
-    for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = {0};
-    for (int i = 0; i < 2; ++i) gl_TessLevelInner[i] = {0};
-}}
-)",
-                                            level > 0 ? fmt::format("{:.3f}", level) : "uLevel");
-    const std::string evaluation = fmt::format(
-        R"(layout({}, equal_spacing, ccw) in;
-in int cNumber[];
-out vec3 vPosition;
-{}void main() {{
-{}    vPosition = {};
-    gl_Position = vec4({} * vPosition, 1.);
-}}
-)",
-        octants ? "triangles" : "quads", kOctants,
-        octants ? R"(    int ball = cNumber[0] / 8;
-    vec3 p = octantSigns(cNumber[0] % 8) * normalize(gl_TessCoord);
-)"
-                : R"(    int ball = cNumber[0];
-    float around = 6.283185307 * gl_TessCoord.x, up = 3.14159265 * (gl_TessCoord.y - .5);
-    vec3 p = vec3(cos(up) * cos(around), sin(up), cos(up) * sin(around));
-)",
-        atOrigin ? "p" : "placed(p, ball)", atOrigin ? ".5" : "1.");
+    const std::string control =
+        fmt::format("#define LEVEL {}\n{}", level > 0 ? fmt::format("{:.3f}", level) : "uLevel",
+                    bench_shaders::balls_tesc());
+    const std::string evaluation =
+        fmt::format("{}{}{}{}", octants ? "#define OCTANTS\n" : "", atOrigin ? "#define AT_ORIGIN\n" : "",
+                    bench_shaders::octants_glsl(), bench_shaders::balls_tese());
     return {bench,
-            std::array{gpu::StageSource{GL_VERTEX_SHADER, kNumberVertex},
+            std::array{gpu::StageSource{GL_VERTEX_SHADER, bench_shaders::number_vert()},
                        gpu::StageSource{GL_TESS_CONTROL_SHADER, control},
                        gpu::StageSource{GL_TESS_EVALUATION_SHADER, evaluation},
-                       gpu::StageSource{GL_FRAGMENT_SHADER, kPlainFragment}},
+                       gpu::StageSource{GL_FRAGMENT_SHADER, bench_shaders::plain_frag()}},
             atOrigin ? std::vector<std::string>{"vPosition"} : std::vector<std::string>{}};
 }
 
@@ -286,19 +216,8 @@ Figure adaptiveLevels(Bench& bench) {
 Figure culling(Bench& bench) {
     const Canvas canvas = meshCanvas(bench);
     const int rings = bench.pick(100, 600), vertices = 6 * rings * rings;
-    const Shader torus(bench,
-                       fmt::format(R"(out vec3 vPosition;
-void main() {{
-    int cell = gl_VertexID / 6, corner = gl_VertexID % 6;
-    vec2 at = vec2(cell % {0} + (corner == 1 || corner == 2 || corner == 4 ? 1 : 0),
-                   cell / {0} + (corner == 2 || corner > 3 ? 1 : 0)) * 6.283185307 / {0}.;
-    float r = .6 + .25 * cos(at.y);
-    vPosition = vec3(r * cos(at.x), r * sin(at.x), .25 * sin(at.y));
-    gl_Position = vec4(vPosition, 1.);
-}}
-)",
-                                   rings),
-                       kPlainFragment);
+    const Shader torus(bench, fmt::format("#define RINGS {}\n{}", rings, bench_shaders::torus_vert()),
+                       bench_shaders::plain_frag());
     const auto drawing = [&](bool culls) -> Draw {
         return [=] {
             canvas.bind();

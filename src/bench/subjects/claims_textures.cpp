@@ -3,6 +3,7 @@
 
 #include "bench/core/device.h"
 #include "bench/subjects/claims.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
@@ -64,17 +65,11 @@ void main() {{
     for (const int zoom : {1, 4, 16, 64}) {
         const float size = .5F / static_cast<float>(zoom);
         for (const Shader& each : shaders) each.set("uZoom", static_cast<double>(size));
+        const auto wanted =
+            overPixels(side, side, [&](double x, double y) { return waves(.4 + size * x, .3 + size * y); });
         const auto error = [&](const Draw& draw) {
             draw();
-            const std::vector<float> drawn = canvas.pixels(1);
-            double largest = 0;
-            for (int i = 0; i < side * side; ++i) {
-                const double x = .4 + size * (i % side + .5) / side,
-                             y = .3 + size * (side - i / side - .5) / side;
-                largest = std::max(
-                    largest, std::abs(static_cast<double>(drawn[static_cast<std::size_t>(i)]) - waves(x, y)));
-            }
-            return largest;
+            return largestDifference(canvas.pixels(1), wanted);
         };
         const PairedTiming timing = timedInTurn(bench, computed, read);
         ratio = timing.ratio;
@@ -90,30 +85,6 @@ void main() {{
     return figure;
 }
 
-constexpr std::string_view kReliefVertex = R"(out vec2 vST;
-uniform sampler2D uTexture;
-void show(vec2 st, float height) {
-    vST = st;
-    vec2 p = 2. * st - 1.;
-    gl_Position = vec4(.9 * p.x, .8 * p.y + .6 * height, .3 * p.y - height, 1.);
-}
-/// The place of a corner of the two triangles of a cell.
-ivec2 cornerOf(int corner) {
-    return ivec2(corner == 1 || corner == 2 || corner == 4 ? 1 : 0, corner == 2 || corner > 3 ? 1 : 0);
-}
-)";
-constexpr std::string_view kReliefFragment = R"(in vec2 vST;
-out vec4 fColor;
-uniform sampler2D uTexture;
-float at(vec2 st) { return texture(uTexture, st).r; }
-void main() {
-    vec2 texel = 1. / vec2(textureSize(uTexture, 0)), x = vec2(texel.x, 0.), y = vec2(0., texel.y);
-    float east = at(vST + x) - at(vST - x), north = at(vST + y) - at(vST - y);
-    vec3 n = normalize(vec3(-east / (4. * texel.x), -north / (4. * texel.y), 1.));
-    fColor = vec4(vec3(max(dot(n, normalize(vec3(-.4, .5, .8))), 0.)), 1.);
-}
-)";
-
 /// Terrain as a mesh with a vertex per texel, and as one rectangle with normals from the same texture.
 Figure bumpsOrGeometry(Bench& bench) {
     const int width = bench.pick(256, 2048), height = width * 9 / 16, side = 512;
@@ -125,26 +96,19 @@ Figure bumpsOrGeometry(Bench& bench) {
                 static_cast<float>(.05 * std::sin(25. * x / width) * std::cos(18. * y / height) +
                                    .01 * std::sin(140. * x / width)));
     const Texels map(bench, TexelFormat::r32f, {width, height, 1}, heights);
-    const auto shader = [&](std::string_view main) {
-        return Shader(bench, fmt::format("{}void main() {{\n{}}}\n", kReliefVertex, main), kReliefFragment);
+    const auto shader = [&](std::string_view macros) {
+        return Shader(bench, fmt::format("{}{}", macros, bench_shaders::relief_vert()),
+                      bench_shaders::relief_frag());
     };
     const int vertices = 6 * (width - 1) * (height - 1);
-    const Draw geometry = reading(canvas, shader(R"(    ivec2 size = textureSize(uTexture, 0);
-    int cell = gl_VertexID / 6;
-    ivec2 place = ivec2(cell % (size.x - 1), cell / (size.x - 1)) + cornerOf(gl_VertexID % 6);
-    show((vec2(place) + .5) / vec2(size), texelFetch(uTexture, place, 0).r);
-)"),
-                                  map, vertices),
-               bumps = reading(canvas, shader("    show(vec2(cornerOf(gl_VertexID)), 0.);\n"), map, 6);
+    const Draw geometry = reading(canvas, shader("#define MESH\n"), map, vertices),
+               bumps = reading(canvas, shader(""), map, 6);
     const auto picture = [&](const Draw& draw) {
         canvas.clear();
         draw();
         return canvas.pixels(1);
     };
     const std::vector<float> wanted = picture(geometry), got = picture(bumps);
-    double squares = 0;
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        squares += std::pow(static_cast<double>(wanted[i]) - static_cast<double>(got[i]), 2);
     return claimFigure(
         bench, {.name = "pf12",
                 .text = "Terrain from one rectangle with bumps is faster than from geometry",
@@ -152,8 +116,7 @@ Figure bumpsOrGeometry(Bench& bench) {
                 .errorName = "difference (root of the mean square)",
                 .reference = "the picture of the geometry: bumps move no outline",
                 .slower = {fmt::format("geometry: {} triangles", vertices / 3), geometry, 0, map.bytes()},
-                .faster = {"one rectangle with bumps", bumps,
-                           std::sqrt(squares / static_cast<double>(got.size())), map.bytes()}});
+                .faster = {"one rectangle with bumps", bumps, rootMeanSquare(got, wanted), map.bytes()}});
 }
 
 /// n x n lookups of a shadow map with one straight edge, against the ramp of an area light.
@@ -167,20 +130,7 @@ Figure shadowLookups(Bench& bench) {
     Texels map(bench, TexelFormat::r32f, {kTexels, kTexels, 1}, depths);
     using enum gpu::Wrap;
     map.sampledBy({.filter = base::Filter::nearest, .wrap = {clampToEdge, clampToEdge}, .border = {}});
-    const Shader shader(bench, R"(in vec2 vPlace;
-out vec4 fColor;
-uniform sampler2D uTexture;
-uniform int uGrid;
-void main() {
-    float sum = 0.;
-    for (int i = 0; i < uGrid; ++i)
-        for (int j = 0; j < uGrid; ++j) {
-            vec2 at = (vec2(i, j) + .5) / float(uGrid) - .5;
-            sum += texture(uTexture, vPlace + .2 * at).r > .6 ? 1. : 0.;
-        }
-    fColor = vec4(sum / float(uGrid * uGrid));
-}
-)");
+    const Shader shader(bench, bench_shaders::lookups_frag());
     Figure figure{.name = "a05",
                   .title = "Soft shadows: what more lookups per pixel cost and bring",
                   .settingName = "lookups per pixel",
@@ -239,24 +189,7 @@ void addColorClaims(std::vector<Figure>& figures, Bench& bench) {
     const Texels scalars(bench, TexelFormat::r8, {cells, cells, cells}, values),
         colors(bench, TexelFormat::rgba8, {cells, cells, cells}, colorsFor(2), 4);
     const auto shader = [&](const char* color) {
-        return Shader(bench, fmt::format(R"(in vec2 vPlace;
-out vec4 fColor;
-uniform sampler3D uTexture;
-uniform float uTurn;
-vec3 transfer(float t) {{
-    float band = 4. * clamp(t, 0., 1.);
-    return clamp(vec3(band - uTurn, 2. - abs(band - 2.), uTurn - band), 0., 1.);
-}}
-void main() {{
-    vec3 sum = vec3(0.);
-    for (int i = 0; i < 32; ++i) {{
-        vec4 texel = texture(uTexture, vec3(vPlace, (float(i) + .5) / 32.));
-        sum += {};
-    }}
-    fColor = vec4(sum / 32., 1.);
-}}
-)",
-                                         color));
+        return Shader(bench, fmt::format("#define COLOR {}\n{}", color, bench_shaders::transfer_frag()));
     };
     const Shader computed = shader("transfer(texel.r)").set("uTurn", 2.);
     const Draw transfers = reading(canvas, computed, scalars),

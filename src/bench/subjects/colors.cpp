@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "base/text.h"
@@ -57,11 +55,9 @@ Figure roundTripFigure(Bench& bench) {
                 const FilterChain chain(bench, ramp, passes, texels);
                 const Timing time = bench.timeDrawing([&] { chain.draw(); });
                 const Plane back = chain.result();
-                double largest = 0;
-                for (std::size_t i = 0; i < ramp.values.size(); ++i)
-                    largest = std::max(largest, kByte * std::abs(back.values[i] - ramp.values[i]));
-                figure.add(name, {1. * trips, base::counted(trips, "round trip"), largest, time,
-                                  chain.bytesBetween()});
+                figure.add(name,
+                           {1. * trips, base::counted(trips, "round trip"),
+                            kByte * largestDifference(back.values, ramp.values), time, chain.bytesBetween()});
             }
             const Point &once = figure.curves.back().points.front(),
                         &last = figure.curves.back().points.back();

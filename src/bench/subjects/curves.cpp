@@ -5,64 +5,55 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "bench/core/device.h"
+#include "bench/core/computed.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
 
-/// The largest distance of the parameters from i / n, which double gives to 1e-16.
-template <class Next>
-double largestParameterError(int steps, Next next) {
-    double largest = 0;
-    for (int i = 1; i <= steps; ++i)
-        largest = std::max(largest, std::abs(static_cast<double>(next(i)) - static_cast<double>(i) / steps));
-    return largest;
+/// A sequence of n parameters from a function that is made for n and gives one after the other. The error is
+/// their largest distance from i / n, which double gives to 1e-16. `bytes` are those of the state between two
+/// steps.
+template <class MakeNext>
+Computation parameterWay(const char* name, std::size_t bytes, MakeNext makeNext) {
+    const auto largestError = [makeNext](const ComputedCase& each, Numbers& result) {
+        const int steps = static_cast<int>(each.setting);
+        auto next = makeNext(steps);
+        double largest = 0;
+        for (int i = 1; i <= steps; ++i)
+            largest =
+                std::max(largest, std::abs(static_cast<double>(next(i)) - static_cast<double>(i) / steps));
+        result.front().x = largest;
+    };
+    return {name, largestError, static_cast<double>(bytes)};
 }
 
-double summed(int steps) {
-    const float step = 1.F / static_cast<float>(steps);
-    return largestParameterError(steps, [&, t = 0.F](int) mutable { return t += step; });
+float floatStep(int n) {
+    return 1.F / static_cast<float>(n);
 }
 
-/// Kahan, Further remarks on reducing truncation errors, Communications of the ACM 8(1), 1965.
-double summedWithCompensation(int steps) {
-    const float step = 1.F / static_cast<float>(steps);
-    return largestParameterError(steps, [&, t = 0.F, lost = 0.F](int) mutable {
-        const float wanted = step - lost, next = t + wanted;
-        lost = (next - t) - wanted;
-        return t = next;
-    });
+std::vector<Computation> parameterWays() {
+    return {
+        parameterWay("float, t += dt", sizeof(float),
+                     [](int n) { return [dt = floatStep(n), t = 0.F](int) mutable { return t += dt; }; }),
+        // Kahan, Further remarks on reducing truncation errors, Communications of the ACM 8(1), 1965.
+        parameterWay("float, t += dt with compensation", 2 * sizeof(float),
+                     [](int n) {
+                         return [dt = floatStep(n), t = 0.F, lost = 0.F](int) mutable {
+                             const float wanted = dt - lost, next = t + wanted;
+                             lost = (next - t) - wanted;
+                             return t = next;
+                         };
+                     }),
+        parameterWay("float, t = i * dt", sizeof(int),
+                     [](int n) { return [dt = floatStep(n)](int i) { return static_cast<float>(i) * dt; }; }),
+        parameterWay(
+            "float, t = i / n", sizeof(int),
+            [](int n) { return [n](int i) { return static_cast<float>(i) / static_cast<float>(n); }; }),
+        parameterWay("double, t += dt", sizeof(double),
+                     [](int n) { return [dt = 1. / n, t = 0.](int) mutable { return t += dt; }; }),
+    };
 }
-
-double multipliedStep(int steps) {
-    const float step = 1.F / static_cast<float>(steps);
-    return largestParameterError(steps, [&](int i) { return static_cast<float>(i) * step; });
-}
-
-double divided(int steps) {
-    return largestParameterError(steps,
-                                 [&](int i) { return static_cast<float>(i) / static_cast<float>(steps); });
-}
-
-double summedInDouble(int steps) {
-    const double step = 1. / steps;
-    return largestParameterError(steps, [&, t = 0.](int) mutable { return t += step; });
-}
-
-struct ParameterMethod {
-    const char* name;
-    double (*largestError)(int steps);
-    std::size_t bytes;  ///< of the state between two steps
-};
-
-constexpr ParameterMethod kParameterMethods[] = {
-    {"float, t += dt", summed, sizeof(float)},
-    {"float, t += dt with compensation", summedWithCompensation, 2 * sizeof(float)},
-    {"float, t = i * dt", multipliedStep, sizeof(int)},
-    {"float, t = i / n", divided, sizeof(int)},
-    {"double, t += dt", summedInDouble, sizeof(double)},
-};
 
 constexpr const char* kSummingShader = R"(uniform int uSteps;
 vec4 value() {
@@ -71,7 +62,7 @@ vec4 value() {
         t += dt; t += dt; t += dt; t += dt; t += dt;
         t += dt; t += dt; t += dt; t += dt; t += dt;
     }
-    return vec4(t);
+    return vec4(abs(t - 1.));  // the last parameter is the worst one of a sum
 }
 )";
 
@@ -109,31 +100,25 @@ Figure parameterFigure(Bench& bench) {
                   .errorName = "largest error of t",
                   .reference = "i / n in double",
                   .alternatives = Alternatives::setting};
-    const auto add = [&](const char* curve, int steps, double error, const Timing& time, double bytes) {
-        figure.add(curve, {1. * steps, fmt::format("{} steps", steps), error, time, bytes});
+    const auto upTo = [](int most) {
+        std::vector<ComputedCase> cases;
+        for (int steps = 10; steps <= most; steps *= 10)
+            cases.push_back({1. * steps, fmt::format("{} steps", steps),
+                             [](const Numbers& error) { return error.front().x; }});
+        return cases;
     };
-    const int most = bench.pick(100000, 10000000);
-    for (const ParameterMethod& method : kParameterMethods)
-        for (int steps = 10; steps <= most; steps *= 10) {
-            const Timing time = bench.time([&] {
-                // The result must reach memory, otherwise the compiler removes the work.
-                const volatile double kept = method.largestError(steps);
-                static_cast<void>(kept);
-            });
-            add(method.name, steps, method.largestError(steps), time, static_cast<double>(method.bytes));
-        }
+    addComputed(figure, bench, parameterWays(), upTo(bench.pick(100000, 10000000)));
+    addComputed(figure, bench,
+                {{.name = "shader, t += dt (at the end)",
+                  .glsl = kSummingShader,
+                  .uniforms =
+                      [](const Shader& shader, const ComputedCase& each) {
+                          shader.set("uSteps", static_cast<int>(each.setting));
+                      }}},
+                upTo(kMostShaderSteps));
     std::optional<int> runs;  // of a loop of kManyRuns in a shader
     bench.attempt([&] {
-        const Four nothing{};
-        const ShaderValues sum(bench, kSummingShader, std::span(&nothing, 1));
-        for (int steps = 10; steps <= kMostShaderSteps; steps *= 10) {
-            sum.shader().set("uSteps", steps);
-            // The last parameter is the worst one of a sum.
-            add("shader, t += dt (at the end)", steps,
-                std::abs(static_cast<double>(sum.values().front()[0]) - 1),
-                bench.time([&] { sum.compute(); }), sum.bytes());
-        }
-        const ShaderValues loop(bench, kLoopShader, std::span(&nothing, 1));
+        const ShaderValues loop(bench, kLoopShader, std::array{Four(0)});
         loop.shader().set("uRuns", kManyRuns);
         runs = static_cast<int>(loop.values().front()[0]);
     });
@@ -390,17 +375,6 @@ Traced dormandPrince(double tolerance) {
     return {largest, evaluations};
 }
 
-struct StreamlineMethod {
-    const char* name;
-    Traced (*trace)(int steps);
-    std::size_t bytes;  ///< the place and the slopes of a step
-};
-constexpr StreamlineMethod kStreamlineMethods[] = {
-    {"Euler", euler, 2 * sizeof(Complex<double>)},
-    {"midpoint", midpoint, 3 * sizeof(Complex<double>)},
-    {"Runge-Kutta 4", rungeKutta<double>, 5 * sizeof(Complex<double>)},
-    {"Runge-Kutta 4, float", rungeKutta<float>, 5 * sizeof(Complex<float>)}};
-
 Figure streamlineFigure(const Bench& bench) {
     Figure figure{
         .name = "streamlines",
@@ -409,23 +383,29 @@ Figure streamlineFigure(const Bench& bench) {
         .errorName = "largest distance on the way",
         .errorUnit = "radii of the start",
         .reference = "the solution in closed form at the time of every step, z(t) = z0 / (1 - z0 t)"};
-    const auto add = [&](const char* curve, std::string label, std::size_t bytes,
-                         const std::function<Traced()>& trace) {
+    const auto add = [&](const char* curve, std::string label, std::size_t bytes, const auto& trace) {
         const Traced traced = trace();
         figure.add(curve, {1. * traced.evaluations, std::move(label), traced.error,
                            bench.time([&] { trace(); }), static_cast<double>(bytes)});
     };
-    for (const StreamlineMethod& method : kStreamlineMethods)
+    // With the bytes of the place and the slopes of a step.
+    constexpr std::size_t kFloats = sizeof(Complex<float>), kDoubles = sizeof(Complex<double>);
+    const auto addFixed = [&](const char* curve, Traced (*trace)(int steps), std::size_t bytes) {
         for (int steps = 256; steps <= bench.pick(4096, 65536); steps *= 4)
-            add(method.name, fmt::format("{} steps", steps), method.bytes,
-                [&] { return method.trace(steps); });
-    const int smallest = bench.pick(-6, -12);
-    for (int power = -2; power >= smallest; power -= 2)
-        add("Dormand-Prince, adaptive", fmt::format("tolerance 1e{}", power), 8 * sizeof(Complex<double>),
-            [&] { return dormandPrince<double>(std::pow(10., power)); });
-    for (int power = -2; power >= -6; power -= 2)
-        add("Dormand-Prince, adaptive, float", fmt::format("tolerance 1e{}", power),
-            8 * sizeof(Complex<float>), [&] { return dormandPrince<float>(std::pow(10., power)); });
+            add(curve, fmt::format("{} steps", steps), bytes, [&] { return trace(steps); });
+    };
+    const auto addAdaptive = [&](const char* curve, Traced (*trace)(double tolerance), int smallest,
+                                 std::size_t bytes) {
+        for (int power = -2; power >= smallest; power -= 2)
+            add(curve, fmt::format("tolerance 1e{}", power), bytes,
+                [&] { return trace(std::pow(10., power)); });
+    };
+    addFixed("Euler", euler, 2 * kDoubles);
+    addFixed("midpoint", midpoint, 3 * kDoubles);
+    addFixed("Runge-Kutta 4", rungeKutta<double>, 5 * kDoubles);
+    addFixed("Runge-Kutta 4, float", rungeKutta<float>, 5 * kFloats);
+    addAdaptive("Dormand-Prince, adaptive", dormandPrince<double>, bench.pick(-6, -12), 8 * kDoubles);
+    addAdaptive("Dormand-Prince, adaptive, float", dormandPrince<float>, -6, 8 * kFloats);
     figure.findings = {orderSentence(figure.curves[0], "evaluations", 4000),
                        orderSentence(figure.curves[1], "evaluations", 2000),
                        orderSentence(figure.curves[2], "evaluations", 2000, 70000)};

@@ -1,10 +1,11 @@
-#include "bench/subjects/depth.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
+
+#include "bench/core/device.h"
+#include "bench/reference/depth_step.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
@@ -15,13 +16,6 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< for a ga
 constexpr const char* kOrderReference =
     "the order of the two distances, known in double; theory: one step of the buffer times z^2 (f - n) / (f "
     "n)";
-
-/// The spacing at `value` of floats with `bits` bits of mantissa.
-double spacing(double value, int bits) {
-    int exponent = 0;
-    (void)std::frexp(std::max(value, static_cast<double>(std::numeric_limits<float>::min())), &exponent);
-    return std::ldexp(1., exponent - bits);
-}
 
 // Eye space; z is the distance. uProjection: clip z = x * distance + y.
 constexpr std::string_view kDepthVertex = R"(layout(location = 0) in vec3 aPosition;
@@ -48,6 +42,105 @@ void push(std::vector<float>& vertices, double x, double y, double distance) {
     for (const double each : {x * distance, y * distance, distance})
         vertices.push_back(static_cast<float>(each));
 }
+
+/// Those that this driver supports.
+std::vector<DepthKind> usableKinds(const gpu::Capabilities& capabilities) {
+    std::vector<DepthKind> usable(kDepthKinds.begin(), kDepthKinds.end());
+    std::erase_if(usable,
+                  [&](const DepthKind& kind) { return kind.isZeroToOne && !capabilities.atLeast(4, 5); });
+    return usable;
+}
+
+/// Two distances from the eye, near <= front <= back <= far.
+struct DepthPair {
+    double front = 0, back = 0;
+};
+
+/// A square picture with depth of that kind. The state of the context stays as it was.
+class DepthPicture {
+  public:
+    DepthPicture(Bench& bench, const DepthKind& kind, int side)
+        : kind_(kind),
+          canvas_(bench, side, side, gpu::TexelFormat::rgba8, 1, kind.format),
+          shader_(bench, kDepthVertex, kDepthFragment) {}
+
+    /// For every pair: draws the farther surface, then the nearer one in the same pixel with a depth test
+    /// that passes only nearer surfaces. The result says whether the nearer one is visible. At most side *
+    /// side pairs.
+    [[nodiscard]] std::vector<bool> resolvePairs(double near, double far,
+                                                 std::span<const DepthPair> pairs) const {
+        std::vector<float> back, front;
+        const auto side = static_cast<std::size_t>(canvas_.width());
+        const auto middle = [&](std::size_t pixel) {
+            return (static_cast<double>(pixel) + .5) * 2 / canvas_.width() - 1;
+        };
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const double x = middle(i % side), y = middle(i / side);
+            push(back, x, y, pairs[i].back);
+            push(front, x, y, pairs[i].front);
+        }
+        draw(near, far, {{GL_POINTS, std::move(back), .5}, {GL_POINTS, std::move(front), 1}});
+        const std::vector<float> pixels = canvas_.pixels(1);
+        std::vector<bool> isResolved;
+        for (std::size_t i = 0; i < pairs.size(); ++i)  // pictures start at the top
+            isResolved.push_back(pixels[(side - 1 - i / side) * side + i % side] == 1);
+        return isResolved;
+    }
+
+    /// The share of pixels, 0..1, in which the farther of two parallel planes wins. The nearer plane fills
+    /// the picture from 1 / 1.2 to 1 / .8 of the distance, bottom to top. The farther one is `gap` (a share
+    /// of the distance) behind it along every line of sight, is larger than the picture, and is drawn first.
+    [[nodiscard]] double fighting(double near, double far, double distance, double gap) const {
+        const auto plane = [&](double scale, double width, double height) {
+            std::vector<float> vertices;
+            // Two triangles as a strip. On a plane, 1 / distance is linear over the picture.
+            for (const double y : {-height, height})
+                for (const double x : {-width, width}) push(vertices, x, y, distance * scale / (1 - .2 * y));
+            return vertices;
+        };
+        draw(near, far,
+             {{GL_TRIANGLE_STRIP, plane(1 + gap, 1.7, 1.3), .5}, {GL_TRIANGLE_STRIP, plane(1, 1, 1), 1}});
+        const std::vector<float> pixels = canvas_.pixels(1);
+        const auto wrong = std::ranges::count_if(pixels, [](float each) { return each != 1; });
+        return static_cast<double>(wrong) / static_cast<double>(pixels.size());
+    }
+
+    /// Clears, draws `layers` rectangles over all pixels from back to front.
+    void drawLayers(int layers) const {
+        std::vector<Layer> all;
+        for (int layer = layers; layer > 0; --layer) {
+            Layer& each = all.emplace_back(Layer{GL_TRIANGLE_STRIP, {}, 1. / layer});
+            for (const double y : {-1., 1.})
+                for (const double x : {-1., 1.}) push(each.vertices, x, y, layer + .5);
+        }
+        draw(1, layers + 2, all);
+    }
+
+  private:
+    struct Layer {
+        GLenum primitive;
+        std::vector<float> vertices;
+        double brightness;
+    };
+    void draw(double near, double far, const std::vector<Layer>& layers) const {
+        canvas_.clear({}, kind_.isReversed ? 0 : 1);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(kind_.isReversed ? GL_GREATER : GL_LESS);
+        if (kind_.isZeroToOne) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+        shader_.set("uProjection", glm::vec2(projection(kind_, near, far)));
+        for (const Layer& each : layers) {
+            shader_.set("uBrightness", each.brightness);
+            Vertices({{each.vertices}}).draw(shader_, each.primitive);
+        }
+        glDisable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        if (kind_.isZeroToOne) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    }
+
+    DepthKind kind_;
+    Canvas canvas_;
+    Shader shader_;
+};
 
 /// The smallest gap, as a share of z, such that every gap from there on is resolved at all distances from .7
 /// z to z, which meet the steps of the buffer in every phase; NaN if not even the largest is.
@@ -104,22 +197,22 @@ Figure gapFigure(Bench& bench, std::string name, std::string title, std::string 
                   .errorUnit = "distances",
                   .reference = kOrderReference,
                   .alternatives = Alternatives::setting};
-    std::vector<Curve> theories;
-    for (const DepthKind& kind : usableKinds(bench.capabilities())) {
+    const std::vector<DepthKind> kinds = usableKinds(bench.capabilities());
+    for (const DepthKind& kind : kinds) {
         const DepthPicture picture(bench, kind, kBufferSide);
-        // A scene has no statement that turns depth round.
-        Curve curve{.name = std::string(kind.name), .isForScenes = !kind.isReversed};
-        Curve theory{.name = fmt::format("theory: {}", kind.name), .theoryOf = figure.curves.size()};
-        for (const GapPlace& at : places) {
-            curve.points.push_back({at.setting, at.label, smallestGap(picture, at.far, at.z, bench.isQuick()),
-                                    std::nullopt, bufferBytes(kind, kBufferSide)});
-            theory.points.push_back({at.setting, at.label, depthStep(kind, kNear, at.far, at.z) / at.z});
-        }
-        noteTheory(figure, curve, theory);
-        figure.curves.push_back(std::move(curve));
-        theories.push_back(std::move(theory));
+        for (const GapPlace& at : places)  // a scene has no statement that turns depth round
+            figure
+                .add(kind.name, {at.setting, at.label, smallestGap(picture, at.far, at.z, bench.isQuick()),
+                                 std::nullopt, bufferBytes(kind, kBufferSide)})
+                .isForScenes = !kind.isReversed;
     }
-    std::ranges::move(theories, std::back_inserter(figure.curves));
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const std::string theory = fmt::format("theory: {}", kinds[i].name);
+        for (const GapPlace& at : places)
+            figure.add(theory, {at.setting, at.label, depthStep(kinds[i], kNear, at.far, at.z) / at.z})
+                .theoryOf = i;
+        noteTheory(figure, figure.curves[i], figure.curves.back());
+    }
     if (!bench.capabilities().atLeast(4, 5))
         figure.note(
             "this driver has no glClipControl (GL 4.5), so that reversed depth in 0..1 is not measured");
@@ -214,7 +307,7 @@ Figure depthCost(Bench& bench) {
         figure.add(kind.name,
                    {8. * static_cast<double>(gpu::bytesPerTexel(kind.format)), std::string(kind.name),
                     smallestGap(picture, kFar, kFar / 2, bench.isQuick()),
-                    bench.time([&] { picture.drawLayers(kLayers); }), bufferBytes(kind, kCostSide)});
+                    bench.timeDrawing([&] { picture.drawLayers(kLayers); }), bufferBytes(kind, kCostSide)});
         figure.curves.back().isForScenes = !kind.isReversed;
     }
     const Point &standard = figure.last(1), &last = figure.last(figure.curves.size() - 1);
@@ -225,93 +318,6 @@ Figure depthCost(Bench& bench) {
 }
 
 }  // namespace
-
-std::vector<DepthKind> usableKinds(const gpu::Capabilities& capabilities) {
-    std::vector<DepthKind> usable(kDepthKinds.begin(), kDepthKinds.end());
-    std::erase_if(usable,
-                  [&](const DepthKind& kind) { return kind.isZeroToOne && !capabilities.atLeast(4, 5); });
-    return usable;
-}
-
-double depthStep(const DepthKind& kind, double near, double far, double z) {
-    constexpr int kMantissa = 24;  // bits of the floats that coordinates are kept in
-    double step = 1 / (std::ldexp(1., kind.bits) - 1);
-    if (kind.isFloat()) {
-        const double usual = far * (z - near) / (z * (far - near));
-        step = spacing(kind.isReversed ? near * (far - z) / (z * (far - near)) : usual, kind.bits);
-        if (!kind.isZeroToOne) step = std::max(step, spacing(std::abs(2 * usual - 1), kind.bits) / 2);
-    }
-    const double perDistance = step * (far - near) / (far * near);
-    const double inBuffer = perDistance * z < 1 ? perDistance * z * z / (1 - perDistance * z) : far;
-    const double gap = inBuffer + spacing(z, kMantissa);
-    return z + gap <= far ? gap : kNaN;
-}
-
-DepthPicture::DepthPicture(Bench& bench, const DepthKind& kind, int side)
-    : kind_(kind),
-      canvas_(bench, side, side, gpu::TexelFormat::rgba8, 1, kind.format),
-      shader_(bench, kDepthVertex, kDepthFragment) {}
-
-void DepthPicture::draw(double near, double far, const std::vector<Layer>& layers) const {
-    canvas_.clear({}, kind_.isReversed ? 0 : 1);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(kind_.isReversed ? GL_GREATER : GL_LESS);
-    if (kind_.isZeroToOne) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    shader_.set("uProjection", glm::vec2(projection(kind_, near, far)));
-    for (const Layer& each : layers) {
-        shader_.set("uBrightness", each.brightness);
-        Vertices({{each.vertices}}).draw(shader_, each.primitive);
-    }
-    glFinish();
-    glDisable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    if (kind_.isZeroToOne) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-}
-
-std::vector<bool> DepthPicture::resolvePairs(double near, double far,
-                                             std::span<const DepthPair> pairs) const {
-    std::vector<float> back, front;
-    const auto side = static_cast<std::size_t>(canvas_.width());
-    const auto middle = [&](std::size_t pixel) {
-        return (static_cast<double>(pixel) + .5) * 2 / canvas_.width() - 1;
-    };
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const double x = middle(i % side), y = middle(i / side);
-        push(back, x, y, pairs[i].back);
-        push(front, x, y, pairs[i].front);
-    }
-    draw(near, far, {{GL_POINTS, std::move(back), .5}, {GL_POINTS, std::move(front), 1}});
-    const std::vector<float> pixels = canvas_.pixels(1);
-    std::vector<bool> isResolved;
-    for (std::size_t i = 0; i < pairs.size(); ++i)  // pictures start at the top
-        isResolved.push_back(pixels[(side - 1 - i / side) * side + i % side] == 1);
-    return isResolved;
-}
-
-double DepthPicture::fighting(double near, double far, double distance, double gap) const {
-    const auto plane = [&](double scale, double width, double height) {
-        std::vector<float> vertices;
-        // Two triangles as a strip. On a plane, 1 / distance is linear over the picture.
-        for (const double y : {-height, height})
-            for (const double x : {-width, width}) push(vertices, x, y, distance * scale / (1 - .2 * y));
-        return vertices;
-    };
-    draw(near, far,
-         {{GL_TRIANGLE_STRIP, plane(1 + gap, 1.7, 1.3), .5}, {GL_TRIANGLE_STRIP, plane(1, 1, 1), 1}});
-    const std::vector<float> pixels = canvas_.pixels(1);
-    const auto wrong = std::ranges::count_if(pixels, [](float each) { return each != 1; });
-    return static_cast<double>(wrong) / static_cast<double>(pixels.size());
-}
-
-void DepthPicture::drawLayers(int layers) const {
-    std::vector<Layer> all;
-    for (int layer = layers; layer > 0; --layer) {
-        Layer& each = all.emplace_back(Layer{GL_TRIANGLE_STRIP, {}, 1. / layer});
-        for (const double y : {-1., 1.})
-            for (const double x : {-1., 1.}) push(each.vertices, x, y, layer + .5);
-    }
-    draw(1, layers + 2, all);
-}
 
 std::vector<Figure> measureDepth(Bench& bench) {
     return {gapByRatio(bench), gapByDistance(bench), fightingByGap(bench), depthCost(bench)};

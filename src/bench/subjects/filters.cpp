@@ -1,48 +1,16 @@
 #include "bench/subjects/filters.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <ranges>
 
 #include "base/text.h"
+#include "bench/subjects/subjects.h"
+#include "embedded/bench_shaders.h"
+
 namespace glibra::bench {
 namespace {
-
-/// 0..255, computed from the place (finaliser of MurmurHash3 by Austin Appleby).
-std::uint32_t grain(int x, int y) {
-    std::uint32_t h =
-        static_cast<std::uint32_t>(x) * 0x9E3779B1U ^ static_cast<std::uint32_t>(y) * 0x85EBCA77U;
-    h = (h ^ (h >> 16)) * 0x85EBCA6BU;
-    h = (h ^ (h >> 13)) * 0xC2B2AE35U;
-    return (h ^ (h >> 16)) & 255U;
-}
-
-int level(int x, int y, int side) {
-    const int cell = side / 8;
-    const int half = side / 2;
-    if (x < half && y < half) return (x / cell + y / cell) % 2 == 0 ? 230 : 25;  // a board
-    if (x >= half && y < half) return 255 * (x - half) / half;                   // a ramp
-    if (x < half) return x % 5 == 0 || y % 7 == 0 ? 200 : 60;                    // thin lines
-    return static_cast<int>(grain(x, y));
-}
-
-template <class Value>
-Plane filled(int width, int height, const Value& value) {
-    Plane plane{width, height, {}};
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) plane.values.push_back(value(x, y));
-    return plane;
-}
-
-constexpr std::string_view kFilterHead = R"(in vec2 vPlace;
-uniform sampler2D uPicture;
-out vec4 fColor;
-vec4 at(ivec2 place) {
-    return texelFetch(uPicture, clamp(place, ivec2(0), textureSize(uPicture, 0) - 1), 0);
-}
-)";
 
 /// "const float kWeight[n] = float[](...);" of weights 0..radius.
 std::string weightTable(std::string_view name, const std::vector<double>& values) {
@@ -51,9 +19,9 @@ std::string weightTable(std::string_view name, const std::vector<double>& values
     return fmt::format("const float {}[{}] = float[]({});\n", name, values.size(), list);
 }
 
-std::string pass(std::string_view declarations, std::string_view statements) {
-    return fmt::format("{}{}void main() {{\n    ivec2 p = ivec2(gl_FragCoord.xy);\n{}}}\n", kFilterHead,
-                       declarations, statements);
+/// shaders/filter.frag after definitions and tables.
+std::string pass(std::string_view definitions) {
+    return fmt::format("{}{}", definitions, bench_shaders::filter_frag());
 }
 
 /// A way to filter: its passes for a setting, and the format of the texels between them.
@@ -80,15 +48,12 @@ std::vector<double> addFilters(Figure& figure, Bench& bench, std::span<const Fil
             const FilterChain chain(bench, each.picture, method.passes(each.setting), method.between);
             const Timing time = bench.timeDrawing([&] { chain.draw(); });
             const Plane drawn = chain.result();
-            double squares = 0;
             shift = 0;
-            const auto count = static_cast<double>(drawn.values.size());
-            for (std::size_t i = 0; i < drawn.values.size(); ++i) {
-                const double difference = drawn.values[i] - each.wanted.values[i];
-                squares += difference * difference;
-                shift += kByte * difference / count;
-            }
-            figure.add(method.name, {1. * each.setting, each.label, kByte * std::sqrt(squares / count), time,
+            for (std::size_t i = 0; i < drawn.values.size(); ++i)
+                shift += kByte * (drawn.values[i] - each.wanted.values[i]) /
+                         static_cast<double>(drawn.values.size());
+            figure.add(method.name, {1. * each.setting, each.label,
+                                     kByte * rootMeanSquare(drawn.values, each.wanted.values), time,
                                      chain.bytesBetween()});
         }
         shifts.push_back(shift);
@@ -203,71 +168,16 @@ std::vector<std::uint8_t> bytesOf(const Plane& plane) {
 
 }  // namespace
 
-double Plane::at(int x, int y) const {
-    const int column = std::clamp(x, 0, width - 1), row = std::clamp(y, 0, height - 1);
-    return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(column)];
-}
-
-Plane testPicture(int side) {
-    return filled(side, side, [&](int x, int y) { return level(x, y, side) / 255.0; });
-}
-
-std::vector<double> gaussianWeights(int radius) {
-    std::vector<double> weights;
-    double sum = 0;
-    for (int i = 0; i <= radius; ++i) {
-        const double t = 2.0 * i / radius;
-        weights.push_back(std::exp(-t * t / 2));
-        sum += (i == 0 ? 1 : 2) * weights.back();
-    }
-    for (double& weight : weights) weight /= sum;
-    return weights;
-}
-
-Plane blurred(const Plane& plane, const std::vector<double>& weights) {
-    const int radius = static_cast<int>(weights.size()) - 1;
-    return filled(plane.width, plane.height, [&](int x, int y) {
-        double sum = 0;
-        for (int dy = -radius; dy <= radius; ++dy)
-            for (int dx = -radius; dx <= radius; ++dx)
-                sum += weights[static_cast<std::size_t>(std::abs(dx))] *
-                       weights[static_cast<std::size_t>(std::abs(dy))] * plane.at(x + dx, y + dy);
-        return sum;
-    });
-}
-
-Plane sobel(const Plane& plane) {
-    return filled(plane.width, plane.height, [&](int x, int y) {
-        double across = 0, up = 0;
-        for (int i = -1; i <= 1; ++i) {
-            const int weight = i == 0 ? 2 : 1;
-            across += weight * (plane.at(x + 1, y + i) - plane.at(x - 1, y + i));
-            up += weight * (plane.at(x + i, y + 1) - plane.at(x + i, y - 1));
-        }
-        return std::hypot(across, up);
-    });
-}
-
 Passes directBlur(const std::vector<double>& weights) {
-    return {pass(weightTable("kWeight", weights), fmt::format(R"(    vec4 sum = vec4(0.);
-    for (int y = -{0}; y <= {0}; ++y)
-        for (int x = -{0}; x <= {0}; ++x)
-            sum += kWeight[abs(x)] * kWeight[abs(y)] * at(p + ivec2(x, y));
-    fColor = sum;
-)",
-                                                              weights.size() - 1))};
+    return {pass(fmt::format("#define BLUR\n#define RADIUS {}\n{}", weights.size() - 1,
+                             weightTable("kWeight", weights)))};
 }
 
 Passes separableBlur(const std::vector<double>& weights) {
     Passes passes;
-    for (const std::string_view place : {"i, 0", "0, i"})
-        passes.push_back(pass(weightTable("kWeight", weights), fmt::format(R"(    vec4 sum = vec4(0.);
-    for (int i = -{0}; i <= {0}; ++i)
-        sum += kWeight[abs(i)] * at(p + ivec2({1}));
-    fColor = sum;
-)",
-                                                                           weights.size() - 1, place)));
+    for (const std::string_view along : {"ivec2(1, 0)", "ivec2(0, 1)"})
+        passes.push_back(pass(fmt::format("#define BLUR_ALONG {}\n#define RADIUS {}\n{}", along,
+                                          weights.size() - 1, weightTable("kWeight", weights))));
     return passes;
 }
 
@@ -280,44 +190,21 @@ Passes pairedBlur(const std::vector<double>& weights) {
         places.push_back(static_cast<double>(i) + next / together.back());
     }
     Passes passes;
-    for (const std::string_view along : {"vec2(kPlace[i], 0.)", "vec2(0., kPlace[i])"})
-        passes.push_back(pass(weightTable("kPlace", places) + weightTable("kTogether", together),
-                              fmt::format(R"(    vec2 texel = 1. / vec2(textureSize(uPicture, 0));
-    vec4 sum = {:.9e} * at(p);
-    for (int i = 0; i < {}; ++i)
-        sum += kTogether[i] * (texture(uPicture, (gl_FragCoord.xy + {}) * texel) +
-                               texture(uPicture, (gl_FragCoord.xy - {}) * texel));
-    fColor = sum;
-)",
-                                          weights.front(), places.size(), along, along)));
+    for (const std::string_view along : {"ivec2(1, 0)", "ivec2(0, 1)"})
+        passes.push_back(
+            pass(fmt::format("#define BLUR_PAIRS_ALONG {}\n#define MIDDLE {:.9e}\n#define PAIRS {}\n{}{}",
+                             along, weights.front(), places.size(), weightTable("kPlace", places),
+                             weightTable("kTogether", together))));
     return passes;
 }
 
 Passes directSobel() {
-    return {pass("", R"(    float across = 0.;
-    float up = 0.;
-    for (int i = -1; i <= 1; ++i) {
-        float weight = i == 0 ? 2. : 1.;
-        across += weight * (at(p + ivec2(1, i)).r - at(p + ivec2(-1, i)).r);
-        up += weight * (at(p + ivec2(i, 1)).r - at(p + ivec2(i, -1)).r);
-    }
-    fColor = vec4(length(vec2(across, up)), 0., 0., 1.);
-)")};
+    return {pass("#define SOBEL\n")};
 }
 
 Passes separableSobel(double scale, double bias) {
-    return {pass("", fmt::format(R"(    float below = at(p - ivec2(0, 1)).r;
-    float above = at(p + ivec2(0, 1)).r;
-    vec2 column = vec2(below + 2. * at(p).r + above, above - below);
-    fColor = vec4(column * {:.9e} + {:.9e}, 0., 1.);
-)",
-                                 scale, bias)),
-            pass("", fmt::format(R"(    vec2 left = (at(p - ivec2(1, 0)).rg - {1:.9e}) / {0:.9e};
-    vec2 middle = (at(p).rg - {1:.9e}) / {0:.9e};
-    vec2 right = (at(p + ivec2(1, 0)).rg - {1:.9e}) / {0:.9e};
-    fColor = vec4(length(vec2(right.x - left.x, left.y + 2. * middle.y + right.y)), 0., 0., 1.);
-)",
-                                 scale, bias))};
+    const std::string range = fmt::format("#define SCALE {:.9e}\n#define BIAS {:.9e}\n", scale, bias);
+    return {pass("#define SOBEL_COLUMN\n" + range), pass("#define SOBEL_ROW\n" + range)};
 }
 
 FilterChain::FilterChain(Bench& bench, const Plane& picture, const Passes& passes, gpu::TexelFormat between)

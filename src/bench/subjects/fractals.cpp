@@ -2,8 +2,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "bench/core/device.h"
+#include "bench/core/computed.h"
 #include "bench/subjects/subjects.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
@@ -47,15 +48,11 @@ Pair<Deep> centre() {
     return c;
 }
 
-struct FractalView {
-    int side = 0;
-    double zoom = 1;
-    [[nodiscard]] double spacing() const { return kViewWidth / (zoom * side); }
-    /// The centre of a pixel, in pixels from the middle.
-    [[nodiscard]] double offset(int pixel) const { return pixel - .5 * (side - 1); }
-};
-
-using Counts = std::vector<int>;
+/// Between the centres of pixels, at a setting that is the zoom; inputs are these centres, in pixels from the
+/// middle.
+double spacingOf(const ComputedCase& each) {
+    return kViewWidth / (each.setting * std::sqrt(static_cast<double>(each.inputs.size())));
+}
 
 template <class Number>
 int escape(const Number& cx, const Number& cy) {
@@ -69,16 +66,15 @@ int escape(const Number& cx, const Number& cy) {
     return kMostIterations;
 }
 
+/// The number of iterations of each pixel.
 template <class Number>
-void countIterations(const FractalView& view, Counts& counts) {
+void countIterations(const ComputedCase& each, Numbers& counts) {
     const Pair<Deep> middle = centre();
     const auto cx = static_cast<Number>(middle.x), cy = static_cast<Number>(middle.y);
-    const auto spacing = static_cast<Number>(view.spacing());
-    counts.clear();
-    for (int j = 0; j < view.side; ++j)
-        for (int i = 0; i < view.side; ++i)
-            counts.push_back(escape<Number>(cx + spacing * static_cast<Number>(view.offset(i)),
-                                            cy + spacing * static_cast<Number>(view.offset(j))));
+    const auto spacing = static_cast<Number>(spacingOf(each));
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        counts[i].x = escape<Number>(cx + spacing * static_cast<Number>(each.inputs[i].x),
+                                     cy + spacing * static_cast<Number>(each.inputs[i].y));
 }
 
 /// The orbit of the centre, with 100 digits and rounded.
@@ -95,117 +91,58 @@ std::vector<glm::vec2> centreOrbit() {
 
 /// Iterates only the difference of a pixel's orbit from that of the centre (K. I. Martin, Superfractalthing
 /// Maths, 2013).
-void perturbed(const FractalView& view, Counts& counts) {
+void perturbed(const ComputedCase& each, Numbers& counts) {
     static const std::vector<glm::vec2> orbit = centreOrbit();
-    const auto spacing = static_cast<float>(view.spacing());
-    counts.clear();
-    for (int j = 0; j < view.side; ++j)
-        for (int i = 0; i < view.side; ++i) {
-            const glm::vec2 c(spacing * static_cast<float>(view.offset(i)),
-                              spacing * static_cast<float>(view.offset(j)));
-            glm::vec2 d(0);
-            int count = 0;
-            for (; count < kMostIterations; ++count) {
-                const glm::vec2 z = orbit[static_cast<std::size_t>(count)], all = z + d;
-                if (all.x * all.x + all.y * all.y > 4) break;
-                const glm::vec2 sum = z + all;
-                d = glm::vec2(sum.x * d.x - sum.y * d.y, sum.x * d.y + sum.y * d.x) + c;
-            }
-            counts.push_back(count);
+    const auto spacing = static_cast<float>(spacingOf(each));
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const glm::vec2 c = spacing * glm::vec2(each.inputs[i]);
+        glm::vec2 d(0);
+        int count = 0;
+        for (; count < kMostIterations; ++count) {
+            const glm::vec2 z = orbit[static_cast<std::size_t>(count)], all = z + d;
+            if (all.x * all.x + all.y * all.y > 4) break;
+            const glm::vec2 sum = z + all;
+            d = glm::vec2(sum.x * d.x - sum.y * d.y, sum.x * d.y + sum.y * d.x) + c;
         }
+        counts[i].x = count;
+    }
 }
 
-struct FractalMethod {
-    const char* name;
-    void (*draw)(const FractalView&, Counts&);
-    bool hasOrbit = false;
-};
-
-constexpr FractalMethod kFractalMethods[] = {
-    {"CPU, float", countIterations<float>},
-    {"CPU, double", countIterations<double>},
-    {"CPU, long double", countIterations<long double>},
-    {"CPU, float by perturbation", perturbed, true},
-};
-
-constexpr std::string_view kPlainShader = R"(uniform {0}vec2 uCentre;
-uniform {1} uSpacing;
-vec4 value() {{
-    {0}vec2 c = uCentre + uSpacing * {0}vec2(given(0).xy), z = {0}vec2(0);
-    int i = 0;
-    for (; i < {2}; ++i) {{
-        {1} xx = z.x * z.x, yy = z.y * z.y;
-        if (xx + yy > 4.) break;
-        z = {0}vec2(xx - yy, 2. * z.x * z.y) + c;
-    }}
-    return vec4(i);
-}}
-)";
-
-constexpr std::string_view kPerturbedShader = R"(uniform float uSpacing;
-uniform vec2 uOrbit[{0}];
-vec4 value() {{
-    vec2 c = uSpacing * given(0).xy, d = vec2(0);
-    int i = 0;
-    for (; i < {0}; ++i) {{
-        vec2 all = uOrbit[i] + d;
-        if (dot(all, all) > 4.) break;
-        vec2 sum = uOrbit[i] + all;
-        d = vec2(sum.x * d.x - sum.y * d.y, sum.x * d.y + sum.y * d.x) + c;
-    }}
-    return vec4(i);
-}}
-)";
-
-struct FractalShader {
-    const char* name;
-    std::string glsl;
-    bool isDouble = false;
-};
-
-std::vector<FractalShader> fractalShaders() {
-    return {{"shader, float", fmt::format(kPlainShader, "", "float", kMostIterations)},
-            {"shader, double", fmt::format(kPlainShader, "d", "double", kMostIterations), true},
-            {"shader, float by perturbation", fmt::format(kPerturbedShader, kMostIterations)}};
-}
-
-/// Uniforms that a method does not have are ignored.
-void setFractalView(const Shader& shader, const FractalView& view, bool isDouble) {
+glm::dvec2 roundedCentre() {
     const Pair<Deep> middle = centre();
-    const glm::dvec2 place(static_cast<double>(middle.x), static_cast<double>(middle.y));
-    if (isDouble)
-        shader.setDouble("uCentre", place).setDouble("uSpacing", view.spacing());
-    else
-        shader.set("uCentre", glm::vec2(place)).set("uSpacing", view.spacing());
-    if (shader.has("uOrbit")) shader.set("uOrbit", centreOrbit());
+    return {static_cast<double>(middle.x), static_cast<double>(middle.y)};
 }
 
-struct Case {
-    FractalView view;
-    Counts truth{};
-
-    [[nodiscard]] Point point(const Counts& counts, const Timing& time, double bytes) const {
-        double wrong = 0;
-        for (std::size_t i = 0; i < truth.size(); ++i) wrong += counts[i] != truth[i] ? 1 : 0;
-        return {view.zoom, fmt::format("zoom {:.0e}", view.zoom), wrong / static_cast<double>(truth.size()),
-                time, bytes};
-    }
-};
-
-void addFractalCurve(Figure& figure, Bench& bench, const FractalShader& method,
-                     const std::vector<Case>& cases) {
-    std::vector<Four> offsets;
-    const FractalView& any = cases.front().view;
-    for (int j = 0; j < any.side; ++j)
-        for (int i = 0; i < any.side; ++i)
-            offsets.push_back({static_cast<float>(any.offset(i)), static_cast<float>(any.offset(j)), 0, 0});
-    const ShaderValues values(bench, method.glsl, offsets);
-    for (const Case& each : cases) {
-        setFractalView(values.shader(), each.view, method.isDouble);
-        Counts counts;
-        for (const Four& value : values.values()) counts.push_back(static_cast<int>(value[0]));
-        figure.add(method.name, each.point(counts, bench.time([&] { values.compute(); }), values.bytes()));
-    }
+std::vector<Computation> fractalWays(int side) {
+    const double bytes = 1. * side * side * sizeof(int);
+    const auto mandelbrot = [](const char* macros) {
+        return fmt::format("{}#define MOST {}\n{}", macros, kMostIterations,
+                           bench_shaders::mandelbrot_glsl());
+    };
+    return {
+        {"CPU, float", countIterations<float>, bytes, false},
+        {"CPU, double", countIterations<double>, bytes, false},
+        {"CPU, long double", countIterations<long double>, bytes, false},
+        {"CPU, float by perturbation", perturbed, bytes + kMostIterations * sizeof(glm::vec2), false},
+        {.name = "shader, float",
+         .glsl = mandelbrot("#define NUMBER float\n#define VEC2 vec2\n"),
+         .uniforms =
+             [](const Shader& shader, const ComputedCase& each) {
+                 shader.set("uCentre", glm::vec2(roundedCentre())).set("uSpacing", spacingOf(each));
+             }},
+        {.name = "shader, double",
+         .glsl = mandelbrot("#define NUMBER double\n#define VEC2 dvec2\n"),
+         .uniforms =
+             [](const Shader& shader, const ComputedCase& each) {
+                 shader.setDouble("uCentre", roundedCentre()).setDouble("uSpacing", spacingOf(each));
+             }},
+        {.name = "shader, float by perturbation",
+         .glsl = mandelbrot("#define PERTURBED\n"),
+         .uniforms =
+             [](const Shader& shader, const ComputedCase& each) {
+                 shader.set("uOrbit", centreOrbit()).set("uSpacing", spacingOf(each));
+             }},
+    };
 }
 
 void noteLimit(Figure& figure, const Curve& curve) {
@@ -229,22 +166,23 @@ std::vector<Figure> measureFractals(Bench& bench) {
                   .reference = "the number of iterations with 113 bits of mantissa (Boost.Multiprecision)",
                   .alternatives = Alternatives::setting,
                   .countsWrong = true};
-    std::vector<Case> cases;
+    const int side = bench.pick(32, 64);
+    std::vector<ComputedCase> cases;
     for (int decade = 0; decade <= 15; decade += bench.pick(5, 1)) {
-        Case& each = cases.emplace_back(Case{{bench.pick(32, 64), std::pow(10., decade)}});
-        countIterations<Quad>(each.view, each.truth);
+        const double zoom = std::pow(10., decade);
+        ComputedCase& each = cases.emplace_back(ComputedCase{zoom, fmt::format("zoom {:.0e}", zoom), {}, {}});
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i)
+                each.inputs.emplace_back(i - .5 * (side - 1), j - .5 * (side - 1), 0, 0);
+        Numbers truth(each.inputs.size());
+        countIterations<Quad>(each, truth);
+        each.error = [truth = std::move(truth)](const Numbers& counts) {
+            double wrong = 0;
+            for (std::size_t i = 0; i < truth.size(); ++i) wrong += counts[i].x != truth[i].x ? 1 : 0;
+            return wrong / static_cast<double>(truth.size());
+        };
     }
-    Counts counts;
-    for (const FractalMethod& method : kFractalMethods)
-        for (const Case& each : cases) {
-            const Timing time = bench.time([&] { method.draw(each.view, counts); });
-            const std::size_t orbit = method.hasOrbit ? kMostIterations * sizeof(glm::vec2) : 0;
-            figure.add(method.name,
-                       each.point(counts, time, static_cast<double>(counts.size() * sizeof(int) + orbit)));
-            figure.curves.back().isForScenes = false;
-        }
-    for (const FractalShader& method : fractalShaders())
-        bench.attempt([&] { addFractalCurve(figure, bench, method, cases); });
+    addComputed(figure, bench, fractalWays(side), cases);
     for (const Curve& curve : figure.curves) noteLimit(figure, curve);
     return {std::move(figure)};
 }

@@ -26,14 +26,10 @@ void addLayers(Figure& figure, Bench& bench, const std::string& curve, gpu::Texe
             glDisable(GL_BLEND);
         };
         const Timing time = bench.timeDrawing(drawn);
-        const std::vector<float> pixels = canvas.pixels(1);
-        double squares = 0;
-        for (int i = 0; i < kLayerSide * kLayerSide; ++i) {
-            const double x = (i % kLayerSide + .5) / kLayerSide, y = 1 - (i / kLayerSide + .5) / kLayerSide;
-            squares += std::pow(pixels[static_cast<std::size_t>(i)] - wanted(x, y, layers), 2);
-        }
+        const auto exact =
+            overPixels(kLayerSide, kLayerSide, [&](double x, double y) { return wanted(x, y, layers); });
         figure.add(curve, {1. * layers, fmt::format("{} {}", layers, figure.settingName),
-                           kByte * std::sqrt(squares / (kLayerSide * kLayerSide)), time, canvas.bytes()});
+                           kByte * rootMeanSquare(canvas.pixels(1), exact), time, canvas.bytes()});
     }
 }
 

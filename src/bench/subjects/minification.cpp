@@ -1,11 +1,12 @@
-#include "bench/subjects/minification.h"
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+#include "bench/core/device.h"
 #include "bench/core/run.h"
-#include "bench/subjects/antialiasing.h"
+#include "bench/reference/pixel_filter.h"
+#include "bench/reference/test_card.h"
+#include "bench/subjects/subjects.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
@@ -21,25 +22,13 @@ struct CardView {
     glm::dvec2 start{.3, .7};  ///< texels
 };
 
-/// The texels at a place of the picture, 0..1 from the lower left. The shader below computes the same in
+/// The texels at a place of the picture, 0..1 from the lower left. shaders/card.frag computes the same in
 /// float.
 glm::dvec2 texelsAt(const CardView& view, const glm::dvec2& place) {
     if (!view.isPlane) return view.start + view.texels * place;
     const double depth = 1 / (1.1 - place.y);
     return view.start + view.texels * glm::dvec2((place.x - .5) * depth, depth);
 }
-
-/// uView: start, texels, is a plane.
-constexpr std::string_view kCardFragment = R"(in vec2 vPlace;
-uniform sampler2D uCard;
-uniform vec4 uView;
-out vec4 fColor;
-void main() {
-    float depth = 1. / (1.1 - vPlace.y);
-    vec2 place = uView.w > 0. ? vec2((vPlace.x - .5) * depth, depth) : vPlace;
-    fColor = texture(uCard, (uView.xy + uView.z * place) / 512.);
-}
-)";
 
 /// A way of reading a texture, and the largest number of texels that one pixel reads.
 struct Filter {
@@ -70,8 +59,6 @@ std::vector<Filter> filters(double mostAnisotropy) {
     return all;
 }
 
-using Bytes = std::vector<std::uint8_t>;
-
 /// Calls visit(level, texels) for the card and all smaller levels.
 template <class Visit>
 void forEachLevel(const Visit& visit) {
@@ -86,7 +73,7 @@ class CardPicture {
   public:
     CardPicture(Bench& bench, int side)
         : bench_(bench),
-          shader_(bench, kCardFragment),
+          shader_(bench, bench_shaders::card_frag()),
           card_(need(gpu::Texture::create(
               bench.capabilities(),
               {.size = {kCardSide, kCardSide, 1},
@@ -121,7 +108,8 @@ class CardPicture {
     }
     Point measure(const CardView& view, const Filter& filter, const std::vector<double>& wanted) {
         const Drawn drawn = draw(view, filter);
-        return {filter.reads, filter.label, errorInBytes(drawn.pixels, wanted), drawn.time, drawn.bytes};
+        return {filter.reads, filter.label, kByte * rootMeanSquare(drawn.pixels, wanted), drawn.time,
+                drawn.bytes};
     }
 
     /// Replaces the smaller levels by the driver's (glGenerateMipmap) and returns the largest difference of a
@@ -147,19 +135,16 @@ class CardPicture {
 /// The reference for a view: means of factor x factor samples per pixel.
 std::vector<double> cardReference(const CardView& view, int side, int factor = kCardFactor) {
     const Bytes card = testCard();
-    std::vector<double> pixels;
-    for (int row = side - 1; row >= 0; --row)
-        for (int column = 0; column < side; ++column) {
-            double sum = 0;
-            for (int y = 0; y < factor; ++y)
-                for (int x = 0; x < factor; ++x) {
-                    const glm::dvec2 sample((x + .5) / factor, (y + .5) / factor);
-                    const glm::dvec2 place = (glm::dvec2(column, row) + sample) / static_cast<double>(side);
-                    sum += bilinear(card, kCardSide, texelsAt(view, place));
-                }
-            pixels.push_back(sum / (factor * factor));
-        }
-    return pixels;
+    return overPixels(side, side, [&](double x, double y) {
+        double sum = 0;
+        for (int j = 0; j < factor; ++j)
+            for (int i = 0; i < factor; ++i) {
+                const glm::dvec2 sample((i + .5) / factor - .5, (j + .5) / factor - .5);
+                const glm::dvec2 place = glm::dvec2(x, y) + sample / static_cast<double>(side);
+                sum += bilinear(card, kCardSide, texelsAt(view, place));
+            }
+        return sum / (factor * factor);
+    });
 }
 
 int sideOf(const Bench& bench) {
@@ -221,7 +206,7 @@ Figure planeFigure(Bench& bench) {
                     numberText(most.error));
     }
     figure.note("16 x 16 and 24 x 24 samples of the reference differ by {}/255",
-                numberText(errorInBytes(cardReference(view, picture.side(), 24), wanted)));
+                numberText(kByte * rootMeanSquare(cardReference(view, picture.side(), 24), wanted)));
     figure.note("glGenerateMipmap's texels are within {}/255 of the means of four that are used here",
                 numberText(picture.differenceOfDriversLevels()));
     return figure;
@@ -271,12 +256,9 @@ std::vector<Figure> magnified(Bench& bench) {
             .isPlane = false, .texels = static_cast<double>(kSide) / pixels, .start = {5.3, 9.7}};
         const CardPicture::Drawn drawn = picture.draw(view, {"linear", "linear"});
         const std::vector<double> wanted = cardReference(view, kSide, 1);
-        double largest = 0;
-        for (std::size_t i = 0; i < wanted.size(); ++i)
-            largest = std::max(largest, std::abs(drawn.pixels[i] - wanted[i]));
         figure.add("the driver as glibra sets it up",
-                   {1. * pixels, fmt::format("{} pixels per texel", pixels), kByte * largest, drawn.time,
-                    drawn.bytes});
+                   {1. * pixels, fmt::format("{} pixels per texel", pixels),
+                    kByte * largestDifference(drawn.pixels, wanted), drawn.time, drawn.bytes});
     }
     return {figure};
 }
@@ -297,47 +279,6 @@ Figure arithmeticFigure(Bench& bench) {
 }
 
 }  // namespace
-
-Bytes testCard() {
-    constexpr int kSquare = 8, kStripe = 3;
-    Bytes texels;
-    for (int t = 0; t < kCardSide; ++t)
-        for (int s = 0; s < kCardSide; ++s) {
-            const bool isStriped = (s / kSquare + t / kSquare) % 2 == 0;
-            const bool isLight = isStriped ? (s + t) / kStripe % 2 == 0 : s / (2 * kSquare) % 2 == 0;
-            texels.push_back(
-                static_cast<std::uint8_t>(isLight ? 160 + 95 * std::abs(2 * s - kCardSide) / kCardSide : 20));
-        }
-    return texels;
-}
-
-Bytes halved(const Bytes& texels, int side) {
-    const auto columns = static_cast<std::size_t>(side);
-    Bytes smaller;
-    for (std::size_t t = 0; t < columns; t += 2)
-        for (std::size_t s = 0; s < columns; s += 2) {
-            const std::size_t first = t * columns + s;
-            const int sum =
-                texels[first] + texels[first + 1] + texels[first + columns] + texels[first + columns + 1];
-            smaller.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
-        }
-    return smaller;
-}
-
-double bilinear(const Bytes& texels, int side, const glm::dvec2& place) {
-    const double s = place.x - .5, t = place.y - .5;
-    const double left = std::floor(s), low = std::floor(t);
-    const auto at = [&](double column, double row) {
-        const auto wrapped = [side](double index) {
-            return static_cast<std::size_t>(index - std::floor(index / side) * side);
-        };
-        return static_cast<double>(texels[wrapped(row) * static_cast<std::size_t>(side) + wrapped(column)]);
-    };
-    const double x = s - left, y = t - low;
-    return std::lerp(std::lerp(at(left, low), at(left + 1, low), x),
-                     std::lerp(at(left, low + 1), at(left + 1, low + 1), x), y) /
-           255;
-}
 
 std::vector<Figure> measureMinification(Bench& bench) {
     return {planeFigure(bench), frontFigure(bench), arithmeticFigure(bench)};

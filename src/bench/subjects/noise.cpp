@@ -1,16 +1,15 @@
-#include "bench/subjects/noise.h"
-
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <glm/gtc/packing.hpp>
 #include <map>
 #include <numeric>
 #include <tuple>
 
+#include "bench/core/device.h"
 #include "bench/core/run.h"
+#include "bench/reference/noise_volume.h"
+#include "bench/subjects/subjects.h"
+#include "embedded/bench_shaders.h"
 #include "noise/tables.h"
 
 namespace glibra::bench {
@@ -22,30 +21,6 @@ constexpr const NoiseFormat& kCutOff = kNoiseFormats[0];
 constexpr const NoiseFormat& kRounded = kNoiseFormats[1];
 constexpr const NoiseFormat& kFloat = kNoiseFormats[4];
 
-constexpr std::string_view kNoiseHead = R"(in vec2 vPlace;
-uniform vec3 uCorner, uAcross, uUp;
-uniform sampler3D uNoise;
-out vec4 fColor;
-)";
-// Texel i stands for the place i / n; in the driver's coordinates it is at (i + 1/2) / n.
-constexpr std::string_view kDriverFilter = R"(vec4 noise(vec3 place) {
-    return texture(uNoise, place + .5 / vec3(textureSize(uNoise, 0)));
-}
-)";
-constexpr std::string_view kShaderFilter =
-    R"(vec4 texel(ivec3 at) { return texelFetch(uNoise, at & (textureSize(uNoise, 0) - 1), 0); }
-vec4 row(ivec3 at, float x) { return mix(texel(at), texel(at + ivec3(1, 0, 0)), x); }
-vec4 plane(ivec3 at, vec2 share) {
-    return mix(row(at, share.x), row(at + ivec3(0, 1, 0), share.x), share.y);
-}
-vec4 noise(vec3 place) {
-    vec3 texels = place * vec3(textureSize(uNoise, 0)), cell = floor(texels), share = texels - cell;
-    ivec3 at = ivec3(cell);
-    return mix(plane(at, share.xy), plane(at + ivec3(0, 0, 1), share.xy), share.z);
-}
-)";
-constexpr std::string_view kNoiseMain =
-    "void main() { fColor = noise(uCorner + vPlace.x * uAcross + vPlace.y * uUp); }\n";
 // One octave; {0} is the number of cells, {1} and {2} are the permutations, {3} the gradients.
 constexpr std::string_view kOctave = R"(const int kOuter{0}[{0}] = int[{0}]({1});
 const int kInner{0}[{0}] = int[{0}]({2});
@@ -102,12 +77,26 @@ class ExactTexels {
     std::map<int, std::vector<float>> bySide_;
 };
 
-std::string texelsLabel(int side) {
-    return fmt::format("{0} x {0} x {0}", side);
+Texels uploaded(Bench& bench, const NoiseVolume& volume) {
+    const auto made = [&](const auto& values) {
+        const int n = volume.side();
+        Texels texels(bench, volume.format().texels, {n, n, n}, values, noise::kOctaves);
+        return texels.sampledBy({.border = {}});
+    };
+    const double steps = volume.format().steps;
+    const auto integers = [&](auto values) {
+        for (const float each : volume.values())
+            values.push_back(static_cast<decltype(values)::value_type>(std::lround(each * steps)));
+        return made(values);
+    };
+    return steps == 0     ? made(volume.values())
+           : steps == 255 ? integers(std::vector<std::uint8_t>())
+                          : integers(std::vector<std::uint16_t>());
 }
 
 Point pointOf(const NoiseVolume& volume, double error, std::optional<Timing> time) {
-    return {1. * volume.side(), texelsLabel(volume.side()), error, time, volume.bytes()};
+    return {1. * volume.side(), fmt::format("{0} x {0} x {0}", volume.side()), error, time,
+            std::pow(volume.side(), 3) * static_cast<double>(gpu::bytesPerTexel(volume.format().texels))};
 }
 
 /// Interpolates on the CPU, for the sum and for each octave.
@@ -180,31 +169,70 @@ std::vector<Figure> onCpu(const Bench& bench, ExactTexels& exact) {
     return {std::move(sum), std::move(octaves)};
 }
 
+/// A picture of the plane `corner` + x `across` + y `up` through the noise, with x and y from 0 to 1. Places
+/// are in periods.
+struct NoisePlane {
+    glm::dvec3 corner{0}, across{1, 0, 0}, up{0, 1, 0};
+    [[nodiscard]] glm::dvec3 at(double x, double y) const { return corner + x * across + y * up; }
+};
+
+/// Square pictures of planes. `source` precedes shaders/noise_plane.frag.
+class NoisePicture {
+  public:
+    NoisePicture(Bench& bench, int side, const std::string& source = {})
+        : canvas_(bench, side, side, gpu::TexelFormat::rgba32f),
+          shader_(bench, source + std::string(bench_shaders::noise_plane_frag())) {}
+
+    /// Without a texture for noise from a function.
+    void draw(const NoisePlane& plane, const Texels* texture) const {
+        if (texture) texture->bind(0);
+        canvas_.bind();
+        shader_.set("uNoise", 0)
+            .set("uCorner", glm::vec3(plane.corner))
+            .set("uAcross", glm::vec3(plane.across))
+            .set("uUp", glm::vec3(plane.up))
+            .draw();
+    }
+    /// Draws. The octaves of every pixel.
+    [[nodiscard]] std::vector<Octaves> drawn(const NoisePlane& plane, const Texels* texture) const {
+        draw(plane, texture);
+        std::vector<Octaves> octaves;
+        const std::vector<float> values = canvas_.pixels();
+        for (std::size_t i = 0; i < values.size(); i += noise::kOctaves)
+            std::copy_n(&values[i], noise::kOctaves, octaves.emplace_back().begin());
+        return octaves;
+    }
+    /// The same from the function itself.
+    [[nodiscard]] std::vector<Octaves> wanted(const NoisePlane& plane) const {
+        return overPixels(canvas_.width(), canvas_.width(),
+                          [&](double x, double y) { return exactNoise(plane.at(x, y)); });
+    }
+
+  private:
+    Canvas canvas_;
+    Shader shader_;
+};
+
 /// Times a slanted plane through one period, and measures the sum of the octaves over it.
 Point drawn(const Bench& bench, const NoisePicture& picture, const NoiseVolume* volume,
             const Texels* texture) {
     const NoisePlane plane{.corner = {.013, .027, .37}, .across = {.95, .02, .11}, .up = {.03, .93, .29}};
-    const Timing time = bench.time([&] { picture.draw(plane, texture); });
-    const std::vector<float> pixels = picture.pixels();
-    const float* found = pixels.data();
-    double sum = 0;
-    const int side = picture.side();
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column, found += noise::kOctaves) {
-            const double all = std::accumulate(found, found + noise::kOctaves, 0.);
-            sum += std::pow(all - sumOf(exactNoise(picture.place(plane, column, row))), 2);
-        }
-    const double error = kByte * std::sqrt(sum / (side * side));
+    static const std::vector<Octaves> wanted = picture.wanted(plane);  // all pictures have one size
+    const Timing time = bench.timeDrawing([&] { picture.draw(plane, texture); });
+    std::vector<double> sums, wantedSums;
+    std::ranges::transform(picture.drawn(plane, texture), std::back_inserter(sums), sumOf);
+    std::ranges::transform(wanted, std::back_inserter(wantedSums), sumOf);
+    const double error = kByte * rootMeanSquare(sums, wantedSums);
     return volume ? pointOf(*volume, error, time) : Point{1, "no texture", error, time};
 }
 
 /// The driver's filter on the bytes of scenes, for each size.
 std::vector<Figure> scenesBytes(Bench& bench) {
-    const NoisePicture picture(bench, NoiseShader::driverFilter, kNoiseSide);
+    const NoisePicture picture(bench, kNoiseSide);
     Figure figure;
     for (const int side : sidesOf(bench)) {
         const NoiseVolume volume(side, kCutOff, {});
-        const Texels texture = volume.upload(bench);
+        const Texels texture = uploaded(bench, volume);
         figure.add("filtered in bytes", drawn(bench, picture, &volume, &texture));
     }
     return {figure};
@@ -218,13 +246,12 @@ Figure onDevice(Bench& bench, ExactTexels& exact) {
         .errorName = "root mean square error",
         .errorUnit = "1/255",
         .reference = kNoiseReference};
-    const NoisePicture byDriver(bench, NoiseShader::driverFilter, kNoiseSide),
-        byShader(bench, NoiseShader::shaderFilter, kNoiseSide),
-        byFunction(bench, NoiseShader::function, kNoiseSide);
+    const NoisePicture byDriver(bench, kNoiseSide), byShader(bench, kNoiseSide, "#define SHADER_FILTER\n"),
+        byFunction(bench, kNoiseSide, "#define FUNCTION\n" + functionText());
     for (const int side : sidesOf(bench))
         for (const NoiseFormat& format : kNoiseFormats) {
             const NoiseVolume volume(side, format, exact.of(side));
-            const Texels texture = volume.upload(bench);
+            const Texels texture = uploaded(bench, volume);
             figure.add(fmt::format("driver's filter, {}", format.name),
                        drawn(bench, byDriver, &volume, &texture));
             if (&format == &kFloat)
@@ -257,14 +284,10 @@ double strip(const NoisePicture& picture, const Texels& texture, double middle) 
     const double half = .5 / texture.texture().size().width;
     const NoisePlane plane{
         .corner = {middle - half, .1, .2}, .across = {2 * half, 0, 0}, .up = {0, .77, .61}};
-    picture.draw(plane, &texture);
-    const std::vector<float> pixels = picture.pixels();
-    const float* found = pixels.data();
+    const std::vector<Octaves> found = picture.drawn(plane, &texture), wanted = picture.wanted(plane);
     double largest = 0;
-    for (int row = 0; row < picture.side(); ++row)
-        for (int column = 0; column < picture.side(); ++column)
-            for (const double wanted : exactNoise(picture.place(plane, column, row)))
-                largest = std::max(largest, std::abs(*found++ - wanted));
+    for (std::size_t i = 0; i < found.size(); ++i)
+        largest = std::max(largest, largestDifference(found[i], wanted[i]));
     return kByte * largest;
 }
 
@@ -275,11 +298,11 @@ Figure seamFigure(Bench& bench, ExactTexels& exact) {
                   .errorName = "largest error of an octave",
                   .errorUnit = "1/255",
                   .reference = kNoiseReference};
-    const NoisePicture picture(bench, NoiseShader::driverFilter, kNoiseSide / 4);
+    const NoisePicture picture(bench, kNoiseSide / 4);
     using enum gpu::Wrap;
     for (const int side : sidesOf(bench)) {
         const NoiseVolume volume(side, kFloat, exact.of(side));
-        Texels texture = volume.upload(bench);
+        Texels texture = uploaded(bench, volume);
         // The last texel of a row is n - 1; the border is between it and the first texel of the next period.
         const double border = 1 - .5 / side;
         const std::tuple<const char*, gpu::Wrap, double> ways[] = {
@@ -299,115 +322,6 @@ Figure seamFigure(Bench& bench, ExactTexels& exact) {
 }
 
 }  // namespace
-
-Octaves exactNoise(const glm::dvec3& place) {
-    Octaves values{};
-    for (int octave = 0; octave < noise::kOctaves; ++octave) {
-        const glm::dvec3 lattice = place * static_cast<double>(noise::cellsOf(octave));
-        values[static_cast<std::size_t>(octave)] = noise::noise3(lattice.x, lattice.y, lattice.z, octave);
-    }
-    return values;
-}
-
-std::vector<float> exactTexels(int n) {
-    std::vector<float> texels;
-    for (int z = 0; z < n; ++z)
-        for (int y = 0; y < n; ++y)
-            for (int x = 0; x < n; ++x)
-                for (const double each : exactNoise(glm::dvec3(x, y, z) / static_cast<double>(n)))
-                    texels.push_back(static_cast<float>(each));
-    return texels;
-}
-
-NoiseVolume::NoiseVolume(int n, const NoiseFormat& format, const std::vector<float>& exact)
-    : n_(n), format_(format) {
-    if (format.isCutOff)
-        for (const std::uint8_t byte : noise::noise3Texels(n))
-            values_.push_back(static_cast<float>(byte / format.steps));
-    else
-        for (const float value : exact)
-            values_.push_back(
-                format.steps > 0 ? static_cast<float>(std::round(value * format.steps) / format.steps)
-                : format.texels == gpu::TexelFormat::rgba16f ? glm::unpackHalf1x16(glm::packHalf1x16(value))
-                                                             : value);
-}
-
-Octaves NoiseVolume::at(const glm::dvec3& place) const {
-    std::array<std::array<std::size_t, 2>, 3> index{};
-    glm::dvec3 share;
-    const auto side = static_cast<std::size_t>(n_);
-    for (int axis = 0; axis < 3; ++axis) {
-        const double texel = (place[axis] - std::floor(place[axis])) * n_;
-        const auto near = static_cast<std::size_t>(texel);
-        share[axis] = texel - static_cast<double>(near);
-        index[static_cast<std::size_t>(axis)] = {near % side, (near + 1) % side};
-    }
-    Octaves sum{};
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-        const std::size_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        const double weight =
-            (i ? share.x : 1 - share.x) * (j ? share.y : 1 - share.y) * (k ? share.z : 1 - share.z);
-        const float* texel =
-            values_.data() + ((index[2][k] * side + index[1][j]) * side + index[0][i]) * noise::kOctaves;
-        for (std::size_t octave = 0; octave < sum.size(); ++octave) sum[octave] += weight * texel[octave];
-    }
-    return sum;
-}
-
-Texels NoiseVolume::upload(Bench& bench) const {
-    const auto made = [&](const auto& values) {
-        Texels texels(bench, format_.texels, {n_, n_, n_}, values, noise::kOctaves);
-        return texels.sampledBy({.border = {}});
-    };
-    const auto integers = [&](auto values) {
-        for (const float each : values_)
-            values.push_back(static_cast<decltype(values)::value_type>(std::lround(each * format_.steps)));
-        return made(values);
-    };
-    return format_.steps == 0     ? made(values_)
-           : format_.steps == 255 ? integers(std::vector<std::uint8_t>())
-                                  : integers(std::vector<std::uint16_t>());
-}
-
-double NoiseVolume::bytes() const {
-    return std::pow(n_, 3) * static_cast<double>(gpu::bytesPerTexel(format_.texels));
-}
-
-glm::dvec3 spread(int i) {
-    constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
-    glm::dvec3 place(.5);
-    double step = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        step /= kRoot;
-        place[axis] += step * i;
-        place[axis] -= std::floor(place[axis]);
-    }
-    return place;
-}
-
-NoisePicture::NoisePicture(Bench& bench, NoiseShader shader, int side)
-    : canvas_(bench, side, side, gpu::TexelFormat::rgba32f),
-      shader_(bench, fmt::format("{}{}{}", kNoiseHead,
-                                 shader == NoiseShader::driverFilter   ? std::string(kDriverFilter)
-                                 : shader == NoiseShader::shaderFilter ? std::string(kShaderFilter)
-                                                                       : functionText(),
-                                 kNoiseMain)) {}
-
-void NoisePicture::draw(const NoisePlane& plane, const Texels* texture) const {
-    if (texture) texture->bind(0);
-    canvas_.bind();
-    shader_.set("uNoise", 0)
-        .set("uCorner", glm::vec3(plane.corner))
-        .set("uAcross", glm::vec3(plane.across))
-        .set("uUp", glm::vec3(plane.up))
-        .draw();
-    glFinish();
-}
-
-glm::dvec3 NoisePicture::place(const NoisePlane& plane, int column, int row) const {
-    const double x = (column + .5) / side(), y = (side() - row - .5) / side();
-    return plane.corner + x * plane.across + y * plane.up;
-}
 
 std::vector<Figure> measureNoise(Bench& bench) {
     (void)bench.context();

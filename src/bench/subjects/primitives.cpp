@@ -7,12 +7,13 @@
 #include <span>
 
 #include "bench/core/device.h"
-#include "bench/subjects/mesh_error.h"
+#include "bench/reference/bezier_patch.h"
+#include "bench/reference/mesh_error.h"
 #include "bench/subjects/subjects.h"
-#include "bench/subjects/teapot.h"
 #include "geometry/shapes/cylinders.h"
 #include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/spheres.h"
+#include "geometry/shapes/teapot.h"
 
 namespace glibra::bench {
 namespace {
@@ -47,29 +48,44 @@ Foot footOnCone(const glm::dvec3& p, const glm::dvec3& face) {
             glm::dvec3(kSolidHeight * cosine, 1, kSolidHeight * sine) / slant, around > kApex};
 }
 
-/// A solid in closed form.
+/// A solid in closed form, and its meshes.
 struct Solid {
     const char* name;
-    /// The mesh with n slices around (n >= 6). Stacks and sides are n / 2; cylinder and cone have 1.
+    /// For solids with slices: the mesh with n >= 6 of them around. Stacks and sides are n / 2; cylinder and
+    /// cone have 1. For the others: with n cells along an edge.
     geometry::Mesh (*mesh)(int n);
-    FootOn foot;
+    FootOn foot;  ///< null: distance and normals are not measured
     double volume;
     /// The largest dot(p, direction) over the solid (support function), for a unit direction.
-    double (*extent)(const glm::dvec3& direction);
+    std::function<double(const glm::dvec3& direction)> extent;
+    double unit = kSolidRadius;  ///< size of the mesh, in the units of extent and volume
 };
-constexpr Solid kSolids[] = {
-    {"sphere", [](int n) { return geometry::sphere(kSolidRadius, n, n / 2); }, footOnSphere, 4 * kPi / 3,
-     [](const glm::dvec3&) { return 1.; }},
-    {"torus", [](int n) { return geometry::torus(kSolidRadius, kTube * kSolidRadius, n / 2, n); },
-     footOnTorus, 2 * kPi* kPi* kTube* kTube,
-     [](const glm::dvec3& d) { return std::hypot(d.x, d.y) + kTube; }},
-    {"cylinder", [](int n) { return geometry::cylinder(kSolidRadius, kSolidHeight * kSolidRadius, n, 1); },
-     footOnCylinder, kPi* kSolidHeight,
-     [](const glm::dvec3& d) { return std::hypot(d.x, d.z) + std::max(0., kSolidHeight * d.y); }},
-    {"cone", [](int n) { return geometry::cone(kSolidRadius, kSolidHeight * kSolidRadius, n, 1); },
-     footOnCone, kPi* kSolidHeight / 3,
-     [](const glm::dvec3& d) { return std::max(std::hypot(d.x, d.z), kSolidHeight * d.y); }},
-};
+
+std::vector<Solid> slicedSolids() {
+    return {
+        {"sphere", [](int n) { return geometry::sphere(kSolidRadius, n, n / 2); }, footOnSphere, 4 * kPi / 3,
+         [](const glm::dvec3&) { return 1.; }},
+        {"torus", [](int n) { return geometry::torus(kSolidRadius, kTube * kSolidRadius, n / 2, n); },
+         footOnTorus, 2 * kPi * kPi * kTube * kTube,
+         [](const glm::dvec3& d) { return std::hypot(d.x, d.y) + kTube; }},
+        {"cylinder",
+         [](int n) { return geometry::cylinder(kSolidRadius, kSolidHeight * kSolidRadius, n, 1); },
+         footOnCylinder, kPi * kSolidHeight,
+         [](const glm::dvec3& d) { return std::hypot(d.x, d.z) + std::max(0., kSolidHeight * d.y); }},
+        {"cone", [](int n) { return geometry::cone(kSolidRadius, kSolidHeight * kSolidRadius, n, 1); },
+         footOnCone, kPi * kSolidHeight / 3,
+         [](const glm::dvec3& d) { return std::max(std::hypot(d.x, d.z), kSolidHeight * d.y); }},
+    };
+}
+
+/// Solids whose faces or patches are cut into cells.
+std::vector<Solid> cutSolids() {
+    const TeapotPatches patches = placedTeapotPatches();
+    return {{"soccer ball", [](int cells) { return geometry::soccerball(kSolidRadius, cells); }, footOnSphere,
+             4 * kPi / 3, [](const glm::dvec3&) { return 1.; }},
+            {"teapot", [](int cells) { return geometry::teapot(cells); }, nullptr, patchVolume(patches),
+             PatchExtent(patches), 1}};
+}
 
 constexpr int kPictureSide = 1024;
 /// Pixels; not an integer, so that no pixel centre lies on the edge.
@@ -88,46 +104,59 @@ std::string slicesLabel(int slices) {
 
 /// All measures of one mesh.
 struct MeasuredMesh {
-    int slices = 0;
-    double triangles = 0, bytes = 0, outline = 0, volume = 0;
-    MeshError error;
+    int count = 0;  ///< slices or cells
+    double triangles = 0, bytes = 0;
+    double outline = 0, volume = 0, distance = 0, normal = 0, faceNormal = 0;  ///< errors
     Timing time;
 };
-using Sweep = std::vector<MeasuredMesh>;
 
-Sweep measuredSweep(const Bench& bench, const Solid& solid) {
-    Sweep sweep;
-    for (const int slices : sliceCounts(bench)) {
-        const geometry::Mesh mesh = solid.mesh(slices);
-        sweep.push_back({slices, static_cast<double>(mesh.indices.size()) / 3, meshBytes(mesh),
-                         outlineError(mesh, solid.extent) * kOutlineRadius,
-                         std::abs(signedVolume(mesh) / solid.volume - 1), meshError(mesh, solid.foot),
-                         bench.time([&] { solid.mesh(slices); })});
+struct Sweep {
+    std::string name;
+    std::vector<MeasuredMesh> meshes{};
+};
+
+Sweep measuredSweep(const Bench& bench, const Solid& solid, const std::vector<int>& counts) {
+    Sweep sweep{solid.name};
+    // The measures assume a mesh of size kSolidRadius.
+    const double scale = kSolidRadius / solid.unit;
+    const auto extent = [&](const glm::dvec3& direction) { return solid.extent(direction) / scale; };
+    for (const int count : counts) {
+        const geometry::Mesh mesh = solid.mesh(count);
+        const MeshError error = solid.foot ? meshError(mesh, solid.foot) : MeshError{};
+        sweep.meshes.push_back(
+            {.count = count,
+             .triangles = static_cast<double>(mesh.indices.size()) / 3,
+             .bytes = meshBytes(mesh),
+             .outline = kOutlineRadius * outlineError(mesh, extent) * scale,
+             .volume = std::abs(std::abs(signedVolume(mesh)) * std::pow(scale, 3) / solid.volume - 1),
+             .distance = error.distance,
+             .normal = error.normal,
+             .faceNormal = error.faceNormal,
+             .time = bench.time([&] { solid.mesh(count); })});
     }
     return sweep;
 }
 
-void addSweep(Figure& figure, const char* curve, const Sweep& sweep, double (*error)(const MeasuredMesh&)) {
-    for (const MeasuredMesh& each : sweep)
-        figure.add(curve, {1. * each.slices, slicesLabel(each.slices), error(each), each.time, each.bytes});
+using ErrorOf = double MeasuredMesh::*;
+
+void addSweep(Figure& figure, const std::string& curve, const Sweep& sweep, ErrorOf error) {
+    for (const MeasuredMesh& each : sweep.meshes)
+        figure.add(curve, {1. * each.count, fmt::format("{} {}", each.count, figure.settingName), each.*error,
+                           each.time, each.bytes});
 }
 
-/// One measure of all solids by their slices.
-Figure bySlices(std::span<const Sweep> sweeps, double (*error)(const MeasuredMesh&), Figure figure) {
-    figure.settingName = "slices";
+/// One measure of several solids.
+Figure byCounts(std::span<const Sweep> sweeps, ErrorOf error, Figure figure) {
     figure.alternatives = Alternatives::curve;
-    for (std::size_t i = 0; i < sweeps.size(); ++i) addSweep(figure, kSolids[i].name, sweeps[i], error);
+    for (const Sweep& each : sweeps) addSweep(figure, each.name, each, error);
     return figure;
 }
 
-double distanceOf(const MeasuredMesh& mesh) {
-    return mesh.error.distance;
-}
-
 Figure positionFigure(std::span<const Sweep> sweeps) {
-    Figure figure = bySlices(sweeps, distanceOf,
+    Figure figure = byCounts(sweeps, &MeasuredMesh::distance,
                              {.name = "position",
                               .title = "Distance of the mesh from the surface",
+                              .settingName = "slices",
                               .errorName = "largest distance",
                               .errorUnit = "radii",
                               .reference = kClosedForm});
@@ -136,14 +165,14 @@ Figure positionFigure(std::span<const Sweep> sweeps) {
 }
 
 Figure normalFigure(std::span<const Sweep> sweeps) {
-    Figure figure = bySlices(sweeps, [](const MeasuredMesh& each) { return each.error.normal; },
+    Figure figure = byCounts(sweeps, &MeasuredMesh::normal,
                              {.name = "normal",
                               .title = "Interpolated normals, and the normals of flat triangles",
+                              .settingName = "slices",
                               .errorName = "largest angle",
                               .errorUnit = "degrees",
                               .reference = kClosedForm});
-    addSweep(figure, "sphere, flat triangles", sweeps.front(),
-             [](const MeasuredMesh& each) { return each.error.faceNormal; });
+    addSweep(figure, "sphere, flat triangles", sweeps.front(), &MeasuredMesh::faceNormal);
     for (const Curve& each : figure.curves) figure.findings.push_back(angleSentence(each, "slices", 8));
     figure.note(
         "sphere, {}: interpolated normals are within {} degrees of the radius, flat triangles {} degrees "
@@ -154,10 +183,11 @@ Figure normalFigure(std::span<const Sweep> sweeps) {
 }
 
 Figure outlineFigure(std::span<const Sweep> sweeps) {
-    Figure figure = bySlices(
-        sweeps, [](const MeasuredMesh& each) { return each.outline; },
+    Figure figure = byCounts(
+        sweeps, &MeasuredMesh::outline,
         {.name = "outline",
          .title = fmt::format("Outline, where the radius is {} pixels", kOutlineRadius),
+         .settingName = "slices",
          .errorName = "largest distance of the outlines",
          .errorUnit = "pixels",
          .reference =
@@ -175,13 +205,61 @@ Figure outlineFigure(std::span<const Sweep> sweeps) {
 
 Figure volumeFigure(std::span<const Sweep> sweeps) {
     Figure figure =
-        bySlices(sweeps, [](const MeasuredMesh& each) { return each.volume; },
+        byCounts(sweeps, &MeasuredMesh::volume,
                  {.name = "volume",
                   .title = "Volume",
+                  .settingName = "slices",
                   .errorName = "relative error",
                   .reference = "the volume in closed form; the mesh's by the divergence theorem, in double"});
     figure.noteOrders("slices", 8);
     return figure;
+}
+
+/// Soccer ball and teapot by the number of cells along an edge of their faces or patches.
+std::vector<Figure> cutFigures(const Bench& bench) {
+    std::vector<Sweep> sweeps;
+    for (const Solid& solid : cutSolids())
+        sweeps.push_back(
+            measuredSweep(bench, solid, bench.pick(std::vector{2, 4, 8}, {2, 3, 4, 6, 8, 12, 16, 24, 32})));
+    const std::span<const Sweep> both = sweeps, ball = both.first(1);
+    const char* const cells = "cells along an edge";
+    std::vector<Figure> figures{
+        byCounts(ball, &MeasuredMesh::distance,
+                 {.name = "ball-position",
+                  .title = "Soccer ball: distance of the mesh from the surface",
+                  .settingName = cells,
+                  .errorName = "largest distance",
+                  .errorUnit = "radii",
+                  .reference = "the sphere in closed form, at a net of 28 points on every triangle"}),
+        byCounts(ball, &MeasuredMesh::normal,
+                 {.name = "ball-normal",
+                  .title = "Soccer ball: interpolated normals",
+                  .settingName = cells,
+                  .errorName = "largest angle",
+                  .errorUnit = "degrees",
+                  .reference = "the radius at the same places"}),
+        byCounts(both, &MeasuredMesh::outline,
+                 {.name = "cut-outline",
+                  .title = fmt::format("Soccer ball and teapot: outline, a radius being {} pixels",
+                                       kOutlineRadius),
+                  .settingName = cells,
+                  .errorName = "largest distance of the outlines",
+                  .errorUnit = "pixels",
+                  .reference =
+                      "the extent in 360 directions of three views: of the sphere, and of the patches by a "
+                      "search in double"}),
+        byCounts(both, &MeasuredMesh::volume,
+                 {.name = "cut-volume",
+                  .title = "Soccer ball and teapot: volume",
+                  .settingName = cells,
+                  .errorName = "relative error",
+                  .reference = "the sphere's, and the patches' by Gauss's quadrature, which is exact for "
+                               "them; the meshes' by the divergence theorem"})};
+    for (Figure& figure : figures)
+        for (const Curve& curve : figure.curves)
+            figure.findings.push_back(figure.errorUnit == "degrees" ? angleSentence(curve, "cells", 3)
+                                                                    : orderSentence(curve, "cells", 3));
+    return figures;
 }
 
 /// Slices with a fixed number of stacks: where more slices stop helping, stacks are missing.
@@ -192,7 +270,7 @@ Figure balanceFigure(const Bench& bench, const Sweep& balanced) {
                   .errorName = "largest distance",
                   .errorUnit = "radii",
                   .reference = kClosedForm};
-    addSweep(figure, "stacks = slices / 2", balanced, distanceOf);
+    addSweep(figure, "stacks = slices / 2", balanced, &MeasuredMesh::distance);
     for (const int stacks : bench.pick(std::vector{8}, {8, 32, 128})) {
         const std::string name = fmt::format("{} stacks", stacks);
         for (const int slices : sliceCounts(bench)) {
@@ -217,13 +295,13 @@ Figure triangleFigure(const Bench& bench, std::span<const Sweep> sweeps, const F
                   .errorUnit = "radii",
                   .reference = "closed forms, and the teapot's patches in double",
                   .alternatives = Alternatives::curve};
-    const auto add = [&](const char* curve, double triangles, double error, const Timing& time,
+    const auto add = [&](const std::string& curve, double triangles, double error, const Timing& time,
                          double bytes) {
         figure.add(curve, {triangles, fmt::format("{:.0f} triangles", triangles), error, time, bytes});
     };
-    for (std::size_t i = 0; i < sweeps.size(); ++i)
-        for (const MeasuredMesh& each : sweeps[i])
-            add(kSolids[i].name, each.triangles, each.error.distance, each.time, each.bytes);
+    for (const Sweep& sweep : sweeps)
+        for (const MeasuredMesh& each : sweep.meshes)
+            add(sweep.name, each.triangles, each.distance, each.time, each.bytes);
     const geometry::Mesh ball = geometry::soccerball(kSolidRadius);
     const double ballError = sphereError(ball).distance;
     add("soccer ball", static_cast<double>(ball.indices.size()) / 3, ballError,
@@ -277,7 +355,8 @@ Figure drawnFigure(Bench& bench) {
 
 std::vector<Figure> measurePrimitives(Bench& bench) {
     std::vector<Sweep> sweeps;
-    for (const Solid& solid : kSolids) sweeps.push_back(measuredSweep(bench, solid));
+    for (const Solid& solid : slicedSolids())
+        sweeps.push_back(measuredSweep(bench, solid, sliceCounts(bench)));
     std::vector<Figure> teapot = teapotFigures(bench);
     std::vector<Figure> figures{positionFigure(sweeps),
                                 normalFigure(sweeps),
@@ -286,7 +365,7 @@ std::vector<Figure> measurePrimitives(Bench& bench) {
                                 balanceFigure(bench, sweeps.front()),
                                 triangleFigure(bench, sweeps, teapot.front())};
     std::ranges::move(teapot, std::back_inserter(figures));
-    std::ranges::move(cutShapeFigures(bench), std::back_inserter(figures));
+    std::ranges::move(cutFigures(bench), std::back_inserter(figures));
     bench.attempt([&] { figures.push_back(drawnFigure(bench)); });
     return figures;
 }

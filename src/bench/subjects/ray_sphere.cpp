@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "bench/core/device.h"
-#include "bench/core/exact.h"
+#include "bench/core/computed.h"
+#include "bench/reference/exact.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
@@ -87,30 +87,47 @@ double stableDiscriminant(const Ray& ray) {
     return discriminant < 0 ? kMissed : static_cast<double>((b - std::sqrt(a * discriminant)) / a);
 }
 
-struct RayMethod {
-    const char* name;
-    double (*hit)(const Ray&);
+/// The result for the rays of one distance: where each hits, and 1 for those that do.
+struct Outcome {
+    double distance = 0;  ///< largest error of the hit along the ray, over rays that rightly hit
+    double wrong = 0;     ///< share of rays that hit where they should miss, or the reverse
 };
 
-constexpr RayMethod kRayMethods[] = {
-    {"CPU, float, textbook", textbook<float>}, {"CPU, float, discriminant by distance", stableDiscriminant},
-    {"CPU, float, stable", stable<float>},     {"CPU, double, textbook", textbook<double>},
-    {"CPU, double, stable", stable<double>},
-};
+Outcome judge(const std::vector<Truth>& truths, const Numbers& hits) {
+    Outcome outcome;
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+        const bool isHit = hits[i].y > .5;
+        if (isHit != truths[i].hits)
+            outcome.wrong += 1. / kRays;
+        else if (isHit)
+            outcome.distance = std::max(outcome.distance,
+                                        std::abs(static_cast<double>(Exact(hits[i].x) - truths[i].distance)));
+    }
+    return outcome;
+}
 
-struct RayShader {
-    const char* name;
-    const char* glsl;
-};
+template <double (*hit)(const Ray&)>
+void hitAll(const ComputedCase& each, Numbers& hits) {
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const double distance = hit({each.inputs[2 * i], each.inputs[2 * i + 1]});
+        hits[i] = {distance, std::isnan(distance) ? 0 : 1, 0, 0};
+    }
+}
 
-constexpr RayShader kRayShaders[] = {
-    {"shader, textbook", R"(vec4 value() {
+constexpr double kRayBytes = kRays * (sizeof(Ray) + sizeof(double));
+
+const std::vector<Computation> kRayWays{
+    {"CPU, float, textbook", hitAll<textbook<float>>, kRayBytes, false},
+    {"CPU, float, discriminant by distance", hitAll<stableDiscriminant>, kRayBytes, false},
+    {"CPU, float, stable", hitAll<stable<float>>, kRayBytes, false},
+    {"CPU, double, textbook", hitAll<textbook<double>>, kRayBytes, false},
+    {"CPU, double, stable", hitAll<stable<double>>, kRayBytes, false},
+    {.name = "shader, textbook", .glsl = R"(vec4 value() {
     vec3 o = given(0).xyz, d = given(1).xyz;
     float a = dot(d, d), b = 2. * dot(o, d), c = dot(o, o) - 1., discriminant = b * b - 4. * a * c;
     return discriminant < 0. ? vec4(0.) : vec4((-b - sqrt(discriminant)) / (2. * a), 1., 0., 0.);
-}
-)"},
-    {"shader, stable", R"(vec4 value() {
+})"},
+    {.name = "shader, stable", .glsl = R"(vec4 value() {
     vec3 o = given(0).xyz, d = given(1).xyz;
     float a = dot(d, d), b = -dot(o, d);
     vec3 across = o + (b / a) * d;
@@ -118,90 +135,29 @@ constexpr RayShader kRayShaders[] = {
     if (discriminant < 0.) return vec4(0.);
     float root = sqrt(a * discriminant), q = b < 0. ? b - root : b + root;
     return vec4((dot(o, o) - 1.) / q, 1., 0., 0.);
-}
-)"},
+})"},
 };
 
-/// The result for the rays of one setting.
-struct Outcome {
-    double distance = 0;  ///< largest error of the hit along the ray, over rays that rightly hit
-    double wrong = 0;     ///< share of rays that hit where they should miss, or the reverse
-};
-
-Outcome judge(const std::vector<Truth>& truths, std::span<const double> hits) {
-    Outcome outcome;
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < truths.size(); ++i) {
-        const bool isHit = !std::isnan(hits[i]);
-        if (isHit != truths[i].hits)
-            ++wrong;
-        else if (isHit)
-            outcome.distance = std::max(outcome.distance,
-                                        std::abs(static_cast<double>(Exact(hits[i]) - truths[i].distance)));
-    }
-    outcome.wrong = static_cast<double>(wrong) / static_cast<double>(truths.size());
-    return outcome;
-}
-
-struct Setting {
-    double value = 0;
-    std::string label{};
-    std::vector<Ray> rays{};
-    std::vector<Truth> truths{};
-};
-
-Setting settingOf(double value, std::string label, std::vector<Ray> rays) {
-    Setting setting{value, std::move(label), std::move(rays), {}};
-    for (const Ray& each : setting.rays) setting.truths.push_back(truthOf(each));
-    return setting;
-}
-
-using Measured = double Outcome::*;
-
-Point rayPoint(const Setting& setting, double error, const Timing& time, double bytes) {
-    return {setting.value, setting.label, error, time, bytes};
-}
-
-void addRayCurve(Figure& figure, Bench& bench, const RayShader& method, std::span<const Setting> settings,
-                 Measured choice) {
-    for (const Setting& setting : settings) {
-        std::vector<Four> inputs;
-        for (const Ray& ray : setting.rays) {
-            inputs.push_back({ray.origin.x, ray.origin.y, ray.origin.z, 0});
-            inputs.push_back({ray.direction.x, ray.direction.y, ray.direction.z, 0});
-        }
-        const ShaderValues values(bench, method.glsl, inputs, 2);
-        std::vector<double> hits;
-        for (const Four& each : values.values())
-            hits.push_back(each[1] > .5F ? static_cast<double>(each[0]) : kMissed);
-        figure.add(method.name, rayPoint(setting, judge(setting.truths, hits).*choice,
-                                         bench.time([&] { values.compute(); }), values.bytes()));
-    }
-}
-
-/// Adds a curve for each method to the figure, by the distance of rays that pass the centre between the two
+/// Adds a curve for each way to the figure, by the distance of rays that pass the centre between the two
 /// radii.
-void addCurves(Figure& figure, Bench& bench, double smallest, double largest, Measured choice) {
+void addCurves(Figure& figure, Bench& bench, double smallest, double largest, double Outcome::* error) {
     figure.settingName = "distance of the ray's origin in radii";
     figure.alternatives = Alternatives::setting;
-    std::vector<Setting> settings;
+    std::vector<ComputedCase> cases;
     for (int decade = 0; decade <= 6; decade += bench.pick(3, 1)) {
         const double distance = decade == 0 ? 1.5 : std::pow(10., decade);
-        settings.push_back(settingOf(distance, fmt::format("distance {:.6g}", distance),
-                                     raysFrom(distance, smallest, largest)));
-    }
-    std::vector<double> hits(kRays);
-    for (const RayMethod& method : kRayMethods)
-        for (const Setting& setting : settings) {
-            const auto compute = [&] { std::ranges::transform(setting.rays, hits.begin(), method.hit); };
-            compute();
-            figure.add(method.name,
-                       rayPoint(setting, judge(setting.truths, hits).*choice, bench.time(compute),
-                                kRays * static_cast<double>(sizeof(Ray) + sizeof(double))));
-            figure.curves.back().isForScenes = false;
+        std::vector<Four> inputs;
+        std::vector<Truth> truths;
+        for (const Ray& ray : raysFrom(distance, smallest, largest)) {
+            inputs.insert(inputs.end(), {Four(ray.origin, 0), Four(ray.direction, 0)});
+            truths.push_back(truthOf(ray));
         }
-    for (const RayShader& method : kRayShaders)
-        bench.attempt([&] { addRayCurve(figure, bench, method, settings, choice); });
+        cases.push_back(
+            {distance, fmt::format("distance {:.6g}", distance),
+             [truths = std::move(truths), error](const Numbers& hits) { return judge(truths, hits).*error; },
+             std::move(inputs)});
+    }
+    addComputed(figure, bench, kRayWays, cases, 2);
 }
 
 Figure hitFigure(Bench& bench) {

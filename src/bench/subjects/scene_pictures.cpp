@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <map>
 #include <random>
 #include <system_error>
 
 #include "base/own_library.h"
-#include "bench/core/device.h"
+#include "bench/core/pixels.h"
 #include "gpu/context/call_counter.h"
 #include "image/compare/flip.h"
 #include "render/gpu_times.h"
@@ -179,15 +178,36 @@ std::optional<std::vector<render::Stats::GpuTime>> sceneGpuTimes(gpu::Context& c
     return times.finish();
 }
 
-double scenePictureBytes(gpu::Context& context, const std::filesystem::path& scene,
-                         const RenderOptions& options) {
+DrawnScene drawnScene(Bench& bench, const std::filesystem::path& scene, const RenderOptions& options,
+                      double enough) {
     constexpr double kColorAndDepth = 8;
+    const auto draw = [&] { return scenePicture(bench.context(), scene, options); };
+    DrawnScene drawn;
     const gpu::CallCounter counter;
-    const Result<image::Image> picture = scenePicture(context, scene, options);
-    if (!picture) return std::numeric_limits<double>::quiet_NaN();
-    const double pixels = static_cast<double>(picture->width) * picture->height;
-    return static_cast<double>(counter.counts().bytesUploaded) +
-           kColorAndDepth * pixels * std::max(1, options.samples);
+    drawn.picture = need(draw());
+    drawn.bytes = static_cast<double>(counter.counts().bytesUploaded) +
+                  kColorAndDepth * drawn.picture.width * drawn.picture.height * std::max(1, options.samples);
+    drawn.time = bench.time([&] { (void)draw(); }, enough);
+    return drawn;
+}
+
+std::vector<std::string> forEachScene(Bench& bench, std::size_t stride,
+                                      const std::function<void(const ShippedScene&)>& visit) {
+    (void)bench.context();
+    const std::vector<ShippedScene> scenes = shippedScenes();
+    std::vector<std::string> failures;
+    std::size_t visits = 0;
+    for (std::size_t i = 0; i < scenes.size(); i += stride) try {
+            ++visits;
+            visit(scenes[i]);
+        } catch (const Failed& failed) {
+            failures.push_back(
+                fmt::format("{} cannot be drawn: {}", scenes[i].name, toString(failed.diagnostics.front())));
+        }
+    if (failures.size() == visits)
+        throw Failed(
+            {diagnose("bench-E05", "none of the scenes of the library can be drawn: " + failures.front())});
+    return failures;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <glibra/render.h>
 
 #include <filesystem>
+#include <functional>
 
 #include "bench/core/bench.h"
 #include "image/image.h"
@@ -35,9 +36,20 @@ std::optional<std::vector<render::Stats::GpuTime>> sceneGpuTimes(gpu::Context& c
                                                                  const std::filesystem::path& scene,
                                                                  const RenderOptions& options);
 
-/// Bytes of the picture: its data on the device, and its pixels with their depth.
-double scenePictureBytes(gpu::Context& context, const std::filesystem::path& scene,
-                         const RenderOptions& options);
+/// A picture as it is measured.
+struct DrawnScene {
+    image::Image picture{};
+    Timing time{};     ///< of the whole picture, from the text of the scene on
+    double bytes = 0;  ///< its data on the device, and its pixels with their depth
+};
+/// `enough`: as Bench::time() takes it.
+DrawnScene drawnScene(Bench& bench, const std::filesystem::path& scene, const RenderOptions& options,
+                      double enough = .5);
+
+/// Calls visit(scene) for every `stride`-th shipped scene, and returns sentences about those that cannot be
+/// drawn. Throws Failed with bench-E05 if all visits fail.
+std::vector<std::string> forEachScene(Bench& bench, std::size_t stride,
+                                      const std::function<void(const ShippedScene&)>& visit);
 
 /// The mean of side * side pictures, shifted against each other by equal parts of a pixel (a box filter one
 /// pixel wide), as RGB floats. Each sample is first limited to 0..1, as on a screen. Every pass into a

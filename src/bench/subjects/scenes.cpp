@@ -40,14 +40,14 @@ Thoroughness thoroughness(const Bench& bench) {
 
 /// One scene drawn in each of the ways.
 struct MeasuredScene {
-    const ShippedScene* scene = nullptr;
+    std::string name;
     int width = 0, height = 0;
     std::array<PictureError, kWays.size()> errors{};
-    std::array<Timing, kWays.size()> times{};
-    std::array<double, kWays.size()> bytes{};
-    std::array<std::optional<double>, kWays.size()> gpuTimes{};  ///< seconds
-    std::string slowestWork{};                                   ///< of the first way on the device
+    std::array<Point, kWays.size()> points{};  ///< without their errors
+    std::string slowestWork{};                 ///< of the first way on the device
     int referenceSamples = 0;
+
+    [[nodiscard]] double seconds(std::size_t way) const { return points[way].time->median; }
 };
 
 constexpr double kSecondsInMillisecond = 1e-3;
@@ -71,26 +71,26 @@ MeasuredScene measureScene(Bench& bench, const ShippedScene& scene) {
     gpu::Context& context = bench.context();
     RenderOptions options;
     if (bench.isQuick()) options.width = options.height = 64;
-    MeasuredScene measured{.scene = &scene};
+    MeasuredScene measured{.name = scene.name};
     std::array<image::Image, kWays.size()> pictures;
     for (std::size_t i = 0; i < kWays.size(); ++i) {
         RenderOptions way = options;
         way.samples = kWays[i].samples;
         way.maxError = kWays[i].maxError;
         way.overrideCounts = kWays[i].overrideCounts;
-        pictures[i] = need(scenePicture(context, scene.path, way));
-        measured.bytes[i] = scenePictureBytes(context, scene.path, way);
+        constexpr double kEnough = .15;  // seconds, for each of many scenes
+        DrawnScene drawn = drawnScene(bench, scene.path, way, kEnough);
+        pictures[i] = std::move(drawn.picture);
+        measured.points[i] = {0, scene.name, 0, drawn.time, drawn.bytes};
         if (const auto times = sceneGpuTimes(context, scene.path, way)) {
-            measured.gpuTimes[i] = secondsOf(*times);
+            measured.points[i].gpuTime = secondsOf(*times);
             if (i == kPlain) measured.slowestWork = slowestOf(*times);
         }
-        constexpr double kEnough = .15;  // seconds, for each of many scenes
-        measured.times[i] = bench.time([&] { (void)scenePicture(context, scene.path, way); }, kEnough);
     }
     measured.width = pictures.front().width;
     measured.height = pictures.front().height;
     const Thoroughness thorough = thoroughness(bench);
-    const int side = measured.times[kPlain].median < thorough.slow ? thorough.samplesASide : 4;
+    const int side = measured.seconds(kPlain) < thorough.slow ? thorough.samplesASide : 4;
     RenderOptions best = options;
     best.set = scene.finest;
     best.maxError = 1. / thorough.finest;
@@ -102,20 +102,21 @@ MeasuredScene measureScene(Bench& bench, const ShippedScene& scene) {
 }
 
 /// Scenes by one measure of their error, largest first; one curve per way.
-Figure ranked(std::vector<MeasuredScene> all, Figure figure, double (*errorOf)(const PictureError&)) {
+Figure ranked(std::vector<MeasuredScene> all, Figure figure, double PictureError::* error) {
     std::ranges::sort(all, std::ranges::greater(),
-                      [&](const MeasuredScene& each) { return errorOf(each.errors.front()); });
+                      [&](const MeasuredScene& each) { return each.errors.front().*error; });
     for (std::size_t i = 0; i < kWays.size(); ++i)
-        for (std::size_t rank = 0; rank < all.size(); ++rank)
-            figure.add(kWays[i].name,
-                       {static_cast<double>(rank + 1), all[rank].scene->name, errorOf(all[rank].errors[i]),
-                        all[rank].times[i], all[rank].bytes[i], all[rank].gpuTimes[i]});
+        for (std::size_t rank = 0; rank < all.size(); ++rank) {
+            Point point = all[rank].points[i];
+            point.setting = static_cast<double>(rank + 1);
+            point.error = all[rank].errors[i].*error;
+            figure.add(kWays[i].name, std::move(point));
+        }
     constexpr std::size_t kNamed = 10;
     for (const MeasuredScene& each : std::span(all).first(std::min(kNamed, all.size())))
-        figure.note("{} ({} x {}): {}, with 4 samples {}; {} and {}", each.scene->name, each.width,
-                    each.height, numberText(errorOf(each.errors[kPlain])),
-                    numberText(errorOf(each.errors[kFourSamples])), secondsText(each.times[kPlain].median),
-                    secondsText(each.times[kFourSamples].median));
+        figure.note("{} ({} x {}): {}, with 4 samples {}; {} and {}", each.name, each.width, each.height,
+                    numberText(each.errors[kPlain].*error), numberText(each.errors[kFourSamples].*error),
+                    secondsText(each.seconds(kPlain)), secondsText(each.seconds(kFourSamples)));
     return figure;
 }
 
@@ -129,7 +130,7 @@ std::string comparison(const std::vector<MeasuredScene>& all, std::size_t way) {
     std::vector<double> better, longer;
     std::size_t faster = 0;
     for (const MeasuredScene& each : all) {
-        const double ratio = each.times[way].median / each.times[kPlain].median;
+        const double ratio = each.seconds(way) / each.seconds(kPlain);
         if (each.errors[kPlain].rootMeanSquare > 0)
             better.push_back(each.errors[way].rootMeanSquare / each.errors[kPlain].rootMeanSquare);
         longer.push_back(ratio);
@@ -145,29 +146,29 @@ std::string comparison(const std::vector<MeasuredScene>& all, std::size_t way) {
 std::vector<std::string> overall(const std::vector<MeasuredScene>& all) {
     std::vector<double> times;
     times.reserve(all.size());
-    for (const MeasuredScene& each : all) times.push_back(each.times[kPlain].median);
-    const auto slowest = std::ranges::max_element(
-        all, {}, [](const MeasuredScene& each) { return each.times[kPlain].median; });
+    for (const MeasuredScene& each : all) times.push_back(each.seconds(kPlain));
+    const auto slowest =
+        std::ranges::max_element(all, {}, [](const MeasuredScene& each) { return each.seconds(kPlain); });
     return {
         fmt::format("{} scenes; half of the pictures take less than {} (parse, plan, upload, draw, read), "
                     "the longest takes {}: {}",
-                    all.size(), secondsText(medianOf(times)), secondsText(slowest->times[kPlain].median),
-                    slowest->scene->name),
+                    all.size(), secondsText(medianOf(times)), secondsText(slowest->seconds(kPlain)),
+                    slowest->name),
         comparison(all, kFourSamples), comparison(all, kBudget), comparison(all, kFreeBudget)};
 }
 
 /// The GPU time of the pictures, and what takes the most of it in the slowest ones.
 std::vector<std::string> onTheDevice(std::vector<MeasuredScene> all) {
-    std::erase_if(all, [](const MeasuredScene& each) { return !each.gpuTimes[kPlain]; });
+    std::erase_if(all, [](const MeasuredScene& each) { return !each.points[kPlain].gpuTime; });
     if (all.empty()) return {"GPU time: not measured, the driver has no timer"};
     std::ranges::sort(all, std::ranges::greater(),
-                      [](const MeasuredScene& each) { return *each.gpuTimes[kPlain]; });
+                      [](const MeasuredScene& each) { return *each.points[kPlain].gpuTime; });
     std::vector<std::string> findings{fmt::format("GPU time: half of the pictures take less than {}",
-                                                  secondsText(*all[all.size() / 2].gpuTimes[kPlain]))};
+                                                  secondsText(*all[all.size() / 2].points[kPlain].gpuTime))};
     constexpr std::size_t kNamed = 5;
     for (std::size_t i = 0; i < std::min(kNamed, all.size()); ++i)
-        findings.push_back(fmt::format("{}: GPU time {}, of which {}", all[i].scene->name,
-                                       secondsText(*all[i].gpuTimes[kPlain]), all[i].slowestWork));
+        findings.push_back(fmt::format("{}: GPU time {}, of which {}", all[i].name,
+                                       secondsText(*all[i].points[kPlain].gpuTime), all[i].slowestWork));
     return findings;
 }
 
@@ -178,7 +179,7 @@ std::string slowOnes(const std::vector<MeasuredScene>& all) {
     int fewest = most;
     for (const MeasuredScene& each : all)
         if (each.referenceSamples < most) {
-            names.push_back(each.scene->name);
+            names.push_back(each.name);
             fewest = each.referenceSamples;
         }
     if (names.empty()) return {};
@@ -189,20 +190,11 @@ std::string slowOnes(const std::vector<MeasuredScene>& all) {
 }  // namespace
 
 std::vector<Figure> measureScenes(Bench& bench) {
-    (void)bench.context();
-    const std::vector<ShippedScene> scenes = shippedScenes();
     std::vector<MeasuredScene> all;
-    std::vector<std::string> failures;
-    Diagnostics reasons;
     const Thoroughness thorough = thoroughness(bench);
-    for (std::size_t i = 0; i < scenes.size(); i += thorough.stride) try {
-            all.push_back(measureScene(bench, scenes[i]));
-        } catch (const Failed& failed) {
-            failures.push_back(
-                fmt::format("{} cannot be drawn: {}", scenes[i].name, toString(failed.diagnostics.front())));
-            append(reasons, failed.diagnostics);
-        }
-    if (all.empty()) throw Failed(reasons);
+    const std::vector<std::string> failures =
+        forEachScene(bench, thorough.stride,
+                     [&](const ShippedScene& scene) { all.push_back(measureScene(bench, scene)); });
     const std::string reference = fmt::format(
         "the mean of {} pictures shifted by parts of a pixel, passes into textures by parts of a texel, with "
         "the finest tessellation of the scene's sliders and meshes within 1/{} of a pixel of their surfaces",
@@ -219,14 +211,14 @@ std::vector<Figure> measureScenes(Bench& bench) {
         ranked(all,
                figure("root-mean-square", "Shipped scenes: error of the picture, largest first",
                       "root mean square"),
-               [](const PictureError& each) { return each.rootMeanSquare; }),
+               &PictureError::rootMeanSquare),
         ranked(all,
                figure("pixels", "Shipped scenes: pixels that are visibly off, largest share first",
                       "share of pixels off by more than 8/255"),
-               [](const PictureError& each) { return each.differing; }),
+               &PictureError::differing),
         ranked(all,
                figure("flip", "Shipped scenes: difference that a person sees, largest first", "mean FLIP"),
-               [](const PictureError& each) { return each.flip; })};
+               &PictureError::flip)};
     std::vector<std::string>& first = figures.front().findings;
     std::vector<std::string> summary = overall(all);
     std::ranges::move(onTheDevice(all), std::back_inserter(summary));

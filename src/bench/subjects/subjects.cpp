@@ -2,15 +2,7 @@
 
 #include <vector>
 
-#include "bench/subjects/antialiasing.h"
 #include "bench/subjects/builtins.h"
-#include "bench/subjects/depth.h"
-#include "bench/subjects/filters.h"
-#include "bench/subjects/lighting.h"
-#include "bench/subjects/minification.h"
-#include "bench/subjects/noise.h"
-#include "bench/subjects/tessellation.h"
-#include "bench/subjects/volume.h"
 
 namespace glibra::bench {
 

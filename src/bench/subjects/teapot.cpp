@@ -1,5 +1,3 @@
-#include "bench/subjects/teapot.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,34 +7,12 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "bench/subjects/mesh_error.h"
-#include "geometry/shapes/polyhedra.h"
+#include "bench/reference/bezier_patch.h"
+#include "bench/reference/mesh_error.h"
+#include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
 namespace {
-
-using FourPoints = std::array<glm::dvec3, 4>;
-
-struct CurvePoint {
-    glm::dvec3 position{0}, slope{0};
-};
-
-CurvePoint deCasteljau(FourPoints p, double u) {
-    for (std::size_t level = 3; level > 1; --level)
-        for (std::size_t i = 0; i < level; ++i) p[i] = glm::mix(p[i], p[i + 1], u);
-    return {glm::mix(p[0], p[1], u), 3. * (p[1] - p[0])};
-}
-
-using TeapotPatches = std::array<geometry::Patch, 32>;
-
-/// The patches of the teapot at their places in the meshes of scenes, whose body is two units wide.
-TeapotPatches placedTeapotPatches() {
-    TeapotPatches patches = geometry::teapotPatches();
-    for (geometry::Patch& patch : patches)
-        for (auto& row : patch)
-            for (glm::dvec3& point : row) point = geometry::teapotPlace(point);
-    return patches;
-}
 
 constexpr int kShippedCells = 16;
 
@@ -112,118 +88,7 @@ TeapotError errorOf(const geometry::Mesh& mesh, const TeapotPatches& patches, in
     return largest;
 }
 
-/// The volume between the patches and the origin, which also exists for the teapot although it is open: the
-/// integral of P . (Ps x Pt) / 3, a polynomial of degree 8 in s and in t, for which five Gauss points are
-/// exact.
-double patchVolume(const TeapotPatches& patches) {
-    constexpr std::array<std::array<double, 2>, 5> kGauss{{{-.9061798459386640, .2369268850561891},
-                                                           {-.5384693101056831, .4786286704993665},
-                                                           {0, .5688888888888889},
-                                                           {.5384693101056831, .4786286704993665},
-                                                           {.9061798459386640, .2369268850561891}}};
-    double sum = 0;
-    for (const geometry::Patch& patch : patches)
-        for (const auto& [s, weightS] : kGauss)
-            for (const auto& [t, weightT] : kGauss) {
-                const PatchPoint at = patchPoint(patch, {(s + 1) / 2, (t + 1) / 2});
-                sum += weightS * weightT / 4 * glm::dot(at.position, glm::cross(at.alongS, at.alongT)) / 3;
-            }
-    return std::abs(sum);
-}
-
-/// The extent of the patches in a direction: the best of 17 x 17 points of each patch, refined by ever
-/// smaller steps.
-class PatchExtent {
-  public:
-    explicit PatchExtent(const TeapotPatches& patches) : patches_(patches) {
-        for (std::size_t patch = 0; patch < patches.size(); ++patch)
-            for (int j = 0; j <= kCells; ++j)
-                for (int i = 0; i <= kCells; ++i) {
-                    const glm::dvec2 st = glm::dvec2(i, j) / static_cast<double>(kCells);
-                    places_.push_back({patch, st, patchPoint(patches[patch], st).position});
-                }
-    }
-
-    [[nodiscard]] double operator()(const glm::dvec3& direction) const {
-        const Place& best = *std::ranges::max_element(
-            places_, {}, [&](const Place& each) { return glm::dot(each.position, direction); });
-        glm::dvec2 at = best.st;
-        double farthest = glm::dot(best.position, direction);
-        for (double step = 1. / kCells; step > 1e-7;) {
-            bool isBetter = false;
-            for (const glm::dvec2 side : {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-                const glm::dvec2 there = glm::clamp(at + step * side, 0., 1.);
-                const double reach = glm::dot(patchPoint(patches_[best.patch], there).position, direction);
-                if (reach <= farthest) continue;
-                farthest = reach;
-                at = there;
-                isBetter = true;
-            }
-            if (!isBetter) step /= 2;
-        }
-        return farthest;
-    }
-
-  private:
-    static constexpr int kCells = 16;
-    struct Place {
-        std::size_t patch = 0;
-        glm::dvec2 st{0};
-        glm::dvec3 position{0};
-    };
-    const TeapotPatches& patches_;
-    std::vector<Place> places_;
-};
-
-struct CutShape {
-    std::string name;
-    std::function<geometry::Mesh(int cells)> mesh;
-    std::function<double(const glm::dvec3& direction)> extent;
-    double volume = 0;  ///< cubed units
-    double unit = 1;    ///< size of the mesh, in the units of extent and volume
-};
-
-Figure cutFigure(std::string name, std::string title, std::string error, std::string unit,
-                 std::string reference) {
-    return {.name = std::move(name),
-            .title = std::move(title),
-            .settingName = "cells along an edge",
-            .errorName = std::move(error),
-            .errorUnit = std::move(unit),
-            .reference = std::move(reference),
-            .alternatives = Alternatives::curve};
-}
-
 }  // namespace
-
-PatchPoint patchPoint(const geometry::Patch& patch, const glm::dvec2& st) {
-    FourPoints columns, slopes;
-    for (std::size_t column = 0; column < 4; ++column) {
-        const CurvePoint down =
-            deCasteljau({patch[0][column], patch[1][column], patch[2][column], patch[3][column]}, st.y);
-        columns[column] = down.position;
-        slopes[column] = down.slope;
-    }
-    const CurvePoint across = deCasteljau(columns, st.x);
-    return {across.position, across.slope, deCasteljau(slopes, st.x).position};
-}
-
-glm::dvec2 nearestOnPatch(const geometry::Patch& patch, const glm::dvec3& point, glm::dvec2 start) {
-    constexpr int kSteps = 4;
-    constexpr double kDamping = 1e-9;  // prevents a division by 0 at the poles, where dP/ds is 0
-    glm::dvec2 st = start;
-    for (int i = 0; i < kSteps; ++i) {
-        const PatchPoint at = patchPoint(patch, st);
-        const glm::dvec3 miss = point - at.position;
-        const double ss = glm::dot(at.alongS, at.alongS) + kDamping,
-                     tt = glm::dot(at.alongT, at.alongT) + kDamping, mixed = glm::dot(at.alongS, at.alongT);
-        const double s = glm::dot(at.alongS, miss), t = glm::dot(at.alongT, miss);
-        const double determinant = ss * tt - mixed * mixed;
-        const glm::dvec2 step((tt * s - mixed * t) / determinant, (ss * t - mixed * s) / determinant);
-        st = glm::clamp(st + step, 0., 1.);
-    }
-    return st;
-}
 
 std::vector<Figure> teapotFigures(const Bench& bench) {
     const TeapotPatches patches = placedTeapotPatches();
@@ -258,54 +123,6 @@ std::vector<Figure> teapotFigures(const Bench& bench) {
                   numberText(found.distance), found.distanceAt);
     normal.note("the teapot of scenes: {} degrees, at the {}", numberText(found.normal), found.normalAt);
     return {std::move(position), std::move(normal)};
-}
-
-std::vector<Figure> cutShapeFigures(const Bench& bench) {
-    const TeapotPatches patches = placedTeapotPatches();
-    const CutShape shapes[] = {
-        {"soccer ball", [](int cells) { return geometry::soccerball(kSolidRadius, cells); },
-         [](const glm::dvec3&) { return 1.; }, 4 * std::numbers::pi / 3, kSolidRadius},
-        {"teapot", [](int cells) { return geometry::teapot(cells); }, PatchExtent(patches),
-         patchVolume(patches), 1}};
-    std::vector<Figure> figures{
-        cutFigure("ball-position", "Soccer ball: distance of the mesh from the surface", "largest distance",
-                  "radii", "the sphere in closed form, at a net of 28 points on every triangle"),
-        cutFigure("ball-normal", "Soccer ball: interpolated normals", "largest angle", "degrees",
-                  "the radius at the same places"),
-        cutFigure("cut-outline",
-                  fmt::format("Soccer ball and teapot: outline, a radius being {} pixels", kOutlineRadius),
-                  "largest distance of the outlines", "pixels",
-                  "the extent in 360 directions of three views: of the sphere, and of the patches by a "
-                  "search in double"),
-        cutFigure("cut-volume", "Soccer ball and teapot: volume", "relative error", "",
-                  "the sphere's, and the patches' by Gauss's quadrature, which is exact for "
-                  "them; the meshes' by the divergence theorem")};
-    for (const CutShape& shape : shapes)
-        for (const int cells : bench.pick(std::vector{2, 4, 8}, {2, 3, 4, 6, 8, 12, 16, 24, 32})) {
-            const geometry::Mesh mesh = shape.mesh(cells);
-            Point point{1. * cells, fmt::format("{} cells along an edge", cells), 0,
-                        bench.time([&] { shape.mesh(cells); }), meshBytes(mesh)};
-            const auto add = [&](std::size_t figure, double error) {
-                point.error = error;
-                figures[figure].add(shape.name, point);
-            };
-            if (shape.unit != 1) {
-                const MeshError found = sphereError(mesh);
-                add(0, found.distance);
-                add(1, found.normal);
-            }
-            // The measures of the solids assume a mesh of size kSolidRadius.
-            const double scale = kSolidRadius / shape.unit;
-            add(2, kOutlineRadius * outlineError(mesh, [&](const glm::dvec3& direction) {
-                       return shape.extent(direction) / scale;
-                   }) * scale);
-            add(3, std::abs(std::abs(signedVolume(mesh)) * std::pow(scale, 3) / shape.volume - 1));
-        }
-    for (Figure& figure : figures)
-        for (const Curve& curve : figure.curves)
-            figure.findings.push_back(figure.errorUnit == "degrees" ? angleSentence(curve, "cells", 3)
-                                                                    : orderSentence(curve, "cells", 3));
-    return figures;
 }
 
 }  // namespace glibra::bench

@@ -1,6 +1,5 @@
-#include "bench/subjects/tessellation.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -8,7 +7,11 @@
 #include <limits>
 #include <map>
 
-#include "bench/subjects/teapot.h"
+#include "bench/core/device.h"
+#include "bench/reference/bezier_patch.h"
+#include "bench/reference/pn_triangle.h"
+#include "bench/subjects/subjects.h"
+#include "embedded/bench_shaders.h"
 
 namespace glibra::bench {
 namespace {
@@ -17,95 +20,25 @@ constexpr int kFloatsAVertex = 7;
 constexpr int kCells = 4;  // distances are taken at 15 points of each triangle
 constexpr double kFitFrom = 8;
 
-// Patches are numbered over several draws.
-constexpr std::string_view kPatchVertex = R"(uniform float uFirst;
-out float vPatch;
-void main() { vPatch = uFirst + float(gl_VertexID); gl_Position = vec4(0.); }
-)";
-constexpr std::string_view kControl = R"(layout(vertices = 1) out;
-in float vPatch[];
-out float cPatch[];
-uniform vec3 uLevels;
-void main() {
-    cPatch[gl_InvocationID] = vPatch[0];
-    float inner = uLevels.y + uLevels.z * mod(vPatch[0], 3.);
-    for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = uLevels.x;
-    for (int i = 0; i < 2; ++i) gl_TessLevelInner[i] = inner;
-}
-)";
-// Start and end of all evaluation shaders; {0} is the layout, {1} the functions, among them `surface`.
-constexpr std::string_view kEvaluation = R"(#version 410 core
-layout({0}, ccw) in;
-layout(std140) uniform Points {{ vec4 uPoints[1024]; }};
-in float cPatch[];
-out vec3 vPosition;
-out vec4 vWhere;
-int patchNumber;
-{1}void main() {{
-    patchNumber = int(cPatch[0]);
-    vPosition = surface();
-    vWhere = vec4(gl_TessCoord, float(patchNumber));
-    gl_Position = vec4(vPosition.xy * .4, vPosition.z * .1, 1.);
-}}
-)";
-constexpr std::string_view kBernsteinGlsl = R"(vec4 weights(float t) {
-    float s = 1. - t;
-    return vec4(s * s * s, 3. * s * s * t, 3. * s * t * t, t * t * t);
-}
-vec3 surface() {
-    vec4 u = weights(gl_TessCoord.x), v = weights(gl_TessCoord.y);
-    vec3 sum = vec3(0.);
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            sum += u[column] * v[row] * uPoints[patchNumber * 16 + row * 4 + column].xyz;
-    return sum;
-}
-)";
-/// A patch as four curves along v and one along u; `curve` must precede it.
-constexpr std::string_view kCurveOfCurves = R"(vec3 surface() {
-    vec3 along[4];
-    for (int column = 0; column < 4; ++column) {
-        int first = patchNumber * 16 + column;
-        along[column] = curve(uPoints[first].xyz, uPoints[first + 4].xyz, uPoints[first + 8].xyz,
-                              uPoints[first + 12].xyz, gl_TessCoord.y);
-    }
-    return curve(along[0], along[1], along[2], along[3], gl_TessCoord.x);
-}
-)";
-constexpr std::string_view kInterpolatedGlsl = R"(vec3 curve(vec3 a, vec3 b, vec3 c, vec3 d, float t) {
-    vec3 ab = mix(a, b, t), bc = mix(b, c, t), cd = mix(c, d, t);
-    return mix(mix(ab, bc, t), mix(bc, cd, t), t);
-}
-)";
-constexpr std::string_view kSymmetricGlsl = R"(vec3 curve(vec3 a, vec3 b, vec3 c, vec3 d, float t) {
-    precise float s = 1. - t;
-    precise vec3 ends = s * s * s * a + t * t * t * d;
-    precise vec3 middle = s * s * t * b + t * t * s * c;
-    precise vec3 sum = ends + 3. * middle;
-    return sum;
-}
-)";
-constexpr std::string_view kOctantGlsl = R"(vec3 surface() { return normalize(gl_TessCoord); }
-)";
-constexpr std::string_view kPnGlsl = R"(vec3 corner(int i) { return uPoints[patchNumber * 6 + i].xyz; }
-vec3 normal(int i) { return uPoints[patchNumber * 6 + 3 + i].xyz; }
-vec3 near(int i, int j) {
-    return (2. * corner(i) + corner(j) - dot(corner(j) - corner(i), normal(i)) * normal(i)) / 3.;
-}
-vec3 surface() {
-    float u = gl_TessCoord.x, v = gl_TessCoord.y, w = gl_TessCoord.z;
-    vec3 edges = near(0, 1) + near(1, 0) + near(1, 2) + near(2, 1) + near(2, 0) + near(0, 2);
-    vec3 middle = edges / 4. - (corner(0) + corner(1) + corner(2)) / 6.;
-    return corner(0) * u * u * u + corner(1) * v * v * v + corner(2) * w * w * w
-         + 3. * (near(0, 1) * u * u * v + near(1, 0) * u * v * v + near(1, 2) * v * v * w
-               + near(2, 1) * v * w * w + near(2, 0) * w * w * u + near(0, 2) * w * u * u)
-         + 6. * middle * u * v * w;
-}
-)";
-constexpr std::string_view kPatchFragment = R"(in vec3 vPosition;
-out vec4 fColor;
-void main() { fColor = vec4(fract(vPosition.z)); }
-)";
+/// "equal_spacing", "fractional_even_spacing" and "fractional_odd_spacing", as GLSL's layouts name them.
+constexpr std::array<std::string_view, 3> kSpacings{"equal_spacing", "fractional_even_spacing",
+                                                    "fractional_odd_spacing"};
+
+/// What shaders/patch.tese computes.
+struct Surface {
+    const char *name, *domain;
+    std::size_t points;  ///< control points of a patch
+    const char* macro;
+};
+/// Bicubic patches of 16 control points, rows along v: by a sum of Bernstein polynomials, by repeated
+/// interpolation, and by a sum of symmetric pairs marked `precise`.
+constexpr Surface kBernstein{"sum of Bernstein polynomials", "quads", 16, "BERNSTEIN"},
+    kInterpolated{"de Casteljau", "quads", 16, "DE_CASTELJAU"},
+    kSymmetric{"symmetric pairs, precise", "quads", 16, "SYMMETRIC"};
+/// An octant of the unit sphere is a triangle whose points are normalised. PN triangles take three corners
+/// and three normals.
+constexpr Surface kSphereOctant{"octant", "triangles", 1, "OCTANT"},
+    kPnTriangle{"PN triangle", "triangles", 6, "PN_TRIANGLE"};
 
 /// "equal spacing" and so on.
 std::string spacingName(std::string_view spacing) {
@@ -114,10 +47,93 @@ std::string spacingName(std::string_view spacing) {
     return name;
 }
 
-std::string evaluationText(const Surface& surface, std::string_view spacing) {
-    return fmt::format(kEvaluation, fmt::format("{}, {}", surface.layout, spacing),
-                       fmt::format("{}{}", surface.glsl, surface.more));
-}
+struct TessellatedVertex {
+    glm::vec3 position{0};
+    glm::vec3 coordinate{0};  ///< gl_TessCoord
+    int patch = 0;
+};
+
+/// Levels of all patches. The outer levels are equal; the inner ones may grow from patch to patch, by 0, 1,
+/// 2, 0, 1 ... steps.
+struct Levels {
+    float outer = 1, inner = 1, innerStep = 0;
+};
+
+class Tessellator {
+  public:
+    /// llvmpipe (Mesa 22.3) numbers the vertices of one draw with 16 bits and repeats the first patches
+    /// beyond that; 8 patches of level 64 stay below.
+    static constexpr int kPatchesPerDraw = 8;
+
+    /// `points`: the control points of all patches, at most 1024.
+    Tessellator(Bench& bench, const Surface& surface, std::string_view spacing,
+                std::span<const glm::vec3> points)
+        : bench_(bench),
+          shader_(
+              bench,
+              std::array{gpu::StageSource{GL_VERTEX_SHADER, bench_shaders::patch_vert()},
+                         gpu::StageSource{GL_TESS_CONTROL_SHADER, bench_shaders::patch_tesc()},
+                         gpu::StageSource{GL_TESS_EVALUATION_SHADER,
+                                          fmt::format("#define DOMAIN {}\n#define SPACING {}\n#define {}\n{}",
+                                                      surface.domain, spacing, surface.macro,
+                                                      bench_shaders::patch_tese())},
+                         gpu::StageSource{GL_FRAGMENT_SHADER, bench_shaders::patch_frag()}},
+              {"vPosition", "vWhere"}),
+          points_(need(gpu::Buffer::create(1024 * sizeof(glm::vec4)))),
+          patches_(static_cast<int>(std::max<std::size_t>(1, points.size() / surface.points))) {
+        std::vector<glm::vec4> padded(1024, glm::vec4(0));
+        for (std::size_t i = 0; i < std::min(points.size(), padded.size()); ++i) padded[i] = {points[i], 1};
+        points_.update(0, std::as_bytes(std::span(padded)));
+    }
+
+    /// Three vertices per triangle.
+    [[nodiscard]] std::vector<TessellatedVertex> capture(const Levels& levels,
+                                                         int patchesPerDraw = kPatchesPerDraw) const {
+        // An upper bound of what a patch gives: twice the squares of the largest level, and a margin.
+        const auto side = static_cast<int>(std::max(levels.outer, levels.inner + 2 * levels.innerStep)) + 3;
+        std::vector<TessellatedVertex> vertices;
+        forEachDraw(levels, patchesPerDraw, [&](int count) {
+            const Captured captured =
+                shader_.capture(GL_PATCHES, count, GL_TRIANGLES, kFloatsAVertex, count * side * side * 6);
+            for (std::size_t i = 0; i + kFloatsAVertex <= captured.values.size(); i += kFloatsAVertex) {
+                const float* from = captured.values.data() + i;
+                vertices.push_back({.position = {from[0], from[1], from[2]},
+                                    .coordinate = {from[3], from[4], from[5]},
+                                    .patch = static_cast<int>(from[6])});
+            }
+        });
+        return vertices;
+    }
+    [[nodiscard]] int patches() const { return patches_; }
+    /// Draws all patches into a cleared picture of 256 x 256 pixels, seen along -z, grey by height.
+    [[nodiscard]] Timing timeDrawing(const Levels& levels) const {
+        const Canvas canvas(bench_, 256, 256, gpu::TexelFormat::rgba8);
+        canvas.clear();
+        return bench_.timeDrawing([&] {
+            forEachDraw(levels, kPatchesPerDraw, [&](int count) { shader_.draw(GL_PATCHES, count); });
+        });
+    }
+
+  private:
+    /// Calls visit(count) for the patches of each draw.
+    template <class Visit>
+    void forEachDraw(const Levels& levels, int patchesPerDraw, const Visit& visit) const {
+        shader_.set("uLevels", glm::vec3(levels.outer, levels.inner, levels.innerStep));
+        points_.bindBase(GL_UNIFORM_BUFFER, 0);
+        const GLuint block = glGetUniformBlockIndex(shader_.id(), "Points");
+        if (block != GL_INVALID_INDEX) glUniformBlockBinding(shader_.id(), block, 0);
+        glPatchParameteri(GL_PATCH_VERTICES, 1);
+        for (int first = 0; first < patches_; first += patchesPerDraw) {
+            shader_.set("uFirst", 1. * first);
+            visit(std::min(patchesPerDraw, patches_ - first));
+        }
+    }
+
+    Bench& bench_;
+    Shader shader_;
+    gpu::Buffer points_;
+    int patches_;
+};
 
 double captureBytes(const std::vector<TessellatedVertex>& vertices) {
     return static_cast<double>(vertices.size() * sizeof(glm::vec3));
@@ -276,18 +292,16 @@ std::vector<Figure> surfaceFigures(Bench& bench, const Analytic& surface) {
 
 using ControlPoints = std::vector<glm::vec3>;
 
-/// The edges of a quad patch, by the coordinate that is constant there.
-enum class Side { left, right, bottom, top };
-constexpr std::array kSides{Side::left, Side::right, Side::bottom, Side::top};
-
-struct Edge {
-    int patch = 0;
-    Side side = Side::left;
+/// The edges of a quad patch, u = 0, u = 1, v = 0 and v = 1, by the first control point and the step to the
+/// next one. The edges of several patches are numbered patch * 4 + side.
+struct Side {
+    std::size_t first, step;
 };
+constexpr std::array kSides{Side{0, 4}, Side{3, 4}, Side{0, 1}, Side{12, 1}};
 
 /// Two edges whose control points are bit for bit the same.
 struct SharedEdge {
-    Edge first, second;
+    std::size_t first = 0, second = 0;
     bool isReversed = false;  ///< the second runs in the opposite direction
 };
 
@@ -315,37 +329,29 @@ ControlPoints turnedTeapot() {
     return points;
 }
 
-std::array<glm::vec3, 4> edgePoints(const ControlPoints& points, const Edge& edge) {
-    const std::span<const glm::vec3> patch =
-        std::span(points).subspan(16 * static_cast<std::size_t>(edge.patch), 16);
-    const auto at = [&](std::size_t row, std::size_t column) { return patch[row * 4 + column]; };
+std::array<glm::vec3, 4> edgePoints(const ControlPoints& points, std::size_t edge) {
+    const auto [first, step] = kSides.at(edge % 4);
     std::array<glm::vec3, 4> along;
-    for (std::size_t place = 0; place < 4; ++place)
-        along[place] = edge.side == Side::left     ? at(place, 0)
-                       : edge.side == Side::right  ? at(place, 3)
-                       : edge.side == Side::bottom ? at(0, place)
-                                                   : at(3, place);
+    for (std::size_t i = 0; i < 4; ++i) along[i] = points[edge / 4 * 16 + first + i * step];
     return along;
 }
 
 std::vector<SharedEdge> sharedEdges(const ControlPoints& points) {
-    std::vector<Edge> edges;
-    for (int patch = 0; patch < static_cast<int>(points.size() / 16); ++patch)
-        for (const Side side : kSides) edges.push_back({patch, side});
+    const std::size_t edges = points.size() / 16 * 4;
     std::vector<SharedEdge> shared;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t j = i + 1; j < edges.size(); ++j) {
-            const std::array<glm::vec3, 4> first = edgePoints(points, edges[i]);
-            std::array<glm::vec3, 4> second = edgePoints(points, edges[j]);
-            if (first.front() == first.back() || edges[i].patch == edges[j].patch) continue;
-            if (first == second) shared.push_back({edges[i], edges[j], false});
+    for (std::size_t i = 0; i < edges; ++i)
+        for (std::size_t j = i + 1; j < edges; ++j) {
+            const std::array<glm::vec3, 4> first = edgePoints(points, i);
+            std::array<glm::vec3, 4> second = edgePoints(points, j);
+            if (first.front() == first.back() || i / 4 == j / 4) continue;
+            if (first == second) shared.push_back({i, j, false});
             std::ranges::reverse(second);
-            if (first == second) shared.push_back({edges[i], edges[j], true});
+            if (first == second) shared.push_back({i, j, true});
         }
     return shared;
 }
 
-/// The vertices on every edge: [patch * 4 + side].
+/// The vertices on every edge.
 std::vector<EdgeVertices> edgeVertices(const std::vector<TessellatedVertex>& vertices, int patches) {
     std::vector<EdgeVertices> edges(static_cast<std::size_t>(patches) * 4);
     for (const TessellatedVertex& vertex : vertices) {
@@ -359,17 +365,6 @@ std::vector<EdgeVertices> edgeVertices(const std::vector<TessellatedVertex>& ver
     return edges;
 }
 
-const EdgeVertices& verticesAlong(const std::vector<EdgeVertices>& edges, const Edge& edge) {
-    return edges[static_cast<std::size_t>(edge.patch) * 4 + static_cast<std::size_t>(edge.side)];
-}
-
-bool isSamePlace(const glm::vec3& a, const glm::vec3& b) {
-    for (glm::length_t i = 0; i < 3; ++i)
-        // -0 and 0 are the same place.
-        if (a[i] != b[i]) return false;
-    return true;
-}
-
 struct Cracks {
     int vertices = 0, different = 0, withoutPartner = 0;
     double widest = 0;  ///< between a vertex and its partner
@@ -378,13 +373,13 @@ struct Cracks {
 Cracks countCracks(const std::vector<SharedEdge>& shared, const std::vector<EdgeVertices>& edges) {
     Cracks count;
     for (const SharedEdge& each : shared) {
-        const EdgeVertices& other = verticesAlong(edges, each.second);
-        for (const auto& [place, position] : verticesAlong(edges, each.first)) {
+        const EdgeVertices& other = edges[each.second];
+        for (const auto& [place, position] : edges[each.first]) {
             ++count.vertices;
             const auto partner = other.find(each.isReversed ? 1 - place : place);
             if (partner == other.end()) {
                 ++count.withoutPartner;
-            } else if (!isSamePlace(position, partner->second)) {
+            } else if (position != partner->second) {  // -0 and 0 are the same place
                 ++count.different;
                 count.widest =
                     std::max(count.widest, glm::length(glm::dvec3(position) - glm::dvec3(partner->second)));
@@ -487,7 +482,7 @@ Figure levelGapFigure(Bench& bench) {
                 const float own = level + static_cast<float>(i);
                 const std::vector<TessellatedVertex> vertices = patch.capture({.outer = own, .inner = own});
                 bytes += captureBytes(vertices);
-                sides[i] = edgeVertices(vertices, 1)[static_cast<std::size_t>(Side::left)];
+                sides[i] = edgeVertices(vertices, 1).front();
             }
             figure.add(spacingName(spacing),
                        {static_cast<double>(level), fmt::format("{:g} against {:g}", level, level + 1),
@@ -499,128 +494,7 @@ Figure levelGapFigure(Bench& bench) {
     return figure;
 }
 
-/// The index of b(i,j,k) with i + j + k = degree among all, i falling, then j falling.
-std::size_t placeOf(int degree, int i, int j) {
-    const auto row = static_cast<std::size_t>(degree - i);
-    return row * (row + 1) / 2 + row - static_cast<std::size_t>(j);
-}
-
 }  // namespace
-
-const Surface kBernstein{"sum of Bernstein polynomials", "quads", 16, kBernsteinGlsl};
-const Surface kInterpolated{"de Casteljau", "quads", 16, kInterpolatedGlsl, kCurveOfCurves};
-const Surface kSymmetric{"symmetric pairs, precise", "quads", 16, kSymmetricGlsl, kCurveOfCurves};
-const Surface kSphereOctant{"octant", "triangles", 1, kOctantGlsl};
-const Surface kPnTriangle{"PN triangle", "triangles", 6, kPnGlsl};
-
-Tessellator::Tessellator(Bench& bench, const Surface& surface, std::string_view spacing,
-                         std::span<const glm::vec3> points)
-    : bench_(bench),
-      shader_(bench,
-              std::array{gpu::StageSource{GL_VERTEX_SHADER, kPatchVertex},
-                         gpu::StageSource{GL_TESS_CONTROL_SHADER, kControl},
-                         gpu::StageSource{GL_TESS_EVALUATION_SHADER, evaluationText(surface, spacing)},
-                         gpu::StageSource{GL_FRAGMENT_SHADER, kPatchFragment}},
-              {"vPosition", "vWhere"}),
-      points_(need(gpu::Buffer::create(1024 * sizeof(glm::vec4)))),
-      patches_(static_cast<int>(std::max<std::size_t>(1, points.size() / surface.points))) {
-    std::vector<glm::vec4> padded(1024, glm::vec4(0));
-    for (std::size_t i = 0; i < std::min(points.size(), padded.size()); ++i) padded[i] = {points[i], 1};
-    points_.update(0, std::as_bytes(std::span(padded)));
-}
-
-template <class Visit>
-void Tessellator::forEachDraw(const Levels& levels, int patchesPerDraw, const Visit& visit) const {
-    shader_.set("uLevels", glm::vec3(levels.outer, levels.inner, levels.innerStep));
-    points_.bindBase(GL_UNIFORM_BUFFER, 0);
-    const GLuint block = glGetUniformBlockIndex(shader_.id(), "Points");
-    if (block != GL_INVALID_INDEX) glUniformBlockBinding(shader_.id(), block, 0);
-    glPatchParameteri(GL_PATCH_VERTICES, 1);
-    for (int first = 0; first < patches_; first += patchesPerDraw) {
-        shader_.set("uFirst", 1. * first);
-        visit(std::min(patchesPerDraw, patches_ - first));
-    }
-}
-
-std::vector<TessellatedVertex> Tessellator::capture(const Levels& levels, int patchesPerDraw) const {
-    // An upper bound of what a patch gives: twice the squares of the largest level, and a margin.
-    const auto side = static_cast<int>(std::max(levels.outer, levels.inner + 2 * levels.innerStep)) + 3;
-    std::vector<TessellatedVertex> vertices;
-    forEachDraw(levels, patchesPerDraw, [&](int count) {
-        const Captured captured =
-            shader_.capture(GL_PATCHES, count, GL_TRIANGLES, kFloatsAVertex, count * side * side * 6);
-        for (std::size_t i = 0; i + kFloatsAVertex <= captured.values.size(); i += kFloatsAVertex) {
-            const float* from = captured.values.data() + i;
-            vertices.push_back({.position = {from[0], from[1], from[2]},
-                                .coordinate = {from[3], from[4], from[5]},
-                                .patch = static_cast<int>(from[6])});
-        }
-    });
-    return vertices;
-}
-
-Timing Tessellator::timeDrawing(const Levels& levels) const {
-    const Canvas canvas(bench_, 256, 256, gpu::TexelFormat::rgba8);
-    canvas.clear();
-    return bench_.timeDrawing(
-        [&] { forEachDraw(levels, kPatchesPerDraw, [&](int count) { shader_.draw(GL_PATCHES, count); }); });
-}
-
-PnTriangle::PnTriangle(const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec3, 3>& normals) {
-    const auto towards = [&](std::size_t from, std::size_t to) {
-        const glm::dvec3 step = corners[to] - corners[from];
-        return corners[from] + (step - glm::dot(step, normals[from]) * normals[from]) / 3.;
-    };
-    const auto set = [&](int i, int j, const glm::dvec3& point) { points_[placeOf(3, i, j)] = point; };
-    set(3, 0, corners[0]);
-    set(0, 3, corners[1]);
-    set(0, 0, corners[2]);
-    set(2, 1, towards(0, 1));
-    set(1, 2, towards(1, 0));
-    set(0, 2, towards(1, 2));
-    set(0, 1, towards(2, 1));
-    set(1, 0, towards(2, 0));
-    set(2, 0, towards(0, 2));
-    const glm::dvec3 edges =
-        (towards(0, 1) + towards(1, 0) + towards(1, 2) + towards(2, 1) + towards(2, 0) + towards(0, 2)) / 6.;
-    const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.;
-    set(1, 1, edges + (edges - middle) / 2.);
-}
-
-PnTriangle::Near PnTriangle::deCasteljau(const glm::dvec3& barycentric) const {
-    std::array<glm::dvec3, 10> points = points_;
-    for (int degree = 2; degree > 0; --degree)
-        // In rising order, each result overwrites a point that is no longer needed.
-        for (int i = degree; i >= 0; --i)
-            for (int j = degree - i; j >= 0; --j)
-                points[placeOf(degree, i, j)] = barycentric.x * points[placeOf(degree + 1, i + 1, j)] +
-                                                barycentric.y * points[placeOf(degree + 1, i, j + 1)] +
-                                                barycentric.z * points[placeOf(degree + 1, i, j)];
-    return {barycentric.x * points[0] + barycentric.y * points[1] + barycentric.z * points[2],
-            {points[0], points[1], points[2]}};
-}
-
-glm::dvec3 PnTriangle::at(const glm::dvec3& barycentric) const {
-    return deCasteljau(barycentric).position;
-}
-
-double PnTriangle::distance(const glm::dvec3& point, const glm::dvec3& start) const {
-    constexpr int kSteps = 6;
-    constexpr double kDegree = 3;
-    glm::dvec3 where = start;
-    for (int step = 0; step < kSteps; ++step) {
-        const Near near = deCasteljau(where);
-        const glm::dvec3 along = kDegree * (near.last[0] - near.last[2]),
-                         across = kDegree * (near.last[1] - near.last[2]), miss = point - near.position;
-        const double aa = glm::dot(along, along), bb = glm::dot(across, across), ab = glm::dot(along, across);
-        const double a = glm::dot(along, miss), b = glm::dot(across, miss);
-        const double determinant = aa * bb - ab * ab;
-        where.x += (bb * a - ab * b) / determinant;
-        where.y += (aa * b - ab * a) / determinant;
-        where.z = 1 - where.x - where.y;
-    }
-    return glm::length(point - at(where));
-}
 
 std::vector<Figure> measureTessellation(Bench& bench) {
     std::vector<Figure> figures;

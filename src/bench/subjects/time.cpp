@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "bench/core/device.h"
+#include "bench/core/computed.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
@@ -13,20 +13,37 @@ namespace {
 /// fraction follows from integers.
 constexpr long long kTurns = 17, kFramesOfTurns = 600;
 
+double turnsApart(double a, double b) {
+    const double apart = std::abs(a - b);
+    return std::min(apart, std::abs(1 - apart));
+}
+
 /// What a shader computes the fraction of a turn from: seconds, whole seconds, the rest of them, and seconds
 /// reduced to a period in double.
-struct ClockMethod {
-    const char *name, *glsl;
-};
-constexpr ClockMethod kClockMethods[] = {
+constexpr std::pair<const char*, const char*> kClockWays[] = {
     {"seconds as a float", "fract(given(0).x * 1.7)"},
     {"seconds as a float, reduced to ten in the shader", "fract(mod(given(0).x, 10.) * 1.7)"},
     {"whole seconds and their rest", "fract(fract(given(0).y * 1.7) + given(0).z * 1.7)"},
     {"seconds reduced to ten in double", "fract(given(0).w * 1.7)"}};
 
-double turnsApart(double a, double b) {
-    const double apart = std::abs(a - b);
-    return std::min(apart, std::abs(1 - apart));
+/// 600 frames from a time on.
+ComputedCase clockCase(const char* label, long long seconds) {
+    const long long first = 60 * seconds;
+    const auto error = [first](const Numbers& fractions) {
+        double largest = 0;
+        long long frame = first;
+        for (const glm::dvec4& each : fractions) {
+            const long long turns = frame++ * kTurns % kFramesOfTurns;
+            largest = std::max(largest, turnsApart(each.x, static_cast<double>(turns) / kFramesOfTurns));
+        }
+        return largest;
+    };
+    ComputedCase clock{static_cast<double>(seconds), label, error, {}};
+    for (long long frame = first; frame < first + kFramesOfTurns; ++frame) {
+        const double t = static_cast<double>(frame) / 60, whole = std::floor(t);
+        clock.inputs.emplace_back(t, whole, t - whole, std::fmod(t, 10.));
+    }
+    return clock;
 }
 
 Figure clockFigure(Bench& bench) {
@@ -38,29 +55,13 @@ Figure clockFigure(Bench& bench) {
         .errorUnit = "turns",
         .reference = "the fraction from the number of frames, in integers; 600 frames, 60 per second",
         .alternatives = Alternatives::setting};
-    const std::pair<const char*, long long> times[] = {
-        {"1 minute", 60},   {"10 minutes", 600},  {"1 hour", 3600},    {"1 day", 86400},
-        {"1 week", 604800}, {"1 month", 2592000}, {"1 year", 31536000}};
-    for (const ClockMethod& method : kClockMethods)
-        for (const auto& [label, seconds] : times) {
-            std::vector<Four> inputs;
-            for (long long frame = 60 * seconds; frame < 60 * seconds + kFramesOfTurns; ++frame) {
-                const double t = static_cast<double>(frame) / 60, whole = std::floor(t);
-                inputs.push_back({static_cast<float>(t), static_cast<float>(whole),
-                                  static_cast<float>(t - whole), static_cast<float>(std::fmod(t, 10.))});
-            }
-            const ShaderValues values(bench, fmt::format("vec4 value() {{ return vec4({}); }}", method.glsl),
-                                      inputs);
-            double largest = 0;
-            long long frame = 60 * seconds;
-            for (const Four& each : values.values()) {
-                const long long turns = frame++ * kTurns % kFramesOfTurns;
-                largest = std::max(largest, turnsApart(static_cast<double>(each[0]),
-                                                       static_cast<double>(turns) / kFramesOfTurns));
-            }
-            figure.add(method.name, {1. * static_cast<double>(seconds), label, largest,
-                                     bench.time([&] { values.compute(); }), values.bytes()});
-        }
+    std::vector<Computation> ways;
+    for (const auto& [name, glsl] : kClockWays)
+        ways.push_back({.name = name, .glsl = fmt::format("vec4 value() {{ return vec4({}); }}", glsl)});
+    addComputed(figure, bench, ways,
+                {clockCase("1 minute", 60), clockCase("10 minutes", 600), clockCase("1 hour", 3600),
+                 clockCase("1 day", 86400), clockCase("1 week", 604800), clockCase("1 month", 2592000),
+                 clockCase("1 year", 31536000)});
     for (const Curve& curve : figure.curves) {
         figure.findings.push_back(orderSentence(curve, "seconds", 600, 1e6));  // until errors are half a turn
         const auto late =
@@ -92,18 +93,27 @@ constexpr OrbitMethod kOrbitMethods[] = {
      16, 64}};
 
 Figure orbitFigure(Bench& bench) {
-    // After whole turns, the first-order term of Euler's method with the speed first is 0.
-    constexpr int kOrbits = 8;
     Figure figure{.name = "integrators",
                   .title = "A body on a circle under a spring, after eight and a quarter turns in a shader",
                   .settingName = "steps per turn",
                   .errorName = "distance from the place",
                   .errorUnit = "radii",
                   .reference = "the closed form: it is a quarter turn from where it began"};
-    const Four nothing{};
-    for (const OrbitMethod& method : kOrbitMethods) {
-        const ShaderValues values(bench,
-                                  fmt::format(R"(uniform int uSteps;
+    // After whole turns, the first-order term of Euler's method with the speed first is 0.
+    constexpr int kOrbits = 8;
+    std::vector<ComputedCase> cases;
+    for (int steps = 16; steps <= bench.pick(1024, 4096); steps *= 2)
+        cases.push_back({1. * steps, fmt::format("{} steps per turn", steps), [](const Numbers& place) {
+                             return std::hypot(place.front().x, place.front().y - 1);
+                         }});
+    const auto uniforms = [](const Shader& shader, const ComputedCase& each) {
+        const int steps = static_cast<int>(each.setting);
+        shader.set("uSteps", kOrbits * steps + steps / 4).set("uStep", 2 * std::numbers::pi / steps);
+    };
+    std::vector<Computation> ways;
+    for (const OrbitMethod& method : kOrbitMethods)
+        ways.push_back({.name = method.name,
+                        .glsl = fmt::format(R"(uniform int uSteps;
 uniform float uStep;
 vec4 value() {{
     float h = uStep;
@@ -112,20 +122,12 @@ vec4 value() {{
     return vec4(x, v);
 }}
 )",
-                                              method.glsl),
-                                  std::span(&nothing, 1));
-        for (int steps = 16; steps <= bench.pick(1024, 4096); steps *= 2) {
-            values.shader()
-                .set("uSteps", kOrbits * steps + steps / 4)
-                .set("uStep", 2 * std::numbers::pi / steps);
-            const Four found = values.values().front();
-            figure.add(method.name,
-                       {1. * steps, fmt::format("{} steps per turn", steps),
-                        std::hypot(static_cast<double>(found[0]), static_cast<double>(found[1]) - 1),
-                        bench.time([&] { values.compute(); }), values.bytes()});
-        }
-        figure.findings.push_back(orderSentence(figure.curves.back(), "steps", method.from, method.to));
-    }
+                                            method.glsl),
+                        .uniforms = uniforms});
+    addComputed(figure, bench, ways, cases);
+    for (std::size_t i = 0; i < figure.curves.size(); ++i)
+        figure.findings.push_back(
+            orderSentence(figure.curves[i], "steps", kOrbitMethods[i].from, kOrbitMethods[i].to));
     return figure;
 }
 

@@ -11,8 +11,8 @@
 #include <numbers>
 
 #include "base/text.h"
-#include "bench/core/device.h"
-#include "bench/core/exact.h"
+#include "bench/core/computed.h"
+#include "bench/reference/exact.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {
@@ -51,118 +51,83 @@ struct Placement {
 };
 
 /// Low-discrepancy points (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018).
-std::vector<glm::vec3> cubePoints() {
-    std::vector<glm::vec3> points;
+std::vector<Four> cubePoints() {
+    std::vector<Four> points;
     for (int i = 0; i < kPoints; ++i) {
         const glm::dvec3 place = glm::fract(glm::dvec3(.8191725134, .6710436067, .5497004779) * (i + .5));
-        points.emplace_back(2. * place - 1.);
+        points.emplace_back(glm::vec3(2. * place - 1.), 1);
     }
     return points;
 }
 
-std::vector<ExactVector> exactResults(const Placement& placement, const std::vector<glm::vec3>& points) {
-    const ExactMatrix model = exact(placement.turnModel), view = exact(placement.turnView);
-    const ExactVector apart = exact(placement.place) - exact(placement.eye);
-    std::vector<ExactVector> results;
-    results.reserve(points.size());
-    for (const glm::vec3& p : points)
-        results.push_back(view * (model * (Exact(placement.size) * exact(glm::dvec3(p))) + apart));
-    return results;
+/// The largest error of the results, in sizes of the object.
+std::function<double(const Numbers&)> placementError(const Placement& at, const std::vector<Four>& points) {
+    const ExactMatrix model = exact(at.turnModel), view = exact(at.turnView);
+    const ExactVector apart = exact(at.place) - exact(at.eye);
+    std::vector<ExactVector> truth;
+    for (const Four& p : points)
+        truth.push_back(view * (model * (Exact(at.size) * exact(glm::dvec3(p))) + apart));
+    return [truth = std::move(truth), size = at.size](const Numbers& results) {
+        double largest = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i)
+            largest = std::max(largest, distance(truth[i], glm::dvec3(results[i])) / size);
+        return largest;
+    };
 }
 
-using Results = std::vector<glm::dvec3>;
-
-double largestError(const std::vector<ExactVector>& truth, const Results& results, double size) {
-    double largest = 0;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-        largest = std::max(largest, distance(truth[i], results[i]) / size);
-    return largest;
-}
-
-struct PlacementMethod {
-    const char* name;
-    void (*transform)(const Placement&, const std::vector<glm::vec3>&, Results&);
-};
-
+/// Transforms all points on the CPU.
 template <class Number>
-void transformPoints(const glm::mat<4, 4, Number>& matrix, const std::vector<glm::vec3>& points,
-                     Results& results) {
+void transform(const glm::mat<4, 4, Number>& matrix, const std::vector<Four>& points, Numbers& results) {
     for (std::size_t i = 0; i < points.size(); ++i)
-        results[i] = glm::dvec3(matrix * glm::vec<4, Number>(points[i], 1));
+        results[i] = glm::dvec4(matrix * glm::vec<4, Number>(points[i]));
 }
 
-constexpr PlacementMethod kPlacementMethods[] = {
-    {"CPU, float matrices",
-     [](const Placement& placement, const std::vector<glm::vec3>& points, Results& results) {
-         transformPoints(placement.view<float>() * placement.model<float>(), points, results);
-     }},
-    {"CPU, product in double, rounded once",
-     [](const Placement& placement, const std::vector<glm::vec3>& points, Results& results) {
-         transformPoints(glm::mat4(placement.view<double>() * placement.model<double>()), points, results);
-     }},
-    {"CPU, double",
-     [](const Placement& placement, const std::vector<glm::vec3>& points, Results& results) {
-         transformPoints(placement.view<double>() * placement.model<double>(), points, results);
-     }},
-};
-
-struct PlacementShader {
-    const char* name;
-    const char* glsl;
-    bool isDouble = false;
-};
-
-constexpr PlacementShader kPlacementShaders[] = {
-    {"shader, model then view",
-     "uniform mat4 uFirst, uSecond;\n"
-     "vec4 value() { return uSecond * (uFirst * vec4(given(0).xyz, 1.)); }\n"},
-    {"shader, product in double, rounded once",
-     "uniform mat4 uFirst;\n"
-     "vec4 value() { return uFirst * vec4(given(0).xyz, 1.); }\n"},
-    {"shader, double",
-     "uniform dmat4 uFirst, uSecond;\n"
-     "uniform int uHalf;\n"
-     "vec4 value() {\n"
-     "    dvec4 p = uSecond * (uFirst * dvec4(given(0).xyz, 1.));\n"
-     "    precise vec4 high = vec4(p);\n"  // Mesa 25 takes dvec4(vec4(p)) for p otherwise
-     "    precise dvec4 rest = p - dvec4(high);\n"
-     "    return uHalf == 0 ? high : vec4(rest);\n"
-     "}\n",
-     true},
-};
-
-void setMatrices(const PlacementShader& method, const Shader& shader, const Placement& placement) {
-    const glm::dmat4 model = placement.model<double>(), view = placement.view<double>();
-    if (method.isDouble)
-        shader.setDouble("uFirst", model).setDouble("uSecond", view);
-    else if (shader.has("uSecond"))
-        shader.set("uFirst", glm::mat4(model)).set("uSecond", glm::mat4(view));
-    else
-        shader.set("uFirst", glm::mat4(view * model));
+std::vector<Computation> placementWays(Placement (*at)(double setting)) {
+    using Case = ComputedCase;
+    constexpr double kBytes = kPoints * (sizeof(glm::vec3) + sizeof(glm::dvec3));
+    const auto model = [at](const Case& each) { return at(each.setting).model<double>(); };
+    const auto view = [at](const Case& each) { return at(each.setting).view<double>(); };
+    const auto onCpu = [](const char* name, const auto& matrix) {
+        const auto work = [=](const Case& each, Numbers& results) {
+            transform(matrix(each), each.inputs, results);
+        };
+        return Computation{name, work, kBytes, false};
+    };
+    return {
+        onCpu("CPU, float matrices",
+              [at](const Case& each) {
+                  const Placement placement = at(each.setting);
+                  return placement.view<float>() * placement.model<float>();
+              }),
+        onCpu("CPU, product in double, rounded once",
+              [=](const Case& each) { return glm::mat4(view(each) * model(each)); }),
+        onCpu("CPU, double", [=](const Case& each) { return view(each) * model(each); }),
+        {.name = "shader, model then view",
+         .glsl = R"(uniform mat4 uFirst, uSecond;
+vec4 value() { return uSecond * (uFirst * vec4(given(0).xyz, 1.)); })",
+         .uniforms =
+             [=](const Shader& shader, const Case& each) {
+                 shader.set("uFirst", glm::mat4(model(each))).set("uSecond", glm::mat4(view(each)));
+             }},
+        {.name = "shader, product in double, rounded once",
+         .glsl = R"(uniform mat4 uFirst;
+vec4 value() { return uFirst * vec4(given(0).xyz, 1.); })",
+         .uniforms = [=](const Shader& shader,
+                         const Case& each) { shader.set("uFirst", glm::mat4(view(each) * model(each))); }},
+        // Mesa 25 takes dvec4(vec4(p)) for p, unless it is precise.
+        {.name = "shader, double",
+         .glsl = R"(uniform dmat4 uFirst, uSecond;
+uniform int uHalf;
+vec4 value() {
+    dvec4 p = uSecond * (uFirst * dvec4(given(0).xyz, 1.));
+    precise vec4 high = vec4(p);
+    precise dvec4 rest = p - dvec4(high);
+    return uHalf == 0 ? high : vec4(rest);
+})",
+         .uniforms = [=](const Shader& shader, const Case& each) {
+             shader.setDouble("uFirst", model(each)).setDouble("uSecond", view(each));
+         }}};
 }
-
-Results shaderResults(const PlacementShader& method, const ShaderValues& values) {
-    Results results(kPoints, glm::dvec3(0));
-    for (int half = 0; half < (method.isDouble ? 2 : 1); ++half) {
-        values.shader().set("uHalf", half);
-        const std::vector<Four> found = values.values();
-        for (std::size_t i = 0; i < results.size(); ++i)
-            results[i] += glm::dvec3(found[i][0], found[i][1], found[i][2]);
-    }
-    return results;
-}
-
-struct PlacementCase {
-    double setting;
-    std::string label;
-    Placement placement;
-
-    [[nodiscard]] Point point(const std::vector<glm::vec3>& points, const Results& results,
-                              const Timing& time, double bytes) const {
-        return {setting, label, largestError(exactResults(placement, points), results, placement.size), time,
-                bytes};
-    }
-};
 
 Figure placementFigure(Bench& bench, bool byDistance) {
     Figure figure{
@@ -176,36 +141,16 @@ Figure placementFigure(Bench& bench, bool byDistance) {
         .reference =
             "the same positions with 100 digits (Boost.Multiprecision) from the same numbers; 1024 points",
         .alternatives = Alternatives::setting};
-    std::vector<PlacementCase> cases;
+    const auto at = byDistance ? +[](double setting) { return Placement(setting, 1); }
+                               : +[](double setting) { return Placement(1, setting); };
+    const std::vector<Four> points = cubePoints();
+    std::vector<ComputedCase> cases;
     for (int decade = byDistance ? 0 : -6; decade <= (byDistance ? 7 : 6); decade += bench.pick(3, 1)) {
         const double setting = std::pow(10., decade);
         cases.push_back({setting, fmt::format("{} 1e{}", byDistance ? "distance" : "size", decade),
-                         byDistance ? Placement(setting, 1) : Placement(1, setting)});
+                         placementError(at(setting), points), points});
     }
-    const std::vector<glm::vec3> points = cubePoints();
-    for (const PlacementMethod& method : kPlacementMethods)
-        for (const PlacementCase& each : cases) {
-            Results results(points.size());
-            const auto transform = [&] { method.transform(each.placement, points, results); };
-            transform();
-            figure.add(
-                method.name,
-                each.point(points, results, bench.time(transform),
-                           static_cast<double>(points.size() * (sizeof(points[0]) + sizeof(results[0])))));
-            figure.curves.back().isForScenes = false;
-        }
-    std::vector<Four> inputs;
-    for (const glm::vec3& p : points) inputs.push_back({p.x, p.y, p.z, 1});
-    for (const PlacementShader& method : kPlacementShaders)
-        bench.attempt([&] {
-            const ShaderValues values(bench, method.glsl, inputs);
-            for (const PlacementCase& each : cases) {
-                setMatrices(method, values.shader(), each.placement);
-                const Results results = shaderResults(method, values);
-                figure.add(method.name, each.point(points, results, bench.time([&] { values.compute(); }),
-                                                   values.bytes()));
-            }
-        });
+    addComputed(figure, bench, placementWays(at), cases);
     for (const Curve& curve : figure.curves)
         figure.findings.push_back(byDistance ? orderSentence(curve, "distance", 10)
                                              : orderSentence(curve, "size", 0, .2));
@@ -240,16 +185,6 @@ ExactMatrix exactRotation(int count) {
         m[i][last] -= s * k[next];
     }
     return m;
-}
-
-double largestEntryError(const ExactMatrix& truth, const glm::dmat3& matrix) {
-    Exact largest = 0;
-    for (std::size_t column = 0; column < 3; ++column)
-        for (std::size_t row = 0; row < 3; ++row) {
-            const double entry = matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)];
-            largest = std::max<Exact>(largest, abs(truth[column][row] - entry));
-        }
-    return static_cast<double>(largest);
 }
 
 template <class Number>
@@ -301,31 +236,53 @@ glm::dmat3 roundedOnce(int count) {
     return glm::dmat3(glm::mat3(rotation<double>(count * kTurn)));
 }
 
-struct ChainMethod {
-    const char* name;
-    glm::dmat3 (*rotate)(int count);
-    std::size_t bytes;  ///< of the state between two rotations
-};
+/// The largest error of an entry of the matrix with these columns.
+double entryError(const ExactMatrix& truth, const Numbers& columns) {
+    Exact largest = 0;
+    for (std::size_t column = 0; column < 3; ++column)
+        for (std::size_t row = 0; row < 3; ++row)
+            largest = std::max<Exact>(
+                largest, abs(truth[column][row] - columns[column][static_cast<glm::length_t>(row)]));
+    return static_cast<double>(largest);
+}
 
-constexpr ChainMethod kChainMethods[] = {
-    {"float matrices multiplied", multipliedMatrices<float>, sizeof(glm::mat3)},
-    {"float, orthonormalised each time", orthonormalised, sizeof(glm::mat3)},
-    {"float quaternions", quaternions, sizeof(glm::quat)},
-    {"float, angle summed up", summedAngle, sizeof(float)},
-    {"float, angle = i * step", computedAngle<float>, sizeof(int)},
-    {"angle in double, matrix rounded once", roundedOnce, sizeof(int)},
-    {"double matrices multiplied", multipliedMatrices<double>, sizeof(glm::dmat3)},
-};
+/// The setting is the number of rotations; results are the columns of the matrix. `bytes` are those of the
+/// state between two rotations.
+///
+/// `rotate` is called by a pointer: where GCC 12 knows the function, it leaves out roundings to float at -O3.
+Computation chainWay(const char* name, glm::dmat3 (*rotate)(int), std::size_t bytes) {
+    const auto columnsOf = [rotate](const ComputedCase& each, Numbers& columns) {
+        const glm::dmat3 matrix = rotate(static_cast<int>(each.setting));
+        for (glm::length_t i = 0; i < 3; ++i) columns[static_cast<std::size_t>(i)] = {matrix[i], 0};
+    };
+    return {name, columnsOf, static_cast<double>(bytes)};
+}
 
-constexpr const char* kChainShader = R"(uniform mat3 uStep;
+std::vector<Computation> chainWays() {
+    return {
+        chainWay("float matrices multiplied", multipliedMatrices<float>, sizeof(glm::mat3)),
+        chainWay("float, orthonormalised each time", orthonormalised, sizeof(glm::mat3)),
+        chainWay("float quaternions", quaternions, sizeof(glm::quat)),
+        chainWay("float, angle summed up", summedAngle, sizeof(float)),
+        chainWay("float, angle = i * step", computedAngle<float>, sizeof(int)),
+        chainWay("angle in double, matrix rounded once", roundedOnce, sizeof(int)),
+        chainWay("double matrices multiplied", multipliedMatrices<double>, sizeof(glm::dmat3)),
+        {.name = "shader, float matrices multiplied",
+         .glsl = R"(uniform mat3 uStep;
 uniform int uCount;
 vec4 value() {
     mat3 m = mat3(1.);
     for (int i = 0; i < uCount; ++i) m = uStep * m;
     int column = int(given(0).x);
     return vec4(m[column], 0.);
+})",
+         .uniforms =
+             [](const Shader& shader, const ComputedCase& each) {
+                 shader.set("uStep", glm::mat3(rotation<double>(kTurn)))
+                     .set("uCount", static_cast<int>(each.setting));
+             }},
+    };
 }
-)";
 
 Figure chainFigure(Bench& bench) {
     Figure figure{.name = "chain",
@@ -336,36 +293,15 @@ Figure chainFigure(Bench& bench) {
                       "one rotation by the sum of the angles with 100 digits (Rodrigues' formula, "
                       "Boost.Multiprecision)",
                   .alternatives = Alternatives::setting};
-    const std::vector<int> counts =
-        bench.pick(std::vector{1, 100, 10000}, {1, 3, 10, 30, 100, 300, 1000, 3000, 10000});
-    const auto add = [&](const char* curve, int count, const glm::dmat3& result, const Timing& time,
-                         double bytes) {
-        figure.add(curve, {1. * count, base::counted(count, "rotation"),
-                           largestEntryError(exactRotation(count), result), time, bytes});
-    };
-    for (const ChainMethod& method : kChainMethods)
-        for (const int count : counts) {
-            const Timing time = bench.time([&] {
-                // The result must reach memory, otherwise the compiler removes the work.
-                const volatile double kept = method.rotate(count)[1][0];
-                static_cast<void>(kept);
-            });
-            add(method.name, count, method.rotate(count), time, static_cast<double>(method.bytes));
-        }
-    bench.attempt([&] {
-        const ShaderValues values(bench, kChainShader, std::array{Four{0}, Four{1}, Four{2}});
-        values.shader().set("uStep", glm::mat3(rotation<double>(kTurn)));
-        for (const int count : counts) {
-            values.shader().set("uCount", count);
-            const std::vector<Four> columns = values.values();
-            glm::dmat3 matrix;
-            for (int i = 0; i < 9; ++i)
-                matrix[i / 3][i % 3] =
-                    columns[static_cast<std::size_t>(i / 3)][static_cast<std::size_t>(i % 3)];
-            add("shader, float matrices multiplied", count, matrix, bench.time([&] { values.compute(); }),
-                values.bytes());
-        }
-    });
+    std::vector<ComputedCase> cases;
+    for (const int count :
+         bench.pick(std::vector{1, 100, 10000}, {1, 3, 10, 30, 100, 300, 1000, 3000, 10000}))
+        cases.push_back(
+            {1. * count,
+             base::counted(count, "rotation"),
+             [truth = exactRotation(count)](const Numbers& columns) { return entryError(truth, columns); },
+             {Four(0), Four(1), Four(2)}});
+    addComputed(figure, bench, chainWays(), cases);
     figure.noteOrders("rotations", 10);
     figure.note("after {}: {} multiplied in float, {} from one angle in float, {} from one angle in double",
                 figure.last(0).label, numberText(figure.last(0).error), numberText(figure.last(4).error),
@@ -388,53 +324,56 @@ glm::dmat3 modelOf(double ratio) {
 }
 
 /// Normals spread over the sphere (Fibonacci lattice), as floats, as in a mesh.
-std::vector<glm::vec3> normals() {
-    std::vector<glm::vec3> all;
+std::vector<Four> normals() {
+    std::vector<Four> all;
     for (int i = 0; i < kNormals; ++i) {
         const double z = 1 - (2 * i + 1.) / kNormals, around = 2 * std::numbers::pi * i * std::numbers::phi;
         const double across = std::sqrt(1 - z * z);
-        all.emplace_back(across * std::cos(around), across * std::sin(around), z);
+        all.emplace_back(across * std::cos(around), across * std::sin(around), z, 0);
     }
     return all;
 }
 
-/// Cofactors: the inverse transpose up to a factor, without a division.
+/// The largest angle between results and normals, in degrees.
+double largestAngle(const glm::dmat3& model, const std::vector<Four>& normals, const Numbers& results) {
+    // Cofactors: the inverse transpose up to a factor, without a division.
+    const ExactMatrix m = exact(model), matrix{cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+    double largest = 0;
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        largest =
+            std::max(largest, degreesBetween(matrix * exact(glm::dvec3(normals[i])), glm::dvec3(results[i])));
+    return largest;
+}
+
 template <class Number>
 glm::mat<3, 3, Number> cofactors(const glm::mat<3, 3, Number>& m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-ExactMatrix exactCofactors(const ExactMatrix& m) {
-    return {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
+Computation normalWay(const char* name, glm::mat3 (*matrixFor)(const glm::dmat3& model)) {
+    const auto transformed = [matrixFor](const ComputedCase& each, Numbers& results) {
+        const glm::mat3 matrix = matrixFor(modelOf(each.setting));
+        for (std::size_t i = 0; i < results.size(); ++i)
+            results[i] = glm::dvec4(glm::normalize(matrix * glm::vec3(each.inputs[i])), 0);
+    };
+    return {name, transformed, 2. * kNormals * sizeof(glm::vec3) + sizeof(glm::mat3)};
 }
 
-struct NormalMethod {
-    const char* name;
-    glm::mat3 (*matrix)(const glm::dmat3& model);
-};
-
-constexpr NormalMethod kNormalMethods[] = {
-    {"the model matrix itself", [](const glm::dmat3& model) { return glm::mat3(model); }},
-    {"float inverse transpose",
-     [](const glm::dmat3& model) { return glm::transpose(glm::inverse(glm::mat3(model))); }},
-    {"float cofactors", [](const glm::dmat3& model) { return cofactors(glm::mat3(model)); }},
-    {"double inverse transpose, rounded once",
-     [](const glm::dmat3& model) { return glm::mat3(glm::transpose(glm::inverse(model))); }},
-    {"double cofactors, rounded once", [](const glm::dmat3& model) { return glm::mat3(cofactors(model)); }},
-};
-
-constexpr const char* kNormalShader = R"(uniform mat3 uModel;
-vec4 value() { return vec4(normalize(transpose(inverse(uModel)) * given(0).xyz), 0.); }
-)";
-
-/// The largest angle between results and exact normals, which are in the order of normals().
-double largestAngle(const glm::dmat3& model, const std::vector<glm::dvec3>& results) {
-    const ExactMatrix matrix = exactCofactors(exact(model));
-    const std::vector<glm::vec3> all = normals();
-    double largest = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        largest = std::max(largest, degreesBetween(matrix * exact(glm::dvec3(all[i])), results[i]));
-    return largest;
+std::vector<Computation> normalWays() {
+    using glm::inverse, glm::transpose, glm::mat3, glm::dmat3;
+    return {
+        normalWay("the model matrix itself", [](const dmat3& m) { return mat3(m); }),
+        normalWay("float inverse transpose", [](const dmat3& m) { return transpose(inverse(mat3(m))); }),
+        normalWay("float cofactors", [](const dmat3& m) { return cofactors(mat3(m)); }),
+        normalWay("double inverse transpose, rounded once",
+                  [](const dmat3& m) { return mat3(transpose(inverse(m))); }),
+        normalWay("double cofactors, rounded once", [](const dmat3& m) { return mat3(cofactors(m)); }),
+        {.name = "shader, inverse transpose",
+         .glsl = R"(uniform mat3 uModel;
+vec4 value() { return vec4(normalize(transpose(inverse(uModel)) * given(0).xyz), 0.); })",
+         .uniforms = [](const Shader& shader,
+                        const ComputedCase& each) { shader.set("uModel", mat3(modelOf(each.setting))); }},
+    };
 }
 
 Figure normalMatrixFigure(Bench& bench) {
@@ -447,37 +386,14 @@ Figure normalMatrixFigure(Bench& bench) {
                       "the cofactor matrix of the same double matrix with 100 digits "
                       "(Boost.Multiprecision); 512 normals",
                   .alternatives = Alternatives::setting};
-    const std::vector<double> ratios =
-        bench.pick(std::vector{1., 30., 1000.}, {1., 3., 10., 30., 100., 300., 1000.});
-    const std::vector<glm::vec3> all = normals();
-    std::vector<glm::vec3> transformed(all.size());
-    const auto add = [&](const char* curve, double ratio, const std::vector<glm::dvec3>& results,
-                         const Timing& time, double bytes) {
-        figure.add(curve, {ratio, fmt::format("1 : {:.0f}", ratio), largestAngle(modelOf(ratio), results),
-                           time, bytes});
-    };
-    for (const NormalMethod& method : kNormalMethods)
-        for (const double ratio : ratios) {
-            const glm::dmat3 model = modelOf(ratio);
-            const Timing time = bench.time([&] {
-                const glm::mat3 matrix = method.matrix(model);
-                for (std::size_t i = 0; i < all.size(); ++i) transformed[i] = glm::normalize(matrix * all[i]);
-            });
-            add(method.name, ratio, {transformed.begin(), transformed.end()}, time,
-                static_cast<double>(2 * all.size() * sizeof(all[0]) + sizeof(glm::mat3)));
-        }
-    bench.attempt([&] {
-        std::vector<Four> inputs;
-        for (const glm::vec3& each : all) inputs.push_back({each.x, each.y, each.z, 0});
-        const ShaderValues values(bench, kNormalShader, inputs);
-        for (const double ratio : ratios) {
-            values.shader().set("uModel", glm::mat3(modelOf(ratio)));
-            std::vector<glm::dvec3> results;
-            for (const Four& each : values.values()) results.emplace_back(each[0], each[1], each[2]);
-            add("shader, inverse transpose", ratio, results, bench.time([&] { values.compute(); }),
-                values.bytes());
-        }
-    });
+    const std::vector<Four> all = normals();
+    std::vector<ComputedCase> cases;
+    for (const double ratio : bench.pick(std::vector{1., 30., 1000.}, {1., 3., 10., 30., 100., 300., 1000.}))
+        cases.push_back(
+            {ratio, fmt::format("1 : {:.0f}", ratio),
+             [all, ratio](const Numbers& results) { return largestAngle(modelOf(ratio), all, results); },
+             all});
+    addComputed(figure, bench, normalWays(), cases);
     figure.noteOrders("ratio", 10, 1);
     figure.note(
         "at {}: the model matrix itself is {} degrees off, the inverse transpose in float {}, in double and "

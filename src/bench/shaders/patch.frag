@@ -1,0 +1,3 @@
+in vec3 vPosition;
+out vec4 fColor;
+void main() { fColor = vec4(fract(vPosition.z)); }
