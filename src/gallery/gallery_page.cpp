@@ -52,11 +52,26 @@ std::string searchText(const GalleryScene& scene) {
     return glib::lower(text.substr(0, kLongestSearch));
 }
 
+// Pages name files as they are below the folder or the library: where these are on this machine is nobody's
+// business.
+
+Diagnostic asShown(const GalleryScene& scene, Diagnostic of) {
+    for (const SourceText& each : scene.description.sources)
+        if (of.place.file.ends_with("/" + each.name)) of.place.file = each.name;
+    if (of.place.file.ends_with("/" + scene.path)) of.place.file = scene.path;
+    return of;
+}
+
+std::string shownReason(const GalleryScene& scene) {
+    const std::size_t at = scene.reason.find("/" + scene.path + ":");
+    return at == std::string::npos ? scene.reason : scene.reason.substr(at + 1);
+}
+
 std::string tileHtml(const GalleryScene& scene) {
     const std::string film = scene.film.empty() ? "" : fmt::format(" data-film=\"{}\"", scene.film);
     const std::string frame =
         scene.picture.empty()
-            ? fmt::format("<span class=\"none\">{}</span>", escapeXml(printableText(scene.reason)))
+            ? fmt::format("<span class=\"none\">{}</span>", escapeXml(printableText(shownReason(scene))))
             : fmt::format("<img src=\"{}\"{} alt=\"\" loading=\"lazy\">", scene.picture, film);
     return fmt::format(
         "<a class=\"tile\" href=\"{}\" data-text=\"{}\"><span class=\"frame{}\">{}</span><b>{}</b>"
@@ -180,11 +195,11 @@ std::string picturesHtml(const GalleryScene& scene) {
 std::string messagesHtml(const GalleryScene& scene) {
     std::string items;
     if (scene.diagnostics.empty() && !scene.reason.empty())
-        items = "<li class=\"remark error\">" + escapeXml(printableText(scene.reason)) + "</li>";
+        items = "<li class=\"remark error\">" + escapeXml(printableText(shownReason(scene))) + "</li>";
     for (std::size_t i = 0; i < std::min(scene.diagnostics.size(), kMostMessages); ++i) {
         const Diagnostic& each = scene.diagnostics[i];
         items += fmt::format("<li class=\"remark {}\">{}</li>\n", name(each.severity),
-                             escapeXml(printableText(toString(each), true)));
+                             escapeXml(printableText(toString(asShown(scene, each)), true)));
     }
     if (scene.diagnostics.size() > kMostMessages)
         items += fmt::format("<li>{} more</li>", scene.diagnostics.size() - kMostMessages);

@@ -88,7 +88,7 @@ class GallerySite(unittest.TestCase):
         cls.stack = contextlib.ExitStack()
         cls.folder = cls.stack.enter_context(tempfile.TemporaryDirectory())
         make_folder(os.path.join(cls.folder, "week 3"))
-        made = subprocess.run([PROGRAM, "gallery", "week 3", "-o", "made"], cwd=cls.folder, stdout=subprocess.DEVNULL,
+        made = subprocess.run([PROGRAM, "gallery", os.path.join(cls.folder, "week 3"), "-o", "made"], cwd=cls.folder, stdout=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, text=True)
         assert made.returncode == 3, made.stderr
         # A site is copied to another place, under a name with blanks.
@@ -179,6 +179,8 @@ class GallerySite(unittest.TestCase):
         pages = [os.path.join(folder, name) for folder, _, names in os.walk(self.site) for name in names if name.endswith(".html")]
         self.assertEqual(len(pages), 7)
         for page in pages:
+            with open(page, encoding="utf-8") as text:
+                self.assertNotIn(self.folder, text.read(), "where the scenes lie on this machine is nobody's business")
             self.open(os.path.relpath(page, self.site))
             links = self.browser.run("return [...document.querySelectorAll('[href], [src], [srcset], [data-film]')].flatMap((each) =>"
                                      "['href', 'src', 'srcset', 'data-film'].map((name) => each.getAttribute(name))).filter(Boolean)")

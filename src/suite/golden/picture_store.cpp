@@ -246,7 +246,8 @@ void download(std::span<Download> wanted, const std::function<bool()>& stop) {
         while (next < wanted.size() && running.size() < kAtOnce) {
             Download& each = wanted[next++];
             if (folder.empty() || failure)
-                each.whyNot = "there is no folder for downloads; set HOME or XDG_CACHE_HOME";
+                each.whyNot =
+                    "there is no folder for downloads; set HOME or XDG_CACHE_HOME (Windows: LOCALAPPDATA)";
             else if (each.pointer.size > kLargestPicture)
                 each.whyNot = "it is larger than 256 MiB";
             else if (stop())
