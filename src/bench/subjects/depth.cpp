@@ -35,6 +35,11 @@ out vec4 fColor;
 void main() { fColor = vec4(uBrightness); }
 )";
 
+/// `Pass ... reversed` of the language is reversed in 0..1.
+bool isForScenes(const DepthKind& kind) {
+    return !kind.isReversed || kind.isZeroToOne;
+}
+
 /// Clip z as a factor and a constant of the distance, in double.
 glm::dvec2 projection(const DepthKind& kind, double near, double far) {
     const double span = far - near;
@@ -107,8 +112,7 @@ Figure gapFigure(Bench& bench, std::string name, std::string title, std::string 
     std::vector<Curve> theories;
     for (const DepthKind& kind : usableKinds(bench.capabilities())) {
         const DepthPicture picture(bench, kind, kBufferSide);
-        // A scene has no statement that turns depth round.
-        Curve curve{.name = std::string(kind.name), .isForScenes = !kind.isReversed};
+        Curve curve{.name = std::string(kind.name), .isForScenes = isForScenes(kind)};
         Curve theory{.name = fmt::format("theory: {}", kind.name), .theoryOf = figure.curves.size()};
         for (const GapPlace& at : places) {
             curve.points.push_back({at.setting, at.label, smallestGap(picture, at.far, at.z, bench.isQuick()),
@@ -215,7 +219,7 @@ Figure depthCost(Bench& bench) {
                    {8. * static_cast<double>(gpu::bytesPerTexel(kind.format)), std::string(kind.name),
                     smallestGap(picture, kFar, kFar / 2, bench.isQuick()),
                     bench.time([&] { picture.drawLayers(kLayers); }), bufferBytes(kind, kCostSide)});
-        figure.curves.back().isForScenes = !kind.isReversed;
+        figure.curves.back().isForScenes = isForScenes(kind);
     }
     const Point &standard = figure.last(1), &last = figure.last(figure.curves.size() - 1);
     figure.note("{} takes {:.2f} times the time of {} and resolves gaps that are {:.3g} times smaller",
