@@ -11,6 +11,29 @@ namespace glibra::base {
 /// A test of a new value against the stored one: `less` passes if the new value is less.
 enum class Comparison : std::uint8_t { never, less, lequal, equal, gequal, greater, notequal, always };
 
+/// The test of one minus the values that passes where this one passes for the values.
+constexpr Comparison mirrored(Comparison test) {
+    switch (test) {
+        case Comparison::less:
+            return Comparison::greater;
+        case Comparison::lequal:
+            return Comparison::gequal;
+        case Comparison::gequal:
+            return Comparison::lequal;
+        case Comparison::greater:
+            return Comparison::less;
+        default:
+            return test;
+    }
+}
+
+/// What a depth buffer holds, and which clip coordinates lead there.
+enum class DepthOrder : std::uint8_t {
+    usual,          ///< 0 near, 1 far; z goes from -w to w
+    reversed,       ///< one minus that; z goes from 0 (far) to w if the driver can clip so, else from -w
+    reversedCover,  ///< one minus that; z goes from -w to w with every driver
+};
+
 /// Which faces are left out.
 enum class Cull : std::uint8_t { off, back, front, both };
 /// Which order of vertices in the window makes a face a front face.
@@ -111,6 +134,8 @@ struct RasterState {
     bool discard = false;                      ///< primitives end before they are rasterised: no fragments
     double offsetFactor = 0, offsetUnits = 0;  ///< added to the depth of polygons in every polygon mode
 
+    /// The members below mean 0 near and 1 far in any order: whoever sets them mirrors them.
+    DepthOrder depthOrder = DepthOrder::usual;
     bool depthTest = true;  ///< false: no test, and no depth is written
     bool depthWrite = true;
     bool depthClamp = false;

@@ -345,12 +345,12 @@ constexpr StatementRow kModernRows[] = {
          "a cube map with a name, from six files, a panorama, a cross, or empty; several as layers"}),
     object({Id::sampler, "Sampler", "name:name {$sampling}+",
             "filters and wrap modes with a name, for texture.name"}),
-    ofFrame(opens(
-        {Id::pass, "Pass",
-         "targets:object... {from camera:object | (clear [color:color]... {depth value:number | stencil "
-         "value:number | keep part:color,depth,stencil...} | keep [part:color,depth,stencil]...)}",
-         "draws into the window or into parts of textures"},
-        Standing::notInPass)),
+    ofFrame(opens({Id::pass, "Pass",
+                   "targets:object... {from camera:object | reversed | (clear [color:color]... {depth "
+                   "value:number | stencil "
+                   "value:number | keep part:color,depth,stencil...} | keep [part:color,depth,stencil]...)}",
+                   "draws into the window or into parts of textures"},
+                  Standing::notInPass)),
     ofFrame(closes({Id::endPass, "EndPass", "", "ends a Pass"}, Id::pass)),
     ofFrame(placed(Standing::notInPass, {Id::fill, "Fill", "targets:object... with program:program pairs",
                                          "fills targets with one full-screen triangle"})),

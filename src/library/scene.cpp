@@ -182,14 +182,16 @@ Result<const gpu::Target*> Scene::State::targetFor(const DrawOptions& wanted) {
             "a picture of {} x {} pixels; this driver draws up to {} x {} at once; render() draws "
             "larger ones in tiles",
             width, height, largest, largest));
+    const gpu::TexelFormat depth = render::depthFormat(device.live->scene().reversesWindow);
     if (device.window && device.window->width == width && device.window->height == height &&
-        device.window->samples == wanted.samples && device.window->isFloat == wanted.floatPixels)
+        device.window->samples == wanted.samples && device.window->isFloat == wanted.floatPixels &&
+        device.window->target.depth()->format() == depth)
         return &device.window->target;
     device.window.reset();
     isDrawn = false;
     Result<gpu::Target> made = gpu::Target::window(
         capabilities, width, height, wanted.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
-        std::max(1, wanted.samples), render::kDepthFormat);
+        std::max(1, wanted.samples), depth);
     if (!made) return std::move(made.diagnostics);
     device.window.emplace(SceneWindow{width, height, wanted.samples, wanted.floatPixels, std::move(*made)});
     return {&device.window->target, std::move(made.diagnostics)};

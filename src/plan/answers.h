@@ -70,8 +70,9 @@ struct Questions {
 
 struct PlanOptions {
     std::vector<Override> overrides;
-    int maxTextureUnits = 80;  ///< of the driver, all stages together
-    int maxImageUnits = 8;     ///< of the driver
+    int maxTextureUnits = 80;   ///< of the driver, all stages together
+    int maxImageUnits = 8;      ///< of the driver
+    bool clipsFromZero = true;  ///< the driver can, so that reversed depth is exact
     /// What the driver lacks for compute programs and storage buffers, as "OpenGL 4.3; it has 4.1"; empty if
     /// it has them.
     std::string lacksCompute{};

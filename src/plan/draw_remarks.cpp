@@ -281,14 +281,18 @@ static scene::Lens perspectiveOf(const scene::Projection& projection) {
 }
 
 void DrawRemarks::reportPrecision(const scene::Draw& draw, PlannedProgramIndex index) {
-    const auto warn = [&](const std::string& text) {
-        if (remarks_.emplace(scene::ProgramIndex(), "draw-W19", text).second)
-            report(diagnose("draw-W19", text, draw.place));
+    const auto warn = [&](const std::string& text, const char* id = "draw-W19") {
+        if (remarks_.emplace(scene::ProgramIndex(), id, text).second) report(diagnose(id, text, draw.place));
     };
+    const bool isReversed = draw.raster->depthOrder != base::DepthOrder::usual;
+    if (isReversed && !clipsFromZero_)
+        warn("this driver has no glClipControl (OpenGL 4.5), so reversed depth is no more exact than usual",
+             "draw-W21");
     // 24 bits of depth have steps of z * z / near * 2^-24 at the distance z.
     constexpr double kMostRatio = 1e7, kVisible = .01;
     const scene::Lens lens = perspectiveOf(*draw.projection);
-    if (draw.raster->depthTest && lens.near > 0 && lens.far / lens.near >= kMostRatio)
+    const bool isEven = isReversed && clipsFromZero_;  // relative to the distance, as floats are
+    if (draw.raster->depthTest && !isEven && lens.near > 0 && lens.far / lens.near >= kMostRatio)
         warn(
             fmt::format("near {} and far {}: beyond {:.3g} from the eye, surfaces need more than 1% of their "
                         "distance between them for the depth to tell them apart; raise near or lower far",

@@ -45,16 +45,16 @@ std::string describeTarget(const scene::Scene& scene, const scene::Pass& pass, s
 
 class DrawRemarks {
   public:
-    /// All of them must outlive this.
-    DrawRemarks(const scene::Scene& scene, PlannedPrograms& programs, FramePlan& plan)
-        : scene_(scene), programs_(programs), plan_(plan) {}
+    /// All of them must outlive this. `clipsFromZero`: PlanOptions.
+    DrawRemarks(const scene::Scene& scene, PlannedPrograms& programs, FramePlan& plan, bool clipsFromZero)
+        : scene_(scene), programs_(programs), plan_(plan), clipsFromZero_(clipsFromZero) {}
 
     /// Adds the diagnostic to the plan unless an equal one at the same place exists.
     void report(const Diagnostic& diagnostic);
     /// Reports draw-W01 once per program: where the built-in program draws, and where the colour of a
     /// supplied fragment stage is a guess.
     void missingStage(const scene::Draw& draw, const ProgramInterface& interface);
-    /// Reports draw-W02, W03, W05, W12, W15 and W19, each only at the first draw that it applies to.
+    /// Reports draw-W02, W03, W05, W12, W15, W19 and W21, each only at the first draw that it applies to.
     void ofDraw(const scene::Draw& draw, PlannedProgramIndex index, const scene::Program* program,
                 const Submission& submission, const std::vector<TextureUse>& uses);
     /// Reports draw-W12.
@@ -80,7 +80,8 @@ class DrawRemarks {
                                          const ActiveInput& input) const;
     void reportUnknownInputs(const scene::Draw& draw, PlannedProgramIndex index);
     /// Reports draw-W19 for a projection whose depth buffer tells little apart, and for matrices that a
-    /// shader multiplies though 32-bit floats lose the place of what is drawn.
+    /// shader multiplies though 32-bit floats lose the place of what is drawn; draw-W21 for reversed depth
+    /// that is no more exact than usual.
     void reportPrecision(const scene::Draw& draw, PlannedProgramIndex index);
     /// Reports draw-W15 for attributes of the draw that no input has and whose names are near that of an
     /// input without one.
@@ -91,6 +92,7 @@ class DrawRemarks {
     const scene::Scene& scene_;
     PlannedPrograms& programs_;
     FramePlan& plan_;
+    bool clipsFromZero_;
     std::set<scene::ProgramIndex> incomplete_;  ///< programs of draw-W01
     std::set<std::tuple<scene::ProgramIndex, std::string, std::string>> remarks_;
     std::set<std::tuple<std::string, std::string, std::string, int, int>> reported_;

@@ -510,7 +510,7 @@ class FramePlanner {
         expandedMeshes_;
     scene::List<std::set<std::string>, scene::Shape> reads_;  ///< attributes that some program reads
     bool reportedCompute_ = false;
-    DrawRemarks remarks_{scene_, programs_, plan_};
+    DrawRemarks remarks_{scene_, programs_, plan_, options_.clipsFromZero};
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ plan::PlanOptions planOptionsOf(const gpu::Capabilities& driver) {
     plan::PlanOptions made;
     made.maxTextureUnits = driver.combinedTextureUnits;
     made.maxImageUnits = driver.imageUnits;
+    made.clipsFromZero = driver.clipControl;
     made.lacksCompute = lackOfCompute(driver);
     made.cutsDispatches = !driver.isSoftware;
     return made;
@@ -251,7 +252,7 @@ void Conductor::placeEye(double aspect, Diagnostics& diagnostics, Stats& stats) 
 /// again.
 void Conductor::lookFrom(const ViewState& state) {
     if (isViewSet_ && state == view.state() && setEyeDistance_ == eyeDistance) return;
-    view = ViewMatrices(state, scene.view, eyeDistance);
+    view = ViewMatrices(state, scene.view, eyeDistance, context.capabilities().clipControl);
     setEyeDistance_ = eyeDistance;
     isViewSet_ = true;
 }

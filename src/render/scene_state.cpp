@@ -290,7 +290,7 @@ bool SceneState::makeReady(Diagnostics& diagnostics) {
     Result<gpu::Target> made =
         gpu::Target::window(conductor.context.capabilities(), tiles.front().width, tiles.front().height,
                             options.floatPixels ? gpu::TexelFormat::rgba32f : gpu::TexelFormat::rgba8,
-                            options.samples, kDepthFormat);
+                            options.samples, depthFormat(conductor.scene.reversesWindow));
     append(diagnostics, std::move(made.diagnostics));
     if (!made) return refuse();
     window = std::move(made.value);

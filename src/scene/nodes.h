@@ -106,9 +106,10 @@ struct PassSetup {
     bool isWindow = true;
     int depthBuffer = 0;  ///< passes with the same number share depth; 0 is the window's
     std::vector<std::optional<glm::dvec4>>
-        clearColors;  ///< one per target (the window has one); nothing: the content is kept
+        clearColors;          ///< one per target (the window has one); nothing: the content is kept
+    bool isReversed = false;  ///< the depth buffer holds one minus the depth
     bool clearDepth = false;
-    double depthValue = 1;              ///< that clearDepth sets
+    double depthValue = 1;              ///< that clearDepth sets, before it is mirrored
     std::optional<int> clearStencil{};  ///< nothing: the content is kept, or there is no stencil
     Place place;                        ///< of RenderToTexture or Pass, for messages
     std::string camera{};               ///< of `from`; empty: `eye`

@@ -91,8 +91,9 @@ struct Scene : Declarations {
     bool suppliesNames = false;
     /// A frame begins with what the one before has written into textures; otherwise with what is declared.
     bool goesOn = false;
-    bool hasStages = false;   ///< a Vertex or Fragment statement has a shader
-    bool setsLights = false;  ///< Light, Material, or Set of a name that begins with gl_
+    bool reversesWindow = false;  ///< a pass into the window, which need not have run, is reversed
+    bool hasStages = false;       ///< a Vertex or Fragment statement has a shader
+    bool setsLights = false;      ///< Light, Material, or Set of a name that begins with gl_
     std::set<std::string, std::less<>> localNames;  ///< the counters of Repeat and the parameters of groups
     std::set<std::string, std::less<>> otherNames;  ///< of groups, cameras, samplers and meshes
     /// What statements that do not run in this frame write in others: other values of variables decide.

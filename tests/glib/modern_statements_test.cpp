@@ -241,9 +241,9 @@ TEST(ModernWords, AreSuggested) {
 
 TEST(ModernWords, AreHiddenByDeclaredNames) {
     EXPECT_EQ(placedMessageOf("Texture2D depth 8 8 depth24\nPass window depth clear depth .5\nEndPass"), "");
-    EXPECT_EQ(
-        placedMessageOf("Pass window depth\nEndPass"),
-        "1:13 glib-E16 Pass: unknown word 'depth'; expected a name (targets), 'from', 'clear' or 'keep'");
+    EXPECT_EQ(placedMessageOf("Pass window depth\nEndPass"),
+              "1:13 glib-E16 Pass: unknown word 'depth'; expected a name (targets), 'from', 'reversed', "
+              "'clear' or 'keep'");
     EXPECT_EQ(placedMessageOf("Pass window clear {1 0 0} {0 1 0} keep depth stencil\nEndPass"), "");
     EXPECT_EQ(placedMessageOf("Include a.glib\nPass window clear depth .5\nEndPass"), "");
     EXPECT_EQ(placedMessageOf("Include a.glib\nPass window from left keep color\nEndPass"), "");

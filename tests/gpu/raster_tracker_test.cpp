@@ -67,6 +67,28 @@ const std::vector<StateCase>& stateCases() {
          [] { return !glIsEnabled(GL_DEPTH_TEST); }},
         {"depth function", [](RasterState& s) { s.depthFunction = Comparison::greater; },
          [] { return integer(GL_DEPTH_FUNC) == GL_GREATER; }},
+        {"reversed depth",
+         [](RasterState& s) {
+             s.depthOrder = base::DepthOrder::reversed;
+             s.depthFunction = Comparison::less;
+             s.depthNear = .25;
+             s.offsetUnits = 4;
+         },
+         [] {
+             GLfloat units = 0;
+             glGetFloatv(GL_POLYGON_OFFSET_UNITS, &units);
+             GLdouble range[2] = {0, 0};
+             glGetDoublev(GL_DEPTH_RANGE, range);
+             return integer(GL_DEPTH_FUNC) == GL_GREATER && range[0] == 0 && range[1] == .75 && units == -4 &&
+                    integer(GL_CLIP_DEPTH_MODE) ==
+                        (glad_glClipControl != nullptr ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+         }},
+        {"reversed depth of what covers",
+         [](RasterState& s) { s.depthOrder = base::DepthOrder::reversedCover; },
+         [] {
+             return integer(GL_DEPTH_FUNC) == GL_GEQUAL &&
+                    integer(GL_CLIP_DEPTH_MODE) == GL_NEGATIVE_ONE_TO_ONE;
+         }},
         {"depth write", [](RasterState& s) { s.depthWrite = false; },
          [] { return integer(GL_DEPTH_WRITEMASK) == 0; }},
         {"depth clamp", [](RasterState& s) { s.depthClamp = true; },
@@ -249,6 +271,12 @@ TEST_F(RasterTrackerTest, ForgottenStateIsSetAgain) {
     tracker.forget();
     tracker.apply({});
     EXPECT_FALSE(glIsEnabled(GL_CULL_FACE));
+    RasterState reversed;
+    reversed.depthOrder = base::DepthOrder::reversed;
+    tracker.apply(reversed);
+    tracker.forget();
+    tracker.apply({});
+    EXPECT_EQ(integer(GL_CLIP_DEPTH_MODE), GL_NEGATIVE_ONE_TO_ONE) << "nobody else sets it";
 }
 
 TEST_F(RasterTrackerTest, RectanglesThatShareAnEdgeMeet) {

@@ -12,7 +12,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 # At least so many scenes are drawn; docs/cli.md says how many are.
-FEWEST_DRAWN = 441
+FEWEST_DRAWN = 442
 SIZE = "160x160"
 
 

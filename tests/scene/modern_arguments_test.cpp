@@ -117,7 +117,7 @@ constexpr Specimen kSpecimens[] = {
     {"Sampler far linear compare greater", "Set uMap shadow.far\nBox\n"},
     {"Pass albedo second shadow from sun clear {1 0 0 1} depth .5 stencil 3", "    Box\nEndPass\n"},
     {"Pass window from sun keep color stencil", "    Box\nEndPass\n"},
-    {"Pass slices.layer(1).level(1)", "    Box\nEndPass\n"},
+    {"Pass slices.layer(1).level(1) reversed", "    Box\nEndPass\n"},
     {"EndPass", "Box\n", "Pass window\n"},
     {"Fill albedo with Flat uGain 2", "Box\n"},
     {"Fill albedo second with Flat", "Box\n"},

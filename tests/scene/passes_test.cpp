@@ -192,5 +192,52 @@ TEST(Passes, NeitherMatrixNorProjectionChangesWithTheTarget) {
     EXPECT_EQ(draws.at(0).projection->index(), draws.at(1).projection->index());
 }
 
+TEST(Passes, MayBeReversed) {
+    const Scene scene =
+        run("Texture2D a 8 8 rgba8\nPass a from eye reversed clear {0} depth .25\nSphere\nFullScreen\n"
+            "EndPass\nPass window\nSphere\nEndPass\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    ASSERT_EQ(scene.frame.passes.size(), 2U);
+    EXPECT_TRUE(scene.frame.passes[0].isReversed);
+    EXPECT_EQ(scene.frame.passes[0].depthValue, .25);
+    EXPECT_FALSE(scene.frame.passes[1].isReversed);
+    EXPECT_FALSE(scene.reversesWindow);
+    using base::DepthOrder;
+    const auto draws = drawsOf(scene);
+    EXPECT_EQ(draws.at(0).raster->depthOrder, DepthOrder::reversed);
+    EXPECT_EQ(draws.at(1).raster->depthOrder, DepthOrder::reversedCover);
+    EXPECT_EQ(draws.at(2).raster->depthOrder, DepthOrder::usual);
+    EXPECT_TRUE(run("Let far <true>\nWhen (!far)\nPass window reversed\nEndPass\nElse\nSphere\nEndWhen\n")
+                    .reversesWindow)
+        << "a value of the variable changes that";
+}
+
+TEST(Passes, IntoOneDepthAreAllReversedOrNone) {
+    const auto error = [](const std::string& text) { return textsOf(run(text).diagnostics); };
+    EXPECT_EQ(error("Sphere\nPass window reversed\nEndPass\n"),
+              "2:1 glib-E11 the window is drawn into with reversed depth here and with the usual depth on "
+              "line 1; all "
+              "passes into one depth are reversed, or none is");
+    EXPECT_EQ(error("Pass window reversed\nEndPass\nSphere\n"),
+              "3:1 glib-E11 the window is drawn into with the usual depth here and with reversed depth on "
+              "line 1; all "
+              "passes into one depth are reversed, or none is");
+    EXPECT_EQ(
+        idsOf(run("Texture2D a 8 8 rgba8\nPass a\nEndPass\nPass a reversed keep\nEndPass\n").diagnostics),
+        "glib-E11");
+    EXPECT_EQ(
+        idsOf(run("Texture2D d 8 8 depth32f\nTexture2D a 8 8 rgba8\nPass a d reversed\nEndPass\nPass d\n"
+                  "EndPass\n")
+                  .diagnostics),
+        "glib-E11");
+    EXPECT_EQ(
+        error("Texture2D d 8 8 depth24\nPass d reversed\nEndPass\n"),
+        "2:8 glib-E11 Pass: reversed depth needs floats, but 'd' is depth24; its format must be depth32f or "
+        "depth32f_stencil8");
+    EXPECT_EQ(
+        error("Texture2D d 8 8 depth32f_stencil8\nPass d reversed\nEndPass\nPass window\nSphere\nEndPass\n"),
+        "");
+}
+
 }  // namespace
 }  // namespace glibra::scene

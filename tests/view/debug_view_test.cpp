@@ -139,6 +139,19 @@ TEST(DebugView, DepthIsTheWindowsAndTheDistanceFromTheEye) {
     EXPECT_EQ(numbersAt(session, 1, 1)[3], 0);
 }
 
+TEST(DebugView, DepthIsReversedAsInThePass) {
+    const SceneFolder folder(
+        "WindowSize 40 40\nCamera eye LookAt 0 0 0  0 0 -1  0 1 0  Perspective 90 .01 1e6\n" + kProgram +
+            "Pass window reversed\nTranslate 0 0 -90000\nQuadXY 0 20000\nEndPass\n",
+        kPlain);
+    Session session(context(), {});
+    openView(session, folder, DebugView::depth);
+    const auto [depth, distance, blue, alpha] = numbersAt(session, 20, 20);
+    EXPECT_NEAR(depth, .01 / 90000 - .01 / 1e6, 1e-12);
+    EXPECT_NEAR(distance, 90000, 1);
+    EXPECT_EQ(numbersAt(session, 1, 1)[3], 0);
+}
+
 TEST(DebugView, DepthIsWhatAFragmentStageWrites) {
     const SceneFolder folder(
         kHead + kProgram + "QuadXY 0 1\n",

@@ -70,6 +70,20 @@ TEST(Picking, GivesThePointUnderTheMouse) {
     EXPECT_NEAR(session.picked()->point.x, pixel / 2, 1e-3);
 }
 
+TEST(Picking, GivesThePointInReversedDepth) {
+    const SceneFolder folder(
+        "WindowSize 40 40\nCamera eye LookAt 0 0 0  0 0 -1  0 1 0  Perspective 60 .01 1e6\nPass window "
+        "reversed\nTranslate 0 0 -90000\nQuadXY 0 20000\nEndPass\n");
+    Session session(context(), {});
+    ASSERT_TRUE(session.open(folder.scene()));
+    session.pickAt(20, 20);
+    ASSERT_TRUE(session.picked());
+    EXPECT_NEAR(session.picked()->eye.z, -90000, 1);
+    EXPECT_NEAR(session.picked()->point.z, 0, 1);
+    session.pickAt(1, 1);
+    EXPECT_FALSE(session.picked());
+}
+
 TEST(Picking, TheObjectTransformMovesThePickedOneOnly) {
     const SceneFolder folder(
         "WindowSize 40 20\nOrtho -2 2 -1 1\nColor 1 0 0\nQuadXY 0 .5\nTranslate 1 0 0\nColor 0 1 0\nQuadXY 0 "

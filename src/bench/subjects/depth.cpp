@@ -29,6 +29,11 @@ out vec4 fColor;
 void main() { fColor = vec4(uBrightness); }
 )";
 
+/// `Pass ... reversed` of the language is reversed in 0..1.
+bool isForScenes(const DepthKind& kind) {
+    return !kind.isReversed || kind.isZeroToOne;
+}
+
 /// Clip z as a factor and a constant of the distance, in double.
 glm::dvec2 projection(const DepthKind& kind, double near, double far) {
     const double span = far - near;
@@ -200,11 +205,11 @@ Figure gapFigure(Bench& bench, std::string name, std::string title, std::string 
     const std::vector<DepthKind> kinds = usableKinds(bench.capabilities());
     for (const DepthKind& kind : kinds) {
         const DepthPicture picture(bench, kind, kBufferSide);
-        for (const GapPlace& at : places)  // a scene has no statement that turns depth round
+        for (const GapPlace& at : places)
             figure
                 .add(kind.name, {at.setting, at.label, smallestGap(picture, at.far, at.z, bench.isQuick()),
                                  std::nullopt, bufferBytes(kind, kBufferSide)})
-                .isForScenes = !kind.isReversed;
+                .isForScenes = isForScenes(kind);
     }
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const std::string theory = fmt::format("theory: {}", kinds[i].name);
@@ -308,7 +313,7 @@ Figure depthCost(Bench& bench) {
                    {8. * static_cast<double>(gpu::bytesPerTexel(kind.format)), std::string(kind.name),
                     smallestGap(picture, kFar, kFar / 2, bench.isQuick()),
                     bench.timeDrawing([&] { picture.drawLayers(kLayers); }), bufferBytes(kind, kCostSide)});
-        figure.curves.back().isForScenes = !kind.isReversed;
+        figure.curves.back().isForScenes = isForScenes(kind);
     }
     const Point &standard = figure.last(1), &last = figure.last(figure.curves.size() - 1);
     figure.note("{} takes {:.2f} times the time of {} and resolves gaps that are {:.3g} times smaller",

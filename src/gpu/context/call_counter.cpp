@@ -40,6 +40,7 @@ constexpr Signature kSignatures[] = {
     {"glClearBufferfv", "eip"},
     {"glClearBufferiv", "eip"},
     {"glClearBufferuiv", "eip"},
+    {"glClipControl", "ee"},
     {"glColorMask", "bbbb"},
     {"glColorMaski", "ubbbb"},
     {"glCullFace", "e"},

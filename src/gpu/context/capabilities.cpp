@@ -118,6 +118,9 @@ Capabilities readCapabilities(bool throughOsmesa) {
     driver.packInvert = driver.hasExtension("GL_MESA_pack_invert");
     driver.parallelCompile = driver.hasExtension("GL_KHR_parallel_shader_compile");
     driver.debugOutput = driver.atLeast(4, 3) || (!driver.isEs && driver.hasExtension("GL_KHR_debug"));
+    driver.clipControl = glad_glClipControl != nullptr &&
+                         (driver.atLeast(4, 5) || driver.hasExtension("GL_ARB_clip_control") ||
+                          driver.hasExtension("GL_EXT_clip_control"));
     driver.persistentMaps = driver.atLeast(4, 4);
     if (!driver.isEs) glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &driver.timerBits);
     clearErrors();

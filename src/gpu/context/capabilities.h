@@ -35,6 +35,7 @@ struct Capabilities {
     bool packInvert = false;       ///< GL_MESA_pack_invert: rows can be read top first
     bool parallelCompile = false;  ///< GL_KHR_parallel_shader_compile
     bool debugOutput = false;      ///< KHR_debug or GL 4.3
+    bool clipControl = false;      ///< z may go from 0 to w: GL 4.5, or an extension
     bool defersClears = false;     ///< zink: see gpu/object/deferred_clears.h
     bool persistentMaps = false;   ///< buffers can stay mapped while the device uses them: GL 4.4
     int timerBits = 0;             ///< of GL_TIMESTAMP queries; 0: the driver has no timer

@@ -235,15 +235,16 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     glad_gl##name = reinterpret_cast<decltype(glad_gl##name)>(address("gl" #name)); \
     isWhole = isWhole && (glad_gl##name != nullptr || isOptional("gl" #name));
     const auto isOptional = [](std::string_view name) {
-        constexpr std::array<std::string_view, 9> kOptional{"glEnablei",
-                                                            "glDisablei",
-                                                            "glColorMaski",
-                                                            "glBlendFuncSeparatei",
-                                                            "glBlendEquationSeparatei",
-                                                            "glMapBufferRange",
-                                                            "glUnmapBuffer",
-                                                            "glProgramParameteri",
-                                                            "glGetInternalformativ"};
+        constexpr std::array<std::string_view, 10> kOptional{"glEnablei",
+                                                             "glDisablei",
+                                                             "glClipControl",
+                                                             "glColorMaski",
+                                                             "glBlendFuncSeparatei",
+                                                             "glBlendEquationSeparatei",
+                                                             "glMapBufferRange",
+                                                             "glUnmapBuffer",
+                                                             "glProgramParameteri",
+                                                             "glGetInternalformativ"};
         return std::ranges::find(kOptional, name) != kOptional.end();
     };
 #include "gpu/context/es_functions.def"
@@ -268,6 +269,8 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     glad_glGetBufferSubData = getBufferSubData;
     if (glad_glMapBufferRange == nullptr)
         glad_glGetBufferSubData = reinterpret_cast<PFNGLGETBUFFERSUBDATAPROC>(address("glGetBufferSubData"));
+    if (void* clipControl = address("glClipControlEXT"))  // pages know it without the suffix
+        glad_glClipControl = reinterpret_cast<PFNGLCLIPCONTROLPROC>(clipControl);
     setMissing();
     setProgramUniforms();
     program = 0;

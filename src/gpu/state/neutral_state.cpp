@@ -102,7 +102,7 @@ void unbind(const Capabilities& capabilities) {
 void setPrimitives(const Capabilities& capabilities) {
     for (int i = 0; i < capabilities.maxClipDistances; ++i)
         glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
-    if (capabilities.atLeast(4, 5)) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    if (capabilities.clipControl) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 1);
     glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_UPPER_LEFT);
     glPrimitiveRestartIndex(0);

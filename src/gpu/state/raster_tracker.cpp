@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "gpu/format/raster_names.h"
 
@@ -109,7 +110,9 @@ void RasterTracker::applyFaces(const base::RasterState& state) {
 
     enable(known_.discard, GL_RASTERIZER_DISCARD, state.discard);
 
-    const std::array offset{static_cast<float>(state.offsetFactor), static_cast<float>(state.offsetUnits)};
+    const double sign = state.depthOrder == base::DepthOrder::usual ? 1 : -1;
+    const std::array offset{static_cast<float>(sign * state.offsetFactor),
+                            static_cast<float>(sign * state.offsetUnits)};
     const bool offsets = offset[0] != 0 || offset[1] != 0;
     change(known_.offsetOn, offsets, [&] {
         for (const GLenum each : std::initializer_list<GLenum>{GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE,
@@ -120,15 +123,21 @@ void RasterTracker::applyFaces(const base::RasterState& state) {
 }
 
 void RasterTracker::applyDepth(const base::RasterState& state) {
+    const bool isUsual = state.depthOrder == base::DepthOrder::usual;
     enable(known_.depthTest, GL_DEPTH_TEST, state.depthTest);
     if (state.depthTest) {
-        const GLenum function = glFunction(state.depthFunction);
+        const GLenum function =
+            glFunction(isUsual ? state.depthFunction : base::mirrored(state.depthFunction));
         change(known_.depthFunction, function, [&] { glDepthFunc(function); });
     }
     change(known_.depthWrite, state.depthWrite, [&] { glDepthMask(state.depthWrite ? GL_TRUE : GL_FALSE); });
     enable(known_.depthClamp, GL_DEPTH_CLAMP, state.depthClamp);
-    const std::array range{state.depthNear, state.depthFar};
+    const std::array range{isUsual ? state.depthNear : 1 - state.depthFar,
+                           isUsual ? state.depthFar : 1 - state.depthNear};
     change(known_.depthRange, range, [&] { glDepthRange(range[0], range[1]); });
+    const bool fromZero = state.depthOrder == base::DepthOrder::reversed && capabilities_->clipControl;
+    if (std::exchange(clipsFromZero_, fromZero) != fromZero)
+        glClipControl(GL_LOWER_LEFT, fromZero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
 }
 
 void RasterTracker::applyStencil(const base::RasterState& state) {

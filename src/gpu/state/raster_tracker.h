@@ -28,8 +28,8 @@ class RasterTracker {
     /// Draws and clears change only these pixels, until it is called again without them.
     void limitTo(const std::optional<PixelRectangle>& pixels) { limit_ = pixels; }
 
-    /// Sets the state for draws into the bound target. Line widths and point sizes are limited to those of
-    /// the driver.
+    /// Sets the state for draws into the bound target, mirrored as its depth order says. Line widths and
+    /// point sizes are limited to those of the driver.
     void apply(const base::RasterState& state);
     /// The pixels that draws with the applied state can change.
     [[nodiscard]] PixelRectangle drawnPixels() const;
@@ -76,6 +76,7 @@ class RasterTracker {
     };
 
     const Capabilities* capabilities_;
+    bool clipsFromZero_ = false;  ///< glClipControl, which nobody else calls: forget() keeps it
     Known known_;
     std::optional<PixelRectangle> limit_;
     std::optional<PixelRectangle> drawn_;  ///< the scissor of the applied state

@@ -325,12 +325,13 @@ ViewState viewOf(const Json& json) {
 bool makeTarget(int width, int height, int samples) {
     Shown& page = shown();
     samples = std::clamp(samples, 1, page.context->capabilities().maxSamples);
+    const gpu::TexelFormat depth = render::depthFormat(page.live->scene().reversesWindow);
     if (page.target && page.target->width() == width && page.target->height() == height &&
-        page.target->samples() == samples)
+        page.target->samples() == samples && page.target->depth()->format() == depth)
         return true;
     page.target.reset();
     Result<gpu::Target> made = gpu::Target::window(page.context->capabilities(), width, height,
-                                                   gpu::TexelFormat::rgba8, samples, render::kDepthFormat);
+                                                   gpu::TexelFormat::rgba8, samples, depth);
     note(std::move(made.diagnostics));
     page.target = std::move(made.value);
     return page.target.has_value();

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/state/raster_tracker.h"
 #include "image/text.h"
 #include "plan/uniform_names.h"
 
@@ -59,20 +60,21 @@ std::vector<Vertex> vertices() {
     return lines;
 }
 
-/// The projection of the last draw into the window that has one.
-scene::Projection lastProjection(const scene::Scene& scene) {
-    scene::Projection projection;
+/// The last draw into the window that has a projection, or one with the usual state.
+scene::Draw lastDraw(const scene::Scene& scene) {
+    const scene::Draw* last = nullptr;
     scene.frame.visitDraws([&](const scene::Draw& draw, const scene::Pass& pass) {
-        if (pass.isWindow && !std::holds_alternative<scene::ClipSpace>(*draw.projection))
-            projection = *draw.projection;
+        if (pass.isWindow && !std::holds_alternative<scene::ClipSpace>(*draw.projection)) last = &draw;
     });
-    return projection;
+    return last != nullptr ? *last : scene::Draw();
 }
 
 }  // namespace
 
-Axes::Axes(gpu::Program program, gpu::Buffer vertices, gpu::VertexArray lines, int count)
-    : program_(std::move(program)),
+Axes::Axes(const gpu::Capabilities& driver, gpu::Program program, gpu::Buffer vertices,
+           gpu::VertexArray lines, int count)
+    : driver_(&driver),
+      program_(std::move(program)),
       matrix_(glGetUniformLocation(program_.id(), "uMatrix")),
       part_(glGetUniformLocation(program_.id(), "uPart")),
       half_(glGetUniformLocation(program_.id(), "uHalf")),
@@ -103,14 +105,15 @@ Result<Axes> Axes::create(const gpu::Context& context) {
                                                       source(1, 3, offsetof(Vertex, to)),
                                                       source(2, 2, offsetof(Vertex, corner))};
     gpu::VertexArray array(sources);
-    return Axes(std::move(*built.program), std::move(*buffer), std::move(array),
+    return Axes(context.capabilities(), std::move(*built.program), std::move(*buffer), std::move(array),
                 static_cast<int>(lines.size()));
 }
 
 void Axes::draw(const gpu::Target& target, const scene::Scene& scene, const ViewMatrices& view,
                 const Tile& tile, int width, int height) const {
     const double aspect = static_cast<double>(width) / height;
-    const glm::mat4 matrix(view.projection(lastProjection(scene), aspect) * view.worldView());
+    const scene::Draw last = lastDraw(scene);
+    const glm::mat4 matrix(view.projection(last, aspect) * view.worldView());
     // The tile's part of clip space, as for the scene's own programs.
     const glm::vec4 part(static_cast<double>(width) / tile.width, static_cast<double>(height) / tile.height,
                          (width - 2.0 * tile.x - tile.width) / tile.width,
@@ -123,8 +126,14 @@ void Axes::draw(const gpu::Target& target, const scene::Scene& scene, const View
     glUniform4fv(part_, 1, glm::value_ptr(part));
     glUniform2fv(half_, 1, glm::value_ptr(half));
     lines_.bind();
+    gpu::RasterTracker raster(*driver_);
+    raster.targetBound(tile.width, tile.height);
+    base::RasterState state;
+    state.depthOrder = last.raster->depthOrder;
+    if (state.depthOrder != base::DepthOrder::usual) raster.apply(state);
     glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLES, 0, count_);
+    if (state.depthOrder != base::DepthOrder::usual) raster.apply({});
 }
 
 namespace {

@@ -30,6 +30,7 @@ inline constexpr double kLeastAxisWidth = 1.5;   ///< pixels
 
 class Axes {
   public:
+    /// The context must outlive them.
     static Result<Axes> create(const gpu::Context& context);
 
     /// Draws into the target, which shows `tile` of a picture of that size, with the projection of the
@@ -38,8 +39,10 @@ class Axes {
               const Tile& tile, int width, int height) const;
 
   private:
-    Axes(gpu::Program program, gpu::Buffer vertices, gpu::VertexArray lines, int count);
+    Axes(const gpu::Capabilities& driver, gpu::Program program, gpu::Buffer vertices, gpu::VertexArray lines,
+         int count);
 
+    const gpu::Capabilities* driver_;
     gpu::Program program_;
     GLint matrix_, part_, half_;  ///< locations of the uniforms
     gpu::Buffer vertices_;

@@ -334,7 +334,9 @@ void FrameDrawer::beginPass(const PassInProgress& pass) {
     for (std::size_t i = 0; i < begun.clearColors.size(); ++i)
         if (const auto& color = begun.clearColors[i])
             pass.target.clearColorOfAnyFormat(static_cast<int>(i), clearColor(*color, pass));
-    if (begun.clearDepth) pass.target.clearDepth(static_cast<float>(begun.depthValue));
+    if (begun.clearDepth)
+        pass.target.clearDepth(
+            static_cast<float>(begun.isReversed ? 1 - begun.depthValue : begun.depthValue));
     if (begun.clearStencil) pass.target.clearStencil(*begun.clearStencil);
 }
 
@@ -342,7 +344,7 @@ void FrameDrawer::clear(const PassInProgress& pass, const scene::Clear& clear) {
     raster_.openForClears();
     const int colors = clear.color ? pass.target.readable().colorCount() : 0;
     for (int i = 0; i < colors; ++i) pass.target.clearColorOfAnyFormat(i, clearColor(*clear.color, pass));
-    if (clear.depth) pass.target.clearDepth();
+    if (clear.depth) pass.target.clearDepth(pass.pass.isReversed ? 0 : 1);
     if (clear.stencil) pass.target.clearStencil();
 }
 

@@ -35,7 +35,7 @@ scene::Draw seenBy(const scene::ClipSpace& space, scene::Draw draw) {
 
 DrawFacts factsOf(const scene::Draw& draw, const PassInProgress& pass) {
     DrawFacts facts;
-    facts.projection = pass.view.projection(*draw.projection, pass.aspect());
+    facts.projection = pass.view.projection(draw, pass.aspect());
     facts.modelView = pass.view.modelView(draw);
     facts.texture = pass.frame.view.texture();
     facts.timer = timerAt(pass.frame.time, draw.timerPeriod);

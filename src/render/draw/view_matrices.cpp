@@ -48,8 +48,9 @@ Matrix asNumbers(const glm::dmat4& matrix) {
     return numbers;
 }
 
-ViewMatrices::ViewMatrices(const ViewState& state, const glm::dmat4& sceneView, double eyeDistance)
-    : state_(state), sceneView_(sceneView), eyeDistance_(eyeDistance) {}
+ViewMatrices::ViewMatrices(const ViewState& state, const glm::dmat4& sceneView, double eyeDistance,
+                           bool clipsFromZero)
+    : state_(state), sceneView_(sceneView), eyeDistance_(eyeDistance), clipsFromZero_(clipsFromZero) {}
 
 glm::dmat4 ViewMatrices::projection(const scene::Projection& projection, double aspect) const {
     if (std::holds_alternative<scene::ClipSpace>(projection)) return glm::dmat4(1);
@@ -65,6 +66,21 @@ glm::dmat4 ViewMatrices::projection(const scene::Projection& projection, double 
         matrix = scene::projectionMatrix(projection, aspect);
     if (state_.scene == kIdentity) return matrix;
     return matrix * asMatrix(state_.scene);
+}
+
+glm::dmat4 ViewMatrices::projection(const scene::Draw& draw, double aspect) const {
+    using base::DepthOrder;
+    glm::dmat4 matrix = projection(*draw.projection, aspect);
+    const DepthOrder order = draw.raster->depthOrder;
+    if (order == DepthOrder::usual || std::holds_alternative<scene::ClipSpace>(*draw.projection))
+        return matrix;
+    // Of z from 0 to w floats tell the small values apart, which are far away.
+    const bool fromZero = clipsFromZero_ && order == DepthOrder::reversed;
+    for (int column = 0; column < 4; ++column) {
+        glm::dvec4& each = matrix[column];
+        each.z = fromZero ? (each.w - each.z) / 2 : -each.z;
+    }
+    return matrix;
 }
 
 bool isMoved(const scene::NodeList& nodes, const scene::Pass& pass) {
@@ -90,7 +106,7 @@ ViewMatrices ViewMatrices::shifted(const glm::dmat4& shift) const {
 ViewMatrices ViewMatrices::unmoved() const {
     ViewState state;
     state.objects = state_.objects;
-    return {state, sceneView_, 0};
+    return {state, sceneView_, 0, clipsFromZero_};
 }
 
 glm::dmat4 ViewMatrices::model(const scene::Draw& draw) const {

@@ -25,10 +25,14 @@ class ViewMatrices {
   public:
     ViewMatrices() = default;
     /// `eyeDistance`: how far the view policy moves the eye back, for draws with a perspective projection.
-    ViewMatrices(const ViewState& state, const glm::dmat4& sceneView, double eyeDistance);
+    /// `clipsFromZero`: z of reversed draws goes from 0 to w (Capabilities::clipControl).
+    ViewMatrices(const ViewState& state, const glm::dmat4& sceneView, double eyeDistance,
+                 bool clipsFromZero = false);
 
     /// Projection * scene transform. `aspect`: width / height of what is drawn into.
     [[nodiscard]] glm::dmat4 projection(const scene::Projection& projection, double aspect) const;
+    /// The same for what the draw's shaders compute with: mirrored where its pass is reversed.
+    [[nodiscard]] glm::dmat4 projection(const scene::Draw& draw, double aspect) const;
     /// eye transform * view policy * ModelView * object transform.
     [[nodiscard]] glm::dmat4 modelView(const scene::Draw& draw) const;
     /// The two factors of modelView(): the transforms below the camera, and the camera's view. A singular
@@ -48,6 +52,7 @@ class ViewMatrices {
     ViewState state_;
     glm::dmat4 sceneView_{1.0};
     double eyeDistance_ = 0;
+    bool clipsFromZero_ = false;
 };
 
 }  // namespace glibra::render

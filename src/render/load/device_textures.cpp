@@ -356,9 +356,9 @@ Result<gpu::Target> DeviceTargets::make(const scene::Pass& pass) {
     if (!problems.empty()) return problems;
     if (isWithoutDepth(pass))
         return gpu::Target::parts(context_.capabilities(), colors, std::nullopt, {}, std::nullopt);
-    gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height}];
+    gpu::SharedDepth& depth = depthBuffers_[{pass.depthBuffer, size.width, size.height, pass.isReversed}];
     Result<gpu::Target> made =
-        gpu::Target::parts(context_.capabilities(), colors, depthPart, depth, kDepthFormat);
+        gpu::Target::parts(context_.capabilities(), colors, depthPart, depth, depthFormat(pass.isReversed));
     if (made && made->depth()) depth = made->depth();
     return made;
 }
@@ -368,7 +368,8 @@ Result<const gpu::Target*> DeviceTargets::of(const scene::Pass& pass) {
     // This runs in every frame, so it compares without making a key.
     const auto isSame = [&](const Made& known) {
         if (known.depthBuffer != pass.depthBuffer || known.targets != pass.targets ||
-            known.parts != pass.parts || known.depth != pass.depth || (needsDepth && !known.hasDepth))
+            known.parts != pass.parts || known.depth != pass.depth ||
+            (needsDepth && (!known.hasDepth || known.isReversed != pass.isReversed)))
             return false;
         for (std::size_t i = 0; i < pass.targets.size(); ++i)
             if (known.textures[i] != textures_.texture(pass.targets[i])) return false;
@@ -381,7 +382,8 @@ Result<const gpu::Target*> DeviceTargets::of(const scene::Pass& pass) {
         for (Diagnostic& each : made.diagnostics) each.place = pass.place;
         return std::move(made.diagnostics);
     }
-    Made kept{pass.targets, pass.parts, pass.depth, pass.depthBuffer, needsDepth, {}, std::move(*made)};
+    Made kept{pass.targets, pass.parts,      pass.depth, pass.depthBuffer,
+              needsDepth,   pass.isReversed, {},         std::move(*made)};
     for (const scene::TextureIndex each : pass.targets) kept.textures.push_back(textures_.texture(each));
     if (pass.depth) kept.textures.push_back(textures_.texture(pass.depth->texture));
     return &made_.emplace_back(std::move(kept)).target;

@@ -200,8 +200,11 @@ class DeviceTextures {
 
 // The render targets of passes into textures, and the depth buffers that passes share.
 
-/// The format of depth buffers that the scene does not name.
-inline constexpr gpu::TexelFormat kDepthFormat = gpu::TexelFormat::depth24_stencil8;
+/// The format of a depth buffer that the scene does not name: of a pass that is reversed or not, or of the
+/// window of a scene with Scene::reversesWindow or without it.
+constexpr gpu::TexelFormat depthFormat(bool isReversed) {
+    return isReversed ? gpu::TexelFormat::depth32f_stencil8 : gpu::TexelFormat::depth24_stencil8;
+}
 
 class DeviceTargets {
   public:
@@ -219,7 +222,7 @@ class DeviceTargets {
         std::vector<scene::TargetPart> parts;
         std::optional<scene::TextureView> depth;
         int depthBuffer = 0;
-        bool hasDepth = true;
+        bool hasDepth = true, isReversed = false;
         std::vector<const gpu::Texture*> textures;  ///< of the targets and the depth
         gpu::Target target;
     };
@@ -228,8 +231,8 @@ class DeviceTargets {
     const gpu::Context& context_;
     const scene::Scene& scene_;
     const DeviceTextures& textures_;
-    /// By number, width and height: the numbers are those of one moment.
-    std::map<std::tuple<int, int, int>, gpu::SharedDepth> depthBuffers_;
+    /// By number, width, height and whether it is reversed: the numbers are those of one moment.
+    std::map<std::tuple<int, int, int, bool>, gpu::SharedDepth> depthBuffers_;
     std::deque<Made> made_;
 };
 

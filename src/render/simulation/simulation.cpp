@@ -439,7 +439,8 @@ Diagnostics Simulation::run(Block& block, double time) {
         parts_.recordLoops(block.plan);
         block.drawer.emplace(parts_.context, block.plan, parts_.programs, parts_.device, parts_.stats);
     }
-    if (!block.seen) block.seen.emplace(ViewState(), block.view, 0);
+    if (!block.seen)
+        block.seen.emplace(ViewState(), block.view, 0, parts_.context.capabilities().clipControl);
     if (open_ != &*block.drawer) closeDrawer();
     const Run run{block.isOnce, block.rate, block.place, block.plan, *block.drawer};
     if (hook_) hook_(run, true);

@@ -30,6 +30,9 @@ void checkStack(Interpreter&);
 Pass* currentPass(Interpreter&, const Command&);
 /// The number of the depth buffer that belongs to a list of targets of that size. 0 is the window's.
 int depthBufferOf(Interpreter&, const std::vector<int>& key, int width, int height);
+/// True unless an earlier pass into the same depth has another order of depths, which is reported as
+/// glib-E11 at that place.
+bool checkDepthOrder(Interpreter&, const Pass& pass, const Place& at);
 /// True if nothing has cleared the part since the beginning of the frame or block. From now on it counts as
 /// cleared. The `layers` are those of the level.
 bool isFirstUse(Interpreter&, TextureIndex texture, const TargetPart& part, int layers);

@@ -164,6 +164,10 @@ void draw(Interpreter& in, const Command& command, const Drawing& drawing) {
         raster.blendAll(state.target.textures.empty() ? base::kBlendOver : base::Blend{});
     lookAt(in, made, raster);
     placeBySpace(in, made, raster, in.scene.shapes[drawing.shape].command);
+    if (in.around.pass && in.out.nodes->passes[in.around.pass->index].isReversed)
+        raster.depthOrder = std::holds_alternative<ClipSpace>(*made.projection)
+                                ? base::DepthOrder::reversedCover
+                                : base::DepthOrder::reversed;
     made.raster = in.made.raster = raster;
     made.patchVertices = state.patchVertices;
     made.flatColors = state.flatColors;

@@ -85,6 +85,24 @@ int depthBufferOf(Interpreter& in, const std::vector<int>& key, int width, int h
     return in.made.depthBuffers.try_emplace({key, width, height}, next).first->second;
 }
 
+bool checkDepthOrder(Interpreter& in, const Pass& pass, const Place& at) {
+    const auto [first, isNew] = in.made.depthOrders.try_emplace(
+        {pass.depth ? pass.depth->texture : TextureIndex(), pass.depth ? -1 : pass.depthBuffer},
+        pass.isReversed, at);
+    const auto& [isReversed, place] = first->second;
+    if (isNew || isReversed == pass.isReversed) return true;
+    const std::string name = pass.depth      ? "'" + in.scene.textures[pass.depth->texture].name + "'"
+                             : pass.isWindow ? "the window"
+                                             : "the implicit depth buffer";
+    in.report(diagnose("glib-E11",
+                       fmt::format("{} is drawn into with {} depth here and with {} depth on line {}; all "
+                                   "passes into one depth are reversed, or none is",
+                                   name, isReversed ? "the usual" : "reversed",
+                                   isReversed ? "reversed" : "the usual", place.line),
+                       at));
+    return false;
+}
+
 bool isFirstUse(Interpreter& in, TextureIndex texture, const TargetPart& part, int layers) {
     constexpr int kAll = -1;
     auto& parts = in.out.cleared.parts;
@@ -100,8 +118,8 @@ bool isFirstUse(Interpreter& in, TextureIndex texture, const TargetPart& part, i
 
 namespace {
 
-/// The pass into the target of RenderToTexture, or into the window.
-Pass& implicitPass(Interpreter& in) {
+/// The pass into the target of RenderToTexture, or into the window. `at`: what needs it.
+Pass& implicitPass(Interpreter& in, const Place& at) {
     NodeList& nodes = *in.out.nodes;
     const TargetList& target = in.state.target;
     const int depthBuffer =
@@ -113,14 +131,16 @@ Pass& implicitPass(Interpreter& in) {
         if (last.targets == target.textures && last.depthBuffer == depthBuffer) return last;
     }
     in.out.implicitPass = nodes.passes.size();
-    return nodes.add(beginPass(in, depthBuffer));
+    Pass& begun = nodes.add(beginPass(in, depthBuffer));
+    checkDepthOrder(in, begun, at);
+    return begun;
 }
 
 }  // namespace
 
 Pass* currentPass(Interpreter& in, const Command& command) {
     if (in.around.pass) return &in.out.nodes->passes[in.around.pass->index];
-    if (in.around.block == nullptr) return &implicitPass(in);
+    if (in.around.block == nullptr) return &implicitPass(in, in.place(command));
     in.reportAt(command, "glib-E25",
                 fmt::format("{}: {} draws into textures; write 'Pass NAME' around it", command.word,
                             in.around.block->word));
@@ -158,7 +178,7 @@ std::span<const CommandAction> passActions() {
 void finishPasses(Interpreter& in) {
     if (in.out.cleared.isWindow) return;
     in.state.target = {};
-    implicitPass(in);
+    implicitPass(in, {});
 }
 
 }  // namespace glibra::scene

@@ -297,8 +297,23 @@ void doPass(Interpreter& in, const Command& command) {
                            in.script->place(stencil->position)));
         return;
     }
+    const KeyedValues* reversed = command.key("reversed");
+    if (reversed != nullptr && targets->depth) {
+        const TexelFormat format = formatOf(in, *targets->depth);
+        if (format != TexelFormat::depth32f && format != TexelFormat::depth32f_stencil8) {
+            in.report(diagnose("glib-E11",
+                               fmt::format("{}: reversed depth needs floats, but '{}' is {}; its format must "
+                                           "be depth32f or depth32f_stencil8",
+                                           command.word, in.scene.textures[targets->depth->texture].name,
+                                           base::rowOf(format).name),
+                               in.script->place(reversed->position)));
+            return;
+        }
+    }
     const std::size_t index = indexOf(in, command);
     Pass pass = makePass(in, command, *targets, *clearing, true);
+    pass.isReversed = reversed != nullptr;
+    if (!checkDepthOrder(in, pass, pass.place)) return;
     OpenPass open;
     open.place = pass.place;
     open.aspect =

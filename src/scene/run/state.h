@@ -393,6 +393,8 @@ struct MadeParts {
     SlotTableIndex slotTable{};  ///< the table that equals State::slots, if there is one
     /// By size, and the units or the numbers of the textures and their parts.
     std::map<std::tuple<std::vector<int>, int, int>, int> depthBuffers;
+    /// The first pass into each depth, by its texture, or by the number of its buffer: is it reversed?
+    std::map<std::pair<TextureIndex, int>, std::pair<bool, Place>> depthOrders;
     std::map<std::pair<int, int>, int> drawsOfLines;  ///< by file and line
     base::Shared<RasterState> raster;                 ///< of the last draw
     base::Shared<Projection> projection;

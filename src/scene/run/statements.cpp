@@ -10,6 +10,7 @@
 #include "glib/statement_table.h"
 #include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
+#include "scene/run/names.h"
 
 namespace glibra::scene {
 
@@ -126,6 +127,9 @@ int fileNumber(const Interpreter& in) {
 void expectNames(Interpreter& in) {
     for (const Command& each : in.script->commands) {
         if (each.id == CommandId::expect) in.modern.checks.areThere = true;
+        if (each.id == CommandId::pass && each.key("reversed") != nullptr && !each.values.empty() &&
+            isWindow(each.values.front()))
+            in.scene.reversesWindow = true;
         const glib::StatementRow* row = each.isModern ? glib::statementOf(each.id) : nullptr;
         if (row == nullptr || !row->declaresName || each.values.empty()) continue;
         const Value& name = each.values.front();

@@ -124,10 +124,11 @@ std::string wordsOf(DebugView kind, const float* rgba) {
 namespace {
 
 constexpr std::string_view kEyeOfFragment =
-    "uniform mat4 glibra_debugProjectionInverse;\nuniform vec2 glibra_debugSize;\n"
+    "uniform mat4 glibra_debugProjectionInverse;\nuniform vec2 glibra_debugSize, glibra_debugToClip;\n"
     "vec3 glibra_debugEye(float depth) {\n"
     "    vec4 eye = glibra_debugProjectionInverse *\n"
-    "               vec4(2. * gl_FragCoord.xy / glibra_debugSize - 1., 2. * depth - 1., 1.);\n"
+    "               vec4(2. * gl_FragCoord.xy / glibra_debugSize - 1., dot(glibra_debugToClip, vec2(depth, "
+    "1.)), 1.);\n"
     "    return eye.xyz / eye.w;\n}\n";
 
 /// GLSL that is added to a fragment stage.

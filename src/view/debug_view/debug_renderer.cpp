@@ -145,9 +145,14 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
     const render::BuiltProgram* built = scene_.drawer().programOf(draw);
     const render::ViewMatrices view = viewOf(draw);
     const double aspect = static_cast<double>(width_) / height_;
-    const glm::dmat4 projection = view.projection(*drawn.projection, aspect);
+    const glm::dmat4 projection = view.projection(drawn, aspect);
     const glm::dmat4 modelView = view.modelView(drawn);
     const glm::dmat4 inverse = scene::inverseOrZero(projection);
+    // From the depth to z / w.
+    const bool fromZero =
+        drawn.raster->depthOrder == base::DepthOrder::reversed && context_.capabilities().clipControl;
+    const std::array<double, 2> toClip =
+        fromZero ? std::array<double, 2>{1, 0} : std::array<double, 2>{2, -1};
     const glm::dmat4 both = projection * modelView;
     const glm::dmat3 normals = scene::normalMatrix(modelView);
     // The length of the projection's second row is the size in clip space of one unit up in the picture, also
@@ -158,6 +163,7 @@ void DebugRenderer::bind(const plan::PlannedDraw& draw, const Drawn& with, const
     program.use(*built);
     program.set("glibra_debugProjection", {glm::value_ptr(projection), 16});
     program.set("glibra_debugProjectionInverse", {glm::value_ptr(inverse), 16});
+    program.set("glibra_debugToClip", toClip);
     program.set("glibra_debugModelViewProjection", {glm::value_ptr(both), 16});
     program.set("glibra_debugNormalMatrix", {glm::value_ptr(normals), 9});
     program.set("glibra_debugReach", {&reach, 1});
@@ -240,7 +246,7 @@ Diagnostics DebugRenderer::draw(const gpu::Target& picture, const ViewState& vie
         return diagnostics;
     }
     if (Diagnostics problems =
-            fit(target_, context_.capabilities(), width_, height_, gpu::TexelFormat::rgba32f);
+            fit(target_, context_.capabilities(), scene_.scene(), width_, height_, gpu::TexelFormat::rgba32f);
         !target_)
         return problems;
     ViewState onNothing = view;
@@ -261,7 +267,7 @@ std::string DebugRenderer::drawPass(std::size_t pass, int width, int height, con
     numbers_ = {};
     const scene::Pass& shown = scene_.scene().frame.passes.at(pass);
     const gpu::TextureSize size = sizeOf(scene_, shown, width, height);
-    const Result<gpu::Target> window = windowTarget(context_.capabilities(), width, height);
+    const Result<gpu::Target> window = windowTarget(context_.capabilities(), scene_.scene(), width, height);
     if (!window) return "there is no memory for another picture";
     width_ = size.width;
     height_ = size.height;

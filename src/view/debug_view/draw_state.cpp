@@ -94,6 +94,7 @@ class StateLines {
                                    (state.depthWrite ? ", writes depth" : ", writes no depth"),
             state.depthTest != usual.depthTest || state.depthFunction != usual.depthFunction ||
                 state.depthWrite != usual.depthWrite);
+        if (state.depthOrder != usual.depthOrder) add("depth buffer", "reversed: 1 near, 0 far", true);
         if (state.depthNear != 0 || state.depthFar != 1)
             add("depth range", fmt::format("{:g} to {:g}", state.depthNear, state.depthFar), true);
         if (state.offsetFactor != 0 || state.offsetUnits != 0)
@@ -160,7 +161,7 @@ std::vector<StateLine> stateOf(const scene::Scene& scene, const plan::FramePlan&
     }
     if (!std::holds_alternative<scene::ClipSpace>(*draw.projection)) {
         all.add("model-view", matrixText(view.modelView(draw)));
-        all.add("projection", matrixText(view.projection(*draw.projection, aspect)));
+        all.add("projection", matrixText(view.projection(draw, aspect)));
     }
     return std::move(all.lines);
 }

@@ -36,7 +36,7 @@ class FrameLook {
 
     FrameAnswer run() {
         const Result<gpu::Target> window =
-            windowTarget(context_.capabilities(), question_.width, question_.height);
+            windowTarget(context_.capabilities(), scene_.scene(), question_.width, question_.height);
         if (!window) {
             answer_.problem = "there is no memory for another picture";
             return std::move(answer_);

@@ -124,7 +124,8 @@ std::vector<Captured> outputsOf(const glsl::TranslatedProgram& facts, const glsl
     return all;
 }
 
-std::vector<Wanted> wantedOutputs(const render::BuiltProgram& built, const plan::PlannedDraw& draw) {
+std::vector<Wanted> wantedOutputs(const render::BuiltProgram& built, const plan::PlannedDraw& draw,
+                                  bool isReversed) {
     const glsl::TranslatedProgram& facts = built.interface.facts;
     std::vector<Wanted> all;
     StageTexts sources;
@@ -139,6 +140,7 @@ std::vector<Wanted> wantedOutputs(const render::BuiltProgram& built, const plan:
         wanted.captured = outputsOf(facts, *translated);
         wanted.stage.position = 0;
         wanted.stage.isClip = true;
+        wanted.stage.isReversed = isReversed;
         if (stage == glsl::Stage::vertex) {
             const Primitives drawn = primitivesOf(draw.submission.topology);
             wanted.stage.title = "after the vertex stage";
@@ -241,7 +243,7 @@ MeshStage capture(const gpu::Capabilities& capabilities, render::FrameDrawer& dr
 std::vector<MeshStage> captureMesh(gpu::Context& context, render::LiveScene& scene, scene::StepIndex step,
                                    int width, int height, double time) {
     std::vector<MeshStage> stages;
-    const Result<gpu::Target> window = windowTarget(context.capabilities(), width, height);
+    const Result<gpu::Target> window = windowTarget(context.capabilities(), scene.scene(), width, height);
     if (!window) return stages;
     render::FrameDrawer& drawer = scene.drawer();
     scene.drawOutOfSight(true);  // its vertices are wanted also where nothing of it can be seen
@@ -253,7 +255,8 @@ std::vector<MeshStage> captureMesh(gpu::Context& context, render::LiveScene& sce
         glEnable(GL_RASTERIZER_DISCARD);
         if (auto inputs = wantedInputs(*built))
             stages.push_back(capture(context.capabilities(), drawer, draw, *built, std::move(*inputs)));
-        for (Wanted& each : wantedOutputs(*built, draw))
+        for (Wanted& each : wantedOutputs(
+                 *built, draw, scene.plan().drawOf(draw).raster->depthOrder != base::DepthOrder::usual))
             stages.push_back(capture(context.capabilities(), drawer, draw, *built, std::move(each)));
         if (discards == GL_FALSE) glDisable(GL_RASTERIZER_DISCARD);
     });

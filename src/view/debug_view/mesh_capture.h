@@ -30,6 +30,7 @@ struct MeshStage {
     int corners = 1;            ///< rows of a primitive: 1 to 3
     int position = -1;          ///< the column of a position; -1: none
     bool isClip = false;        ///< the position is in clip space, otherwise in that of the inputs
+    bool isReversed = false;    ///< z of clip space is larger where it is nearer
     std::string problem;        ///< why there are none
 
     [[nodiscard]] const double* row(std::size_t index) const { return values.data() + index * rowSize; }

@@ -50,7 +50,8 @@ class PixelWatch {
         size_ = sizeOf(scene_, pass_, width, height);
         if (pixel_.x < 0 || pixel_.y < 0 || pixel_.x >= size_.width || pixel_.y >= size_.height)
             return {{}, 0, "the pixel lies outside of the target"};
-        const Result<gpu::Target> window = windowTarget(context_.capabilities(), width, height);
+        const Result<gpu::Target> window =
+            windowTarget(context_.capabilities(), scene_.scene(), width, height);
         if (!window) return {{}, 0, "there is no memory for another picture"};
         render::FrameDrawer& drawer = scene_.drawer();
         render::Frame frame{scene_.view(), width, height, {0, 0, width, height}, time};

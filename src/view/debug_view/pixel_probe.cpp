@@ -351,7 +351,7 @@ ProbedPixel probePixel(gpu::Context& context, render::LiveScene& scene, int widt
     result.height = height;
     if (x < 0 || y < 0 || x >= width || y >= height) return result;
     const Result<gpu::Target> target =
-        windowTarget(context.capabilities(), width, height, gpu::TexelFormat::rgba32f);
+        windowTarget(context.capabilities(), scene.scene(), width, height, gpu::TexelFormat::rgba32f);
     if (target) Probe(context, scene, *target, time, x, height - 1 - y).run(result);
     return result;
 }
@@ -365,7 +365,7 @@ ProbedPixel probeDraw(gpu::Context& context, render::LiveScene& scene, scene::St
     result.height = size.height;
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return result;
     const Result<gpu::Target> target =
-        windowTarget(context.capabilities(), width, height, gpu::TexelFormat::rgba32f);
+        windowTarget(context.capabilities(), scene.scene(), width, height, gpu::TexelFormat::rgba32f);
     if (target) Probe(context, scene, *target, time, pixel.x, pixel.y).run(result, step, size, pixel.layer);
     return result;
 }

@@ -45,14 +45,17 @@ std::optional<Picked> pick(render::LiveScene& scene, const gpu::Target& picture,
     if (x < 0 || y < 0 || x >= picture.width() || y >= picture.height()) return std::nullopt;
     const int row = picture.height() - 1 - y;
     const plan::PlannedDraw* found = visibleDraw(scene, picture, time, x, row);
-    float depth = 1;
+    float stored = 1;
     picture.readable().bindForReading();
-    glReadPixels(x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
-    if (depth >= 1 || found == nullptr) return std::nullopt;
+    glReadPixels(x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &stored);
+    if (found == nullptr) return std::nullopt;
     const scene::Draw& draw = scene.plan().drawOf(*found);
+    const bool isReversed = draw.raster->depthOrder != base::DepthOrder::usual;
+    const double depth = isReversed ? 1.0 - stored : stored;
+    if (isReversed ? stored <= 0 : stored >= 1) return std::nullopt;
     const double aspect = static_cast<double>(picture.width()) / picture.height();
     const glm::dvec4 clip((x + .5) / picture.width() * 2 - 1, (row + .5) / picture.height() * 2 - 1,
-                          depth * 2.0 - 1, 1);
+                          depth * 2 - 1, 1);
     const glm::dvec4 eye = scene::inverseOrZero(scene.view().projection(*draw.projection, aspect)) * clip;
     const std::vector<const scene::Draw*> all = windowDraws(scene.scene());
     const auto ordinal = static_cast<int>(std::ranges::find(all, &draw) - all.begin());

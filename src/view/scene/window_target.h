@@ -6,24 +6,29 @@
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/readback.h"
 #include "image/image.h"
+#include "render/load/device_textures.h"
 
 namespace glibra::view {
 
-inline Result<gpu::Target> windowTarget(const gpu::Capabilities& capabilities, int width, int height,
+/// For pictures of that scene.
+inline Result<gpu::Target> windowTarget(const gpu::Capabilities& capabilities, const scene::Scene& scene,
+                                        int width, int height,
                                         gpu::TexelFormat format = gpu::TexelFormat::rgba8, int samples = 1) {
     return gpu::Target::window(capabilities, width, height, format, samples,
-                               gpu::TexelFormat::depth24_stencil8);
+                               render::depthFormat(scene.reversesWindow));
 }
 
-/// Makes the target anew if its size differs, or if only one of both has several samples. Returns why there
-/// is none; empty on success.
-inline Diagnostics fit(std::optional<gpu::Target>& target, const gpu::Capabilities& capabilities, int width,
-                       int height, gpu::TexelFormat format = gpu::TexelFormat::rgba8, int samples = 1) {
+/// Makes the target anew if its size or the format of its depth differs, or if only one of both has several
+/// samples. Returns why there is none; empty on success.
+inline Diagnostics fit(std::optional<gpu::Target>& target, const gpu::Capabilities& capabilities,
+                       const scene::Scene& scene, int width, int height,
+                       gpu::TexelFormat format = gpu::TexelFormat::rgba8, int samples = 1) {
     if (target && target->width() == width && target->height() == height &&
-        (target->samples() > 1) == (samples > 1))
+        (target->samples() > 1) == (samples > 1) &&
+        target->depth()->format() == render::depthFormat(scene.reversesWindow))
         return {};
     target.reset();
-    Result<gpu::Target> made = windowTarget(capabilities, width, height, format, samples);
+    Result<gpu::Target> made = windowTarget(capabilities, scene, width, height, format, samples);
     target = std::move(made.value);
     return target ? Diagnostics() : std::move(made.diagnostics);
 }

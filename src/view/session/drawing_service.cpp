@@ -213,8 +213,8 @@ class Drawing {
         const int width = order.at("width").get<int>(), height = order.at("height").get<int>();
         const int samples = order.at("samples").get<int>();
         if (std::exchange(samples_, samples) != samples) target_.reset();
-        if (Diagnostics problems =
-                fit(target_, context_.capabilities(), width, height, gpu::TexelFormat::rgba8, samples);
+        if (Diagnostics problems = fit(target_, context_.capabilities(), live_->scene(), width, height,
+                                       gpu::TexelFormat::rgba8, samples);
             !target_)
             return problems;
         if (order.at("watchesLoops").get<bool>()) live_->watchLoops();

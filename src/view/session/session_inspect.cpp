@@ -57,9 +57,9 @@ std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage&
 }
 
 void Session::keepBefore() {
-    if (!target_ || framesDrawn_ == 0) return;
+    if (!target_ || !live_ || framesDrawn_ == 0) return;
     const int width = target_->width(), height = target_->height();
-    fit(before_, context_.capabilities(), width, height);
+    fit(before_, context_.capabilities(), live_->scene(), width, height);
     if (!before_) return;
     target_->readable().bindForReading();
     before_->bind();

@@ -120,8 +120,8 @@ Diagnostics Session::drawShown() {
 
 /// Returns false if there is no memory for it.
 bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
-    append(diagnostics_,
-           fit(target, context_.capabilities(), width_, height_, gpu::TexelFormat::rgba8, samples));
+    append(diagnostics_, fit(target, context_.capabilities(), live_->scene(), width_, height_,
+                             gpu::TexelFormat::rgba8, samples));
     return target.has_value();
 }
 

@@ -74,7 +74,7 @@ class MeshDrawing {
         turn_ = glm::rotate(glm::dmat4(1), glm::radians(static_cast<double>(window.tilt)), {1, 0, 0});
         turn_ = glm::rotate(turn_, glm::radians(static_cast<double>(window.turn)), {0, 1, 0});
         // Depth grows away from the eye in device coordinates.
-        if (stage.isClip) turn_ = glm::scale(turn_, {1, 1, -1});
+        if (stage.isClip && !stage.isReversed) turn_ = glm::scale(turn_, {1, 1, -1});
         scale_ = std::min(size.x, size.y) / 2 / reach / static_cast<double>(window.distance) * .95;
         low_ = low;
         high_ = high;
