@@ -116,7 +116,8 @@ class Picture {
         const sliders = this.slidersIn(text);
         for (const [name, { stated }] of this.moved) // what is written anew counts
             if (sliders.find((each) => each.name === name)?.value !== stated) this.moved.delete(name);
-        const settings = sliders.filter((each) => this.moved.has(each.name)).map((each) => [each.name, written(this.moved.get(each.name).value, each)]);
+        const settings = sliders.filter((each) => this.moved.has(each.name))
+            .map((each) => [each.name, written(this.moved.get(each.name).value, each)]);
         this.drawing = draw(this.program(), text, this.uri.fsPath, settings.map((each) => each.join('=')));
         const { png, messages } = await this.drawing.done;
         this.drawing = null;
