@@ -9,7 +9,8 @@ import tempfile
 import time
 
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
-KEYS = {"Escape": "\ue00c", "Enter": "\ue007"}
+KEYS = {"Escape": "\ue00c", "Enter": "\ue007", "Tab": "\ue004", "End": "\ue010", "Home": "\ue011", "Right": "\ue014", "F1": "\ue031",
+        "F2": "\ue032", "Control": "\ue009", "Shift": "\ue008"}
 
 
 class Browser:
@@ -101,6 +102,10 @@ class Browser:
     def element(self, selector):
         return self.ask("POST", self.session + "/element", {"using": "css selector", "value": selector})[ELEMENT]
 
+    def elements(self, selector):
+        found = self.ask("POST", self.session + "/elements", {"using": "css selector", "value": selector})
+        return [each[ELEMENT] for each in found]
+
     def click(self, selector):
         self.ask("POST", self.session + "/element/" + self.element(selector) + "/click", {})
 
@@ -110,6 +115,16 @@ class Browser:
             value = KEYS.get(key, key)
             actions += [{"type": "keyDown", "value": value}, {"type": "keyUp", "value": value}]
         self.ask("POST", self.session + "/actions", {"actions": [{"type": "key", "id": "keys", "actions": actions}]})
+
+    def chord(self, *keys):
+        """Keys that are down together, as Control and s."""
+        values = [KEYS.get(key, key) for key in keys]
+        actions = [{"type": "keyDown", "value": each} for each in values] + [{"type": "keyUp", "value": each} for each in values[::-1]]
+        self.ask("POST", self.session + "/actions", {"actions": [{"type": "key", "id": "keys", "actions": actions}]})
+
+    def frame(self, element=None):
+        """Scripts and elements are those of this frame of the present one, or of the whole page."""
+        self.ask("POST", self.session + "/frame", {"id": element and {ELEMENT: element}})
 
     def pointer(self, *steps):
         """Steps: ("move", x, y) in CSS pixels of the window, "down", "up"."""

@@ -4,6 +4,7 @@
 const NUMBER = '[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?';
 const RANGE = new RegExp(`([A-Za-z_]\\w*)\\s*<\\s*(${NUMBER})[\\s,]+(${NUMBER})[\\s,]+(${NUMBER})\\s*>`, 'g');
 const SHADER = /^\s*(Vertex|TessControl|TessEvaluation|Geometry|Fragment|Compute)\s+inline\b/i;
+const ENOUGH = 4; // whole numbers, between which there may be no others: the variable may be a count
 
 /** The lines of the scene itself, with the offset of each: not those of shaders in it, and without comments. */
 function* sceneLines(text) {
@@ -18,24 +19,27 @@ function* sceneLines(text) {
     }
 }
 
-/** [{name, low, value, high, begin, end}]: the numbers, and the offsets of the value in the text. */
+/** [{name, low, value, high, isWhole, begin, end}]: the numbers, and the offsets of the value in the text. */
 function slidersIn(text) {
     const sliders = [];
     for (const { line, offset } of sceneLines(text)) {
         for (const found of line.matchAll(RANGE)) {
-            const [whole, name, low, value, high] = found;
+            const [whole, name, first, value, last] = found;
             if (sliders.some((each) => each.name === name)) continue;
-            const atValue = whole.indexOf(value, whole.indexOf(low, whole.indexOf('<')) + low.length);
+            const atValue = whole.indexOf(value, whole.indexOf(first, whole.indexOf('<')) + first.length);
             const begin = offset + found.index + atValue;
-            sliders.push({ name, low: Number(low), value: Number(value), high: Number(high), begin, end: begin + value.length });
+            const [low, high] = [Number(first), Number(last)].sort((a, b) => a - b);
+            const isWhole = high - low >= ENOUGH && [first, value, last].every((each) => /^[-+]?\d+$/.test(each));
+            sliders.push({ name, low, value: Number(value), high, isWhole, begin, end: begin + value.length });
         }
     }
     return sliders;
 }
 
-/** A number as scenes write it: four digits that count. */
-function written(number) {
-    return String(Number(number.toPrecision(4)));
+/** A value as scenes write it: four digits that count, within the range. */
+function written(value, { low, high, isWhole }) {
+    const rounded = isWhole ? Math.round(value) : Number(value.toPrecision(4));
+    return String(Math.min(Math.max(rounded, low), high));
 }
 
 module.exports = { slidersIn, written };

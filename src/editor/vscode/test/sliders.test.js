@@ -18,6 +18,15 @@ test('knows where the values stand', () => {
     assert.strictEqual(slidersIn(same)[0].begin, same.indexOf('1 1>'));
 });
 
-test('writes numbers shortly', () => {
-    assert.deepStrictEqual([1 / 3, 2, -1e-7, 123456].map(written), ['0.3333', '2', '-1e-7', '123500']);
+test('takes the smaller end first, and counts by whole numbers', () => {
+    const sliders = slidersIn('Let a <3 2 1> b <0 1 9> c <0. 1 9> d <0 1 2>');
+    assert.deepStrictEqual(sliders.map(({ low, high, isWhole }) => [low, high, isWhole]),
+        [[1, 3, false], [0, 9, true], [0, 9, false], [0, 2, false]]);
+});
+
+test('writes numbers shortly, and none outside of the range', () => {
+    const wide = { low: -1e9, high: 1e9, isWhole: false };
+    assert.deepStrictEqual([1 / 3, 2, -1e-7, 123456].map((each) => written(each, wide)), ['0.3333', '2', '-1e-7', '123500']);
+    assert.strictEqual(written(3.14159, { low: 0, high: 3.14159, isWhole: false }), '3.14159');
+    assert.strictEqual(written(12345.6, { low: 0, high: 99999, isWhole: true }), '12346');
 });
