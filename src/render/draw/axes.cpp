@@ -61,12 +61,13 @@ std::vector<Vertex> vertices() {
 }
 
 /// The last draw into the window that has a projection, or one with the usual state.
-scene::Draw lastDraw(const scene::Scene& scene) {
+const scene::Draw& lastDraw(const scene::Scene& scene) {
+    static const scene::Draw kUsual;
     const scene::Draw* last = nullptr;
     scene.frame.visitDraws([&](const scene::Draw& draw, const scene::Pass& pass) {
         if (pass.isWindow && !std::holds_alternative<scene::ClipSpace>(*draw.projection)) last = &draw;
     });
-    return last != nullptr ? *last : scene::Draw();
+    return last != nullptr ? *last : kUsual;
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ Result<Axes> Axes::create(const gpu::Context& context) {
 void Axes::draw(const gpu::Target& target, const scene::Scene& scene, const ViewMatrices& view,
                 const Tile& tile, int width, int height) const {
     const double aspect = static_cast<double>(width) / height;
-    const scene::Draw last = lastDraw(scene);
+    const scene::Draw& last = lastDraw(scene);
     const glm::mat4 matrix(view.projection(last, aspect) * view.worldView());
     // The tile's part of clip space, as for the scene's own programs.
     const glm::vec4 part(static_cast<double>(width) / tile.width, static_cast<double>(height) / tile.height,
