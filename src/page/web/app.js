@@ -16,7 +16,7 @@ import { ViewControl } from "./view.js";
 
 const kGap = 16;  // CSS pixels between the picture and the values
 const kWide = 22 * 16 + 30 * 16;  // CSS pixels that values and sources take beside the picture
-const kRest = 3000;  // milliseconds off the screen until a frame gives its context back
+const kRest = 1000;  // milliseconds off the screen until a frame gives its context back
 
 /** @typedef {(canvas: HTMLCanvasElement) => Promise<Runtime>} Start */
 
@@ -138,7 +138,8 @@ export class App {
         canvas.addEventListener("webglcontextlost", () => {
             if (canvas !== this.canvas) return;
             if (this.poster) this.show(this.poster);  // a lost canvas is black
-            this.showNote("The browser took the graphics away. Continue", () => this.begin());
+            if (this.data.embed && !this.isSeen) this.isWaiting = true;
+            else this.showNote("The browser took the graphics away. Continue", () => this.begin());
         });
     }
 
