@@ -87,24 +87,25 @@ const std::vector<std::pair<const char*, std::string>> kScenes{
 class ReversedDepth : public testing::TestWithParam<std::size_t> {};
 
 /// A driver may round depths otherwise where surfaces meet.
-constexpr int kLargestStep = 12;
+constexpr int kMostPixels = 12;
 
 TEST_P(ReversedDepth, DrawsTheSamePicture) {
     const std::string& scene = kScenes[GetParam()].second;
     const Picture usual = picture(withDepth(scene, false));
     EXPECT_GT(countPixels(usual, pixel(usual, 48, 32)), 20);
-    EXPECT_LE(differingPixels(usual, picture(withDepth(scene, true))), kLargestStep);
+    EXPECT_LE(differingPixels(usual, picture(withDepth(scene, true))), kMostPixels);
     RenderOptions tiled;
     tiled.tileSize = 32;
-    EXPECT_LE(differingPixels(usual, picture(withDepth(scene, true), {}, tiled)), kLargestStep) << "in tiles";
+    EXPECT_LE(differingPixels(usual, picture(withDepth(scene, true), {}, tiled)), kMostPixels) << "in tiles";
     RenderOptions whole;
     whole.skip = false;
-    EXPECT_LE(differingPixels(usual, picture(withDepth(scene, true), {}, whole)), kLargestStep) << "skips nothing";
+    EXPECT_LE(differingPixels(usual, picture(withDepth(scene, true), {}, whole)), kMostPixels)
+        << "skips nothing";
     RenderOptions smooth;
     smooth.samples = 4;
     EXPECT_LE(differingPixels(picture(withDepth(scene, false), {}, smooth),
                               picture(withDepth(scene, true), {}, smooth)),
-              2 * kLargestStep);
+              2 * kMostPixels);
 }
 
 TEST_P(ReversedDepth, HasAxesThatTheSceneHides) {
@@ -113,7 +114,7 @@ TEST_P(ReversedDepth, HasAxesThatTheSceneHides) {
     axes.axes = true;
     EXPECT_LE(differingPixels(picture(withDepth(scene, false), {}, axes),
                               picture(withDepth(scene, true), {}, axes)),
-              kLargestStep);
+              kMostPixels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ReversedDepth, testing::Range(std::size_t{0}, kScenes.size()),
