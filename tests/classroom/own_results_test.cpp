@@ -48,7 +48,7 @@ Classroom classOfOne(double likenessOf) {
     entry.pictures[1].score->likeness = likenessOf;
     entry.programs = {{"P", {"fragment"}, {}}};
     entry.calls = {"smoothstep"};
-    entry.diagnostics.push_back({Severity::warning, {"a.frag", 3, 1}, "glib-W23", "no \xff uniform"});
+    entry.diagnostics.push_back(diagnose("glib-W23", "no \xff uniform", {"a.frag", 3, 1}));
     return room;
 }
 

@@ -146,7 +146,7 @@ TEST_F(DeviceTest, DrawsIntoATextureInItsSize) {
 TEST_F(DeviceTest, KeepsTheBytesInOtherFormats) {
     const auto picture = scene->draw({.width = 8, .height = 6});
     ASSERT_TRUE(picture) << picture.message();
-    for (const GLenum format : {GL_RGBA16F, GL_RGBA32F, GL_SRGB8_ALPHA8}) {
+    for (const GLenum format : std::array<GLenum, 3>{GL_RGBA16F, GL_RGBA32F, GL_SRGB8_ALPHA8}) {
         const Canvas canvas(8, 6, format);
         glEnable(GL_FRAMEBUFFER_SRGB);
         ASSERT_TRUE(scene->drawInto({.framebuffer = canvas.framebuffer}));
