@@ -125,7 +125,7 @@ int runPublishCommand(PublishArguments& arguments) {
     if (std::ranges::find(arguments.named, "-") != arguments.named.end())
         return refuse("a page is made of a scene with its files; name a scene (.glib), not standard input");
     if (printErrors(resolveScenes(arguments.named, named))) return kSceneIsWrong;
-    RenderOptions& picture = arguments.made.picture.options;
+    const RenderOptions& picture = arguments.made.picture.options;
     if (!acceptsSet(picture.set)) return kWrongUsage;
     const std::string& output = arguments.made.site;
     arguments.page.width = picture.width;

@@ -52,13 +52,9 @@ std::string searchText(const GalleryScene& scene) {
     return glib::lower(text.substr(0, kLongestSearch));
 }
 
-// Pages name files as they are below the folder or the library: where these are on this machine is nobody's
-// business.
-
 Diagnostic asShown(const GalleryScene& scene, Diagnostic of) {
-    for (const SourceText& each : scene.description.sources)
-        if (of.place.file.ends_with("/" + each.name)) of.place.file = each.name;
     if (of.place.file.ends_with("/" + scene.path)) of.place.file = scene.path;
+    page::nameAsOnPage(of.place, scene.description.sources);
     return of;
 }
 

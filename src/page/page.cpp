@@ -125,9 +125,7 @@ std::string whyNotLive(const PageScene& scene) {
     if (found != scene.diagnostics.end()) {
         Diagnostic first = *found;
         first.severity = Severity::error;
-        // As the page calls the file: where it is on this machine is nobody's business.
-        for (const PageFile& each : scene.files)
-            if (first.place.file.ends_with("/" + each.name)) first.place.file = each.name;
+        nameAsOnPage(first.place, scene.files);
         why = toString(first);
     }
     if (scene.film.pictures.size() < 2)

@@ -39,6 +39,15 @@ Result<std::string> packedRuntime(
 /// The bytes packed by gzip, in base64.
 std::string packed(std::span<const std::byte> bytes);
 
+/// Names a file as pages do, by one of the names of `files`: where it is on this machine is nobody's
+/// business.
+void nameAsOnPage(Place& place, const auto& files) {
+    for (const auto& each : files)
+        if (place.file.ends_with("/" + each.name)) place.file = each.name;
+    if (const std::filesystem::path path(place.file); path.is_absolute())
+        place.file = path.filename().generic_string();
+}
+
 /// True if the page has the scene's film.
 inline bool isFilm(const PageScene& scene) {
     return !scene.isLive && !scene.film.pictures.empty();

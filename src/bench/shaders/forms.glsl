@@ -18,23 +18,13 @@ float form(vec2 p) {
     for (int i = 0; i < uFour; ++i) sum = sum * p.x + p.y + float(i);
     return .01 * sum;
 }
-#elif defined LOOP
-float form(vec2 p) {
-    float sum = p.y;
-    sum = sum * p.x + p.y + 1.;
-    sum = sum * p.x + p.y + 2.;
-    sum = sum * p.x + p.y + 3.;
-    return .01 * sum;
-}
-#endif
-
-#if defined CONSTANT_LOOP && defined SLOWER
+#elif defined CONSTANT_LOOP && defined SLOWER
 float form(vec2 p) {
     float sum = 0.;
     for (int i = 0; i < 4; ++i) sum = sum * p.x + p.y + float(i);
     return .01 * sum;
 }
-#elif defined CONSTANT_LOOP
+#elif defined LOOP || defined CONSTANT_LOOP
 float form(vec2 p) {
     float sum = p.y;
     sum = sum * p.x + p.y + 1.;

@@ -48,7 +48,7 @@ class GeometryInVertex {
     };
     [[nodiscard]] std::vector<Kept> kept() const;
     [[nodiscard]] int cornersOfOutput() const;
-    /// ExpandedGeometry::mostEmitted is told.
+    /// True if the program can tell how many vertices the stage emits (ExpandedGeometry::mostEmitted).
     [[nodiscard]] bool isMeasured() const;
     /// How many primitives an invocation delivers at most.
     [[nodiscard]] int most() const;

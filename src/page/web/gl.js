@@ -142,8 +142,7 @@ export function glImports(context, module) {
     /** @type {WeakMap<any, Map<string, number>>} */
     const locationsOf = new WeakMap();
     const locationOf = (/** @type {number} */ number) => number < 0 ? null : locations[number];
-    // Pixels go to and come from buffers.
-    let packs = false, unpacks = false;
+    let packs = false, unpacks = false;  // pixels go to buffers, and come from them
     // Only a buffer that is bound first for indices may hold some. Until one is bound to another target than that of uploads,
     // its content waits here.
     /** @type {Map<number, {content: number | Uint8Array, usage: number} | null>} */
@@ -231,10 +230,12 @@ export function glImports(context, module) {
         glFenceSync: (condition, flags) => names.y.add(gl.fenceSync(condition, flags)),
         // WebGL tells of an end only after the script has returned, and its finish() does not wait. What reads waits for all.
         glFinish: () => {
-            const before = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
+            const bound = [gl.READ_FRAMEBUFFER_BINDING, gl.PIXEL_PACK_BUFFER_BINDING].map((each) => gl.getParameter(each));
             gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
-            if (!packs) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-            gl.bindFramebuffer(gl.READ_FRAMEBUFFER, before);
+            gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+            gl.bindBuffer(gl.PIXEL_PACK_BUFFER, bound[1]);
+            gl.bindFramebuffer(gl.READ_FRAMEBUFFER, bound[0]);
         },
         glClientWaitSync: () => { calls.glFinish(); return gl.CONDITION_SATISFIED; },
     }));
@@ -472,8 +473,7 @@ export function glImports(context, module) {
         for (const name of ["enablei", "disablei", "colorMaski", "blendEquationi", "blendEquationSeparatei", "blendFunci",
                             "blendFuncSeparatei"])
             calls[`gl${name[0].toUpperCase()}${name.slice(1)}`] = indexed[`${name}OES`].bind(indexed);
-    const clip = extensions.EXT_clip_control;
-    if (clip) calls.glClipControl = clip.clipControlEXT.bind(clip);
+    if (extensions.EXT_clip_control) calls.glClipControl = (...values) => extensions.EXT_clip_control.clipControlEXT(...values);
 
     /** What is not above takes numbers alone, or WebGL lacks it. @returns {Call | undefined} */
     const find = (/** @type {string} */ name) => {
