@@ -116,18 +116,18 @@ Figure geometryOrTessellation(Bench& bench) {
     // Both have about 100 triangles per octant: 10 x 10, and 1.5 x 8 x 8.
     constexpr double kLevel = 8;
     const Canvas canvas = meshCanvas(bench);
-    Figure figure = claimFigure(
-        bench,
-        {.name = "pf16",
-         .text = "A geometry stage is slower than tessellation for subdividing surfaces",
-         .work = fmt::format("{} spheres of about 800 triangles", balls),
-         .errorName = "share of triangles too many or too few",
-         .reference = "10 x 10 triangles per octant",
-         .slower = {"geometry stage, 120 vertices per octant",
-                    drawnBalls(canvas, geometryBalls(bench, kRows), GL_POINTS, 8, balls)},
-         .faster = {"tessellation, level 8",
-                    drawnBalls(canvas, tessellatedBalls(bench, true, kLevel, false), GL_PATCHES, 8, balls),
-                    std::abs(1.5 * kLevel * kLevel / (kRows * kRows) - 1)}});
+    const Draw drawnByGeometry = drawnBalls(canvas, geometryBalls(bench, kRows), GL_POINTS, 8, balls);
+    const Draw drawnByTessellation =
+        drawnBalls(canvas, tessellatedBalls(bench, true, kLevel, false), GL_PATCHES, 8, balls);
+    Figure figure =
+        claimFigure(bench, {.name = "pf16",
+                            .text = "A geometry stage is slower than tessellation for subdividing surfaces",
+                            .work = fmt::format("{} spheres of about 800 triangles", balls),
+                            .errorName = "share of triangles too many or too few",
+                            .reference = "10 x 10 triangles per octant",
+                            .slower = {"geometry stage, 120 vertices per octant", drawnByGeometry},
+                            .faster = {"tessellation, level 8", drawnByTessellation,
+                                       std::abs(1.5 * kLevel * kLevel / (kRows * kRows) - 1)}});
     const gpu::Capabilities& limits = bench.capabilities();
     const int most = limits.maxGeometryOutputVertices, components = limits.maxGeometryTotalOutputComponents;
     figure.note(
@@ -160,6 +160,7 @@ Figure patchOrOctants(Bench& bench) {
             drawnBalls(canvas, tessellatedBalls(bench, octants, level, false), GL_PATCHES, patches, balls),
             farthest};
     };
+    const Claim::Way one = way(false), eight = way(true);
     return claimFigure(
         bench, {.name = "pf17",
                 .text = "A sphere of eight octants is faster than one patch of longitude and latitude",
@@ -167,8 +168,8 @@ Figure patchOrOctants(Bench& bench) {
                 .errorName = "largest distance of a triangle's middle from the sphere",
                 .errorUnit = "radii",
                 .reference = "the sphere",
-                .slower = way(false),
-                .faster = way(true)});
+                .slower = one,
+                .faster = eight});
 }
 
 /// The size of triangles of a sphere of octants, whose level follows its radius in pixels.
