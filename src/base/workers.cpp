@@ -124,6 +124,7 @@ struct Worker {
     std::string received{};     ///< of its answers, not yet a whole message
     std::optional<std::size_t> piece{};
     bool isAlone = false;  ///< no other worker has had a piece since this one began its own
+    bool isStale = false;  ///< the device has been reset: what it opened there before may be lost
     Clock::time_point deadline = Clock::time_point::max();
 
     [[nodiscard]] bool isRunning() const { return static_cast<bool>(process.process); }
@@ -213,7 +214,8 @@ class Pool {
         const std::uint64_t memory = memoryOf(options_, piece);
         // What a worker has opened on the device may be lost like that of the one before. The limit of memory
         // of a confined worker cannot be raised.
-        if (isRepeated || (options_.sandbox && worker.isRunning() && worker.memory != memory))
+        if (isRepeated || worker.isStale ||
+            (options_.sandbox && worker.isRunning() && worker.memory != memory))
             dismiss(worker);
         if (!worker.isRunning()) {
             std::optional<system::Worker> started = system::startWorker(
@@ -253,9 +255,11 @@ class Pool {
             const std::uint64_t memory = memoryOf(options_, piece);
             outcome.nearMemoryLimit = memory > 0 && ended.peakMemory > memory / 2;
         }
-        if (outcome.end == Outcome::End::deviceLost && options_.sharesDevice)
-            for (Worker& other : workers_)
-                if (other.piece) beginStep(other);
+        if (outcome.end == Outcome::End::deviceLost)
+            for (Worker& other : workers_) {
+                other.isStale = other.isRunning();
+                if (other.piece && options_.sharesDevice) beginStep(other);
+            }
         if (options_.repeats && mayBeInnocent(outcome, options_.sharesDevice, times_[piece])) {
             ++times_[piece];
             again_.push_back(piece);

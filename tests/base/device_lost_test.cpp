@@ -114,6 +114,32 @@ INSTANTIATE_TEST_SUITE_P(Workers, LostPieces,
                          testing::Combine(testing::Values(1, 2, 4),
                                           testing::Values(ResetCause::own, ResetCause::unknown)));
 
+// The driver does not say who is to blame, so whoever is alone is blamed.
+TEST(LostDevice, AWorkerThatWasThereBeforeAResetIsNotBlamedForIt) {
+    const Device device;
+    std::uintmax_t opened = 0;
+    const auto work = [&](std::size_t index, const Step& step) {
+        if (opened == 0) opened = device.resets();
+        if (index == 1) {
+            step("");
+            device.reset();
+            throw lostBy(ResetCause::unknown);
+        }
+        // Piece 0 sees nothing of the reset. The file of the device begins with one byte.
+        while (index == 0 && device.resets() == 1) std::this_thread::sleep_for(1ms);
+        if (index == 2 && device.resets() != opened) throw lostBy(ResetCause::unknown);
+        return std::to_string(index);
+    };
+    std::map<std::size_t, Outcome> outcomes;
+    runInWorkers(
+        3, {.workers = 2}, work,
+        [&](std::size_t index, const Outcome& outcome) { outcomes[index] = outcome; },
+        // Meanwhile piece 0 is done and piece 1 is lost: the worker of piece 0 gets piece 2, and is alone.
+        [](std::size_t, const std::string&) { std::this_thread::sleep_for(300ms); });
+    for (const auto& [index, outcome] : outcomes)
+        EXPECT_EQ(outcome.end, index == 1 ? End::deviceLost : End::finished) << index;
+}
+
 TEST(LostDevice, APieceIsGivenUpWhenOtherProgramsGoOnResettingTheDevice) {
     const Ends ends = runAllOf(2, {.workers = 2}, [](std::size_t index, const Step&) -> std::string {
         if (index == 1) throw lostBy(ResetCause::other);
