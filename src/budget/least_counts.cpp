@@ -196,7 +196,7 @@ void chooseFor(const scene::Scene& scene, const plan::PlannedProgram& planned,
     if (!found) return give("what its tessellation does cannot be measured");
     if (!std::isfinite(found->pixels)) return give("it reaches behind the eye");
 
-    std::string with = namedValues(planned, found->values);
+    const std::string with = namedValues(planned, found->values);
     std::string why = with + " as the scene states";
     Miss miss{found->pixels, &first, first.word, with, !levels.isFree};
     if (levels.isFree) {

@@ -88,8 +88,8 @@ class Refinement {
     /// less.
     bool keepStraight(plan::PlannedProgramIndex program) {
         bool isRaised = false;
-        for (std::size_t i = 0; i < draws_.size(); ++i)
-            if (VertexDraw& draw = draws_[i]; draw.program == program)
+        for (VertexDraw& draw : draws_)
+            if (draw.program == program)
                 for (const CountArgument& each : draw.model->usedCounts())
                     if (each.smooth == kAsGiven && draw.numbers[each.index] < draw.before[each.index]) {
                         draw.numbers[each.index] = draw.before[each.index];

@@ -30,6 +30,7 @@ namespace glibra::classic {
     X(PatchParameteri) X(PrimitiveRestartIndex) X(Disable) X(Enable) X(GetIntegerv) X(GetStringi) X(IsEnabled)
 // clang-format on
 
+// NOLINTBEGIN(readability-identifier-naming, bugprone-macro-parentheses): GL's own names
 struct Gl {
 #define GLIBRA_CLASSIC_MEMBER(name) decltype(glad_gl##name) name = nullptr;
     GLIBRA_CLASSIC_GL(GLIBRA_CLASSIC_MEMBER)
@@ -41,6 +42,7 @@ struct Gl {
 
     [[nodiscard]] GLint number(GLenum name) const;
 };
+// NOLINTEND(readability-identifier-naming, bugprone-macro-parentheses)
 
 /// The functions of the context that is current on this thread. Null if there is none of OpenGL 4.1 or later,
 /// or the process was forked after its parent had used a driver; `who` is then told so on standard error. The

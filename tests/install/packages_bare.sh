@@ -18,6 +18,8 @@ quietly glibra render /usr/share/glibra/glib/start/teapot.glib
 [ "$(stat -c %s teapot.png)" -gt 5000 ] || fail "no picture"
 echo "from apt-get install to the first picture: $(($(date +%s) - begin)) s"
 quietly glibra check /usr/share/glibra/glib/start/teapot.glib
+quietly glibra publish /usr/share/glibra/glib/start/teapot.glib
+grep -q glibra-runtime teapot.html || fail "a page without its runtime"
 # Without the recommended libraries, pictures in other formats are refused with their reason.
 glibra render /usr/share/glibra/glib/start/teapot.glib -o teapot.jpg >log 2>&1 && fail "a JPEG without its library"
 grep -q libOpenImageIO log || fail "no word about the library"
