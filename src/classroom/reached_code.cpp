@@ -68,7 +68,7 @@ std::vector<bool> reachedItems(std::span<const CodeToken> code, std::span<const 
     };
     for (const std::size_t each : open) reached[each] = true;
     while (!open.empty()) {
-        const CodeItem item = items[open.back()];
+        const CodeItem& item = items[open.back()];
         open.pop_back();
         for (std::size_t i = item.begin; i < item.end; ++i) {
             if (!isName(code[i]) || (i > 0 && code[i - 1].text == ".")) continue;

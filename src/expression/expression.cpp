@@ -286,7 +286,7 @@ std::span<const Use> Expression::uses() const {
 std::optional<Value> Expression::constant() const {
     if (!code_->uses.empty()) return std::nullopt;
     auto value = valueOf(*code_, nullptr);
-    return value ? std::optional(std::move(*value)) : std::nullopt;
+    return value ? std::optional(*value) : std::nullopt;
 }
 
 Checked<Value> Expression::evaluate(const Values& values) const {

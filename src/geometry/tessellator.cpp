@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <span>
 
 namespace glibra::geometry {
@@ -302,7 +303,7 @@ class DividedPatch {
         for (const bool each : isOuter) each ? outerPart() : innerPart();
         if (inner.isOdd()) innerPart();
         if (outer.isOdd()) outerPart(true);
-        for (auto each = isOuter.rbegin(); each != isOuter.rend(); ++each) *each ? outerPart() : innerPart();
+        for (const bool each : std::views::reverse(isOuter)) each ? outerPart() : innerPart();
     }
 
     /// Triangles between two rings inside. The diagonals lean towards the middle.
