@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <span>
@@ -116,7 +118,7 @@ Difference differenceOf(const Content& a, const Content& b) {
     Difference found;
     const std::size_t count = std::min(a.values.size(), b.values.size());
     for (std::size_t i = 0; i < count; ++i) {
-        if (std::memcmp(&a.values[i], &b.values[i], sizeof(double)) == 0) continue;
+        if (std::bit_cast<std::uint64_t>(a.values[i]) == std::bit_cast<std::uint64_t>(b.values[i])) continue;
         if (found.values++ == 0) found.first = i / static_cast<std::size_t>(std::max(1, a.components));
     }
     return found;
