@@ -353,7 +353,7 @@ void showVariable(Interpreter& in, const Command& command, const std::string& na
 std::optional<std::vector<std::string>> parametersOf(Interpreter& in, const Value& target) {
     const Value& list = target.path.front().index.front();
     std::vector<std::string> names;
-    std::string_view rest = list.text;
+    const std::string_view rest = list.text;
     bool isFirstOfItem = true;
     for (std::size_t begin = 0; begin < rest.size();) {
         if (std::string_view(" \t\r\n").find(rest[begin]) != std::string_view::npos || rest[begin] == ',' ||

@@ -27,8 +27,7 @@ std::vector<std::string> git(const fs::path& folder, std::vector<std::string> ar
     if (!output) return {};
     using To = system::Stream::To;
     system::Process process = system::startProgram(words, {To::nothing, output.get(), To::nothing});
-    if (!process || !waitFor(process).isGood()) return {};
-    std::rewind(output.get());
+    if (!process || !waitFor(process).isGood() || std::fseek(output.get(), 0, SEEK_SET) != 0) return {};
     std::vector<std::string> parts;
     std::string part;
     std::array<char, 4096> buffer{};

@@ -423,7 +423,7 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     const std::string variant = isFurther ? store->freeVariant(*known.shot) : result.goldenVariant;
     if (isFurther && variant.empty()) return "it has nine further accepted pictures; remove one";
     if (!force)
-        if (std::string why = whyKept(*store, *known.shot, variant, result); !why.empty())
+        if (const std::string why = whyKept(*store, *known.shot, variant, result); !why.empty())
             return why + "; force accepts it";
     Before before{variant, bytesOf(store->file(*known.shot, variant)), {}, {}};
     for (AcceptedHash& line : store->accepted().linesOf(known.shot->name))
