@@ -36,7 +36,7 @@ std::vector<std::size_t> breaksOf(std::string_view text, float room, float wides
         if (static_cast<float>(line.size()) * widest + tabs * tab <= room) continue;
         std::size_t row = begin, afterBlank = begin;
         float wide = 0;
-        for (std::size_t at = begin, next = at; at < end; at = next) {
+        for (std::size_t at = begin, next = 0; at < end; at = next) {
             next = std::min(nextCharacter(text, at), end);
             const bool isBlank = text[at] == ' ' || text[at] == '\t';
             const float width = widthOf(text.substr(at, next - at));
