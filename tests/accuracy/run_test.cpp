@@ -121,7 +121,7 @@ TEST(Recommendation, IsTheSmallestMeanProductWhereSettingsAreDifficulties) {
 
 TEST(Recommendation, IsTheSameWhenTimesVary) {
     const auto sentence = [](double noise) {
-        Figure figure =
+        const Figure figure =
             byDifficulty({{"fast", {timedPoint(1, .02, 1), timedPoint(2, .02, 1)}},
                           {"fine", {timedPoint(1, .01, 2 * noise), timedPoint(2, .01, 2 * noise)}}});
         return recommendation(figure);

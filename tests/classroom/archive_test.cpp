@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <minizip/zip.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using suite::Verdict;
 
-Picture drawn(const std::string& file, std::optional<Score> score = std::nullopt) {
+Picture drawn(const std::string& file, const std::optional<Score>& score = std::nullopt) {
     Picture picture;
     picture.verdict = Verdict::passed;
     picture.file = file;

@@ -64,12 +64,12 @@ TEST(CutPictures, AreFoundWhereverTheyWereCut) {
 TEST(CutPictures, OthersAreNone) {
     const image::Image whole = detailed(320, 240, 20);
     EXPECT_FALSE(isCutFrom(whole, cut(detailed(320, 240, 20, 7), 0, 0, 20, 20))) << "too small to tell";
-    image::Image other = detailed(400, 300, 200, 3);
+    const image::Image other = detailed(400, 300, 200, 3);
     EXPECT_FALSE(isCutFrom(whole, cut(other, 0, 0, 100, 90)));
     EXPECT_FALSE(isCutFrom(whole, other)) << "larger than the whole";
     EXPECT_FALSE(isCutFrom(whole, cut(whole, 37, 61, 80, 50, 0, 90)));
     // Flat parts are everywhere, and so are few points on them.
-    image::Image sky{320, 240, 3, image::Component::u8, std::vector<std::byte>(230'400)};
+    const image::Image sky{320, 240, 3, image::Component::u8, std::vector<std::byte>(230'400)};
     image::Image stars = cut(sky, 0, 0, 100, 100);
     EXPECT_FALSE(isCutFrom(sky, stars));
     for (std::size_t i = 0; i < stars.data.size(); i += 301) stars.data[i] = std::byte{255};

@@ -37,7 +37,7 @@ class Desk {
   public:
     Desk() {
         for (const char* each : {"shaders", "textures", "scenes"})
-            fs::create_directory_symlink(kProject / each, folder / each);
+            fs::create_directory_symlink(kProject / each, folder_ / each);
     }
     /// A submission of the exercise "gl07/spotlight": the solution, with texts of the scene or of the shader
     /// replaced. Returns the scene.
@@ -48,7 +48,7 @@ class Desk {
         EXPECT_TRUE(read) << exercise;
         if (!read) return {};
         const fs::path topic = read->solution.parent_path();
-        const fs::path there = folder / ("glib/" + topic.filename().string());
+        const fs::path there = folder_ / ("glib/" + topic.filename().string());
         if (!fs::exists(there)) {
             fs::create_directories(there);
             for (const auto& each : fs::directory_iterator(topic))
@@ -73,24 +73,24 @@ class Desk {
                 stage.insert(at, topic.filename().string() + "/");
             }
             const std::string own = name + shader.substr(shader.find('.'));
-            folder.write("glib/" + topic.filename().string() + "/" + own, stage);
+            folder_.write("glib/" + topic.filename().string() + "/" + own, stage);
             scene.replace(scene.find(shader), shader.size(), own);
         }
-        folder.write("glib/" + topic.filename().string() + "/" + name + ".glib", scene);
+        folder_.write("glib/" + topic.filename().string() + "/" + name + ".glib", scene);
         std::string text = readFile(file);
         const std::size_t line = text.find("solution = ");
         text.replace(line, text.find('\n', line) - line, "solution = \"" + read->solution.string() + "\"");
-        folder.write("glib/" + topic.filename().string() + "/" + name + ".toml", text);
+        folder_.write("glib/" + topic.filename().string() + "/" + name + ".toml", text);
         return there / (name + ".glib");
     }
     [[nodiscard]] Finished check(const std::vector<fs::path>& scenes) const {
         std::string command = "check --run --size 160x120";
         for (const fs::path& each : scenes) command += " '" + each.string() + "'";
-        return glibra(folder.path(), command);
+        return glibra(folder_.path(), command);
     }
 
   private:
-    Folder folder;
+    Folder folder_;
 };
 
 TEST(Exercises, AreNotSolvedAsTheyAreHandedOut) {

@@ -31,7 +31,7 @@ std::string withSolution(std::string_view text, const fs::path& solution) {
     std::string changed;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        std::string_view line = text.substr(begin, end - begin);
+        const std::string_view line = text.substr(begin, end - begin);
         if (const std::size_t first = line.find_first_not_of(" \t\"'");
             first != std::string_view::npos && line.substr(first).starts_with("solution"))
             // JSON's strings are such of TOML.

@@ -119,7 +119,7 @@ void SolutionCheck::drawMoment() {
         if (!pictures.at(i)) return refuse("the picture cannot be read");
     }
     isSet_ = false;
-    if (std::string why = suite::whyUnsolved(moment.has, *pictures[0], *pictures[1]); !why.empty())
+    if (const std::string why = suite::whyUnsolved(moment.has, *pictures[0], *pictures[1]); !why.empty())
         return refuse(moment.label.empty() ? why : "at " + moment.label + " " + why);
     if (++next_ == moments_.size()) state_ = State::solved;
 }

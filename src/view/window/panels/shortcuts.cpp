@@ -60,7 +60,7 @@ const std::vector<scene::KeyBinding>& sceneKeys(const Ui& ui) {
 
 std::string takenKey(const Ui& ui, const Shortcut& shortcut) {
     if (shortcut.control || shortcut.whileTyping) return {};
-    std::string name = keyName(shortcut.key);
+    const std::string name = keyName(shortcut.key);
     return isUsedByScene(ui, name) ? name : std::string();
 }
 
