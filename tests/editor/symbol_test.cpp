@@ -26,9 +26,9 @@ class SymbolTest : public ServerTest {
                           start["character"].dump() + "; ");
         }
         std::ranges::sort(all);
-        std::string text_;
-        for (const std::string& each : all) text_ += each;
-        return text_;
+        std::string joined;
+        for (const std::string& each : all) joined += each;
+        return joined;
     }
 };
 

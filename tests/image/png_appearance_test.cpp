@@ -44,7 +44,7 @@ TEST(PngAppearance, WhatIsWrittenIsShownAsItIs) {
     EXPECT_EQ(shownOtherwise(encodePng(red())), "");
     EXPECT_EQ(shownOtherwise(encodePng(red(), {.text = {{"Software", "glibra"}, {"Scene", "K\xc3\xb6nig"}}})),
               "");
-    Image wide{2, 2, 4, Component::u16, Bytes(32)};
+    const Image wide{2, 2, 4, Component::u16, Bytes(32)};
     EXPECT_EQ(shownOtherwise(encodePng(wide)), "");
 }
 
