@@ -324,8 +324,8 @@ TEST(LibraryCompare, RefusesToleranceThatNoDifferenceExceeds) {
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
           -std::numeric_limits<double>::infinity(), -1.})
-        for (double Tolerance::* member : {&Tolerance::largest, &Tolerance::fraction, &Tolerance::bias,
-                                           &Tolerance::relative, &Tolerance::absolute})
+        for (double Tolerance::* const member : {&Tolerance::largest, &Tolerance::fraction, &Tolerance::bias,
+                                                 &Tolerance::relative, &Tolerance::absolute})
             wrong.emplace_back().*member = bad;
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -.5, 1.5}) {
         wrong.emplace_back().flip = bad;

@@ -212,9 +212,11 @@ TEST(LibraryScene, ThatWasMovedFromAnswersWithAnError) {
     *scene = std::move(taken);
     EXPECT_TRUE(scene->draw());
     Renderer other = std::move(renderer);
+    // NOLINTBEGIN(bugprone-use-after-move): it answers with an error
     for (const std::string& each : {renderer.render("a.glib").message(), renderer.load("a.glib").message(),
                                     renderer.loadText(kSquare, "square.glib", kShaders).message()})
         EXPECT_PRED2(isIn, each, "library-E05");
+    // NOLINTEND(bugprone-use-after-move)
     EXPECT_TRUE(other.loadText(kSquare, "square.glib", kShaders));
 }
 

@@ -130,7 +130,8 @@ TEST_F(PageFiles, OfFaultyScenesAreThoseThatAreKnown) {
 PageScene hostile() {
     PageScene scene;
     scene.name = std::string(kHostile) + ".glib";
-    scene.files = {{scene.name, kHostile, false}, {"nul\0\xff.frag", std::string("\0\xff\xfe", 3), true}};
+    scene.files = {{scene.name, kHostile, false},
+                   {std::string("nul\0\xff.frag", 10), std::string("\0\xff\xfe", 3), true}};
     scene.head.text = {kHostile, "", "1. \xff\x01"};
     scene.head.summary = scene.head.rows.emplace_back(kHostile);
     scene.picture = "\x89PNG no picture";

@@ -70,7 +70,7 @@ class CutLoops : public testing::Test {
         for (const scene::BufferIndex each : buffers.indices())
             if (buffers[each].name == buffer) seen = loaded->device().buffers().read({each}, 0, 1).front();
         EXPECT_LE(seen, of.rounds) << of.body;
-        std::string all = text(loaded.diagnostics) + text(picture.diagnostics);
+        const std::string all = text(loaded.diagnostics) + text(picture.diagnostics);
         EXPECT_EQ(all.find("[draw-W08]") != std::string::npos, seen < of.rounds)
             << seen << " of " << of.body << "\n"
             << all;
