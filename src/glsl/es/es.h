@@ -17,6 +17,7 @@ struct EsProgram {
     std::vector<TranslatedStage> stages;
     std::vector<InitialValue> initialValues;
     ExpandedGeometry expanded{};
+    WideLines wideLines{};
     /// What GLSL ES 3.00 lacks: web-E01 to web-E05, at the user's places. `stages` may then not compile.
     Diagnostics diagnostics;
 };

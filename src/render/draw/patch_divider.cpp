@@ -37,6 +37,7 @@ void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTra
     const int instances = built.interface.facts.expanded.areInSequence ? 1 : count;
     constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
     const auto corners = static_cast<std::size_t>(built.interface.facts.expanded.ofPrimitive);
+    if (work.quads && work.quads(kModes.at(corners - 1), divided.vertices, instances)) return;
     if (work.asEdges && corners == 3)
         edges_.draw(nullptr, 0, divided.vertices, GL_TRIANGLES, instances);
     else

@@ -32,6 +32,7 @@ class PatchDivider {
         bool asEdges = false;         ///< of triangles
         /// Binds what the draw reads on gpu::kWorkUnit, where textures are made.
         std::function<void()> bindAgain{};
+        QuadDrawer quads{};  ///< of lines
     };
     /// Draws with the program and the vertex array that are bound. Draws nothing if the device lacks memory,
     /// which takeProblems() then says.

@@ -1,0 +1,192 @@
+#include "glsl/es/wide_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "glsl/parse/syntax.h"
+#include "glsl/parse/types.h"
+#include "glsl/read/source.h"
+
+namespace glibra::glsl {
+namespace {
+
+/// GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS is at least as large (OpenGL ES 3.0, table 6.28).
+constexpr int kMostComponents = 64;
+constexpr int kOfPosition = 4;
+
+/// What both main functions and the outputs need. Ends are numbers of the texture's texels at which the
+/// outputs of a vertex begin; `at` counts components from there.
+constexpr std::string_view kFunctions = R"(uniform highp usampler2D glibra_Ends;
+uniform int glibra_Wide, glibra_Pairs, glibra_Vertices;
+uniform vec4 glibra_Line;
+int glibra_first, glibra_last;
+float glibra_way;
+uint glibra_word(int at) { return texelFetch(glibra_Ends, ivec2(at & 2047, at >> 11), 0).x; }
+float glibra_number(int at) { return uintBitsToFloat(glibra_word(at)); }
+float glibra_between(int at) { return mix(glibra_number(glibra_first + at), glibra_number(glibra_last + at), glibra_way); }
+vec4 glibra_place(int end) { return vec4(glibra_number(end), glibra_number(end + 1), glibra_number(end + 2), glibra_number(end + 3)); }
+)";
+
+/// Clips a line to the planes of depth, in clip space; true if nothing is left of it. `p`, `q`: distances of
+/// its ends from a plane.
+constexpr std::string_view kClip = R"(bool glibra_cutDepth(float p, float q, inout vec2 range) {
+ if (p < 0. && q < 0.) return true;
+ if (p < 0.) range.x = max(range.x, p / (p - q));
+ if (q < 0.) range.y = min(range.y, p / (p - q));
+ return range.x > range.y;
+}
+)";
+
+/// A line without samples covers whole columns of pixels, if x is its major axis: those whose diamond it
+/// leaves (OpenGL 4.6 Core, 14.5.1). `end` is in pixels, with x in the direction of the line, and `slope`
+/// that of y. Returns the edge of the column of `end` at which the columns begin or stop.
+constexpr std::string_view kColumn = R"(float glibra_column(vec2 end, float slope, bool isLast) {
+ float column = floor(end.x), y = fract(end.y + slope * (column + .5 - end.x)) - .5;
+ float leaves = column + .5 + min((.5 - y) / max(1. + slope, 1e-6), (.5 + y) / max(1. - slope, 1e-6));
+ return (isLast ? leaves < end.x : leaves >= end.x) == isLast ? column + 1. : column;
+}
+)";
+
+/// With samples, a line is a rectangle (14.5.4); without, a parallelogram whose ends are parallel to the
+/// minor axis, and whose width counts along that (14.5.2). Its corners are anticlockwise. `glibra_Line`:
+/// width and height of the viewport and width of the line, in pixels, and whether there are samples.
+constexpr std::string_view kMain = R"(void main() {{
+ if (glibra_Wide == 0) {{ glibra_vertexMain(); return; }}
+ gl_Position = vec4(0., 0., 2., 1.);
+ int pair = gl_InstanceID % glibra_Pairs, data = (2 * glibra_Pairs + 2047) / 2048 * 2048 + gl_InstanceID / glibra_Pairs * glibra_Vertices * {0};
+ glibra_first = data + int(glibra_word(2 * pair)) * {0};
+ glibra_last = data + int(glibra_word(2 * pair + 1)) * {0};
+ vec4 p = glibra_place(glibra_first), q = glibra_place(glibra_last);
+ vec2 range = vec2(0., 1.), near = vec2(p.z + p.w, q.z + q.w), far = vec2(p.w - p.z, q.w - q.z);
+ if (glibra_Wide == 2) near = vec2(p.z, q.z);
+ if (glibra_Wide == 3) near = far = vec2(p.w, q.w) - 1e-5;
+ if (glibra_cutDepth(near.x, near.y, range) || glibra_cutDepth(far.x, far.y, range)) return;
+ vec4 from = mix(p, q, range.x), to = mix(p, q, range.y);
+ vec2 a = (from.xy / from.w * .5 + .5) * glibra_Line.xy, b = (to.xy / to.w * .5 + .5) * glibra_Line.xy;
+ bool hasSamples = glibra_Line.w > 0.;
+ if (!hasSamples) {{ a = floor(a * 256. + .5) / 256.; b = floor(b * 256. + .5) / 256.; }}
+ vec2 along = b - a, side;
+ if (along == vec2(0.)) return;
+ bool isEnd = gl_VertexID == 1 || gl_VertexID == 2 || gl_VertexID == 4;
+ float hand = gl_VertexID == 0 || gl_VertexID == 1 || gl_VertexID == 3 ? -.5 : .5, part = isEnd ? 1. : 0.;
+ vec2 window = isEnd ? b : a;
+ if (hasSamples) {{
+  window += hand * glibra_Line.z * vec2(-along.y, along.x) / length(along);
+ }} else {{
+  bool isSteep = abs(along.y) > abs(along.x);
+  if (isSteep) {{ a = a.yx; b = b.yx; along = along.yx; }}
+  float width = max(1., floor(glibra_Line.z + .5)), way = sign(along.x), slope = along.y / abs(along.x);
+  a.x *= way;
+  b.x *= way;
+  float first = glibra_column(a, slope, false), last = glibra_column(b, slope, true);
+  if (first >= last) return;
+  float x = isEnd ? last : first, y = a.y + slope * (x - a.x);
+  if (slope == 0.) y = ceil(y - .5 * width - .5) + .5 * width;
+  part = (x - a.x) / (b.x - a.x);
+  window = vec2(x * way, y + hand * width * (isSteep ? -way : way));
+  if (isSteep) window = window.yx;
+ }}
+ float scale = (1. - part) * to.w + part * from.w;
+ glibra_way = mix(range.x, range.y, scale > 0. ? part * from.w / scale : step(.5, part));
+ vec4 place = mix(p, q, glibra_way);
+ gl_Position = vec4((window / glibra_Line.xy * 2. - 1.) * place.w, place.zw);
+{1}}}
+)";
+
+/// An input of the fragment stage.
+struct Varying {
+    std::string name;
+    Type type;
+    std::string word;  ///< of the type
+    bool isFlat = false;
+    int elements = 0;  ///< of an array; 0: it is none
+};
+
+/// The declared inputs that the stage uses; nothing if there are some whose components are not known.
+std::optional<std::vector<Varying>> inputsOf(const TranslatedStage& stage) {
+    const ProgramRequest request;
+    StageText text;
+    text.request = &request;
+    Report ignored;  // the source has been translated already
+    readSource({stage.stage, stage.path, stage.source}, text, ignored);
+    std::vector<Varying> inputs;
+    for (const Declaration& each : parseSyntax(text.view).declarations) {
+        if (each.kind != DeclarationKind::variable || each.qualifiers.storage != Storage::input) continue;
+        for (const Declarator& declarator : each.declarators) {
+            Varying input{std::string(text.text(declarator.name)), typeOfWord(each.type.name),
+                          std::string(each.type.name), each.qualifiers.interpolation == "flat"};
+            std::size_t uses = 0;
+            for (std::uint32_t i = 0; i < text.view.size(); ++i) uses += text.text(i) == input.name;
+            if (uses < 2) continue;
+            std::vector<Range> sizes = each.type.dimensions;
+            sizes.insert(sizes.end(), declarator.dimensions.begin(), declarator.dimensions.end());
+            if (each.type.isStruct || !input.type.numeric() || sizes.size() > 1) return std::nullopt;
+            if (!sizes.empty()) {
+                const std::string_view digits = text.text(sizes[0].first);
+                std::from_chars(digits.data(), digits.data() + digits.size(), input.elements);
+                if (sizes[0].end != sizes[0].first + 1 || input.elements < 1) return std::nullopt;
+            }
+            inputs.push_back(std::move(input));
+        }
+    }
+    return inputs;
+}
+
+/// The value of one element of an output, whose components begin at `at`.
+std::string valueOf(const Varying& output, int at) {
+    std::string text = output.word + "(";
+    for (int i = 0; i < output.type.components(); ++i, ++at) {
+        if (i > 0) text += ", ";
+        if (output.type.integral())
+            text += fmt::format("glibra_word(glibra_last + {})", at);  // whose bits constructors keep
+        else if (output.isFlat)
+            text += fmt::format("glibra_number(glibra_last + {})", at);
+        else
+            text += fmt::format("glibra_between({})", at);
+    }
+    return text + ")";
+}
+
+}  // namespace
+
+WideLines widenLines(std::vector<TranslatedStage>& stages, bool mayCapture) {
+    const auto at = [&](Stage stage) { return std::ranges::find(stages, stage, &TranslatedStage::stage); };
+    const auto vertex = at(Stage::vertex), fragment = at(Stage::fragment);
+    if (vertex == stages.end()) return {};
+    WideLines wide{{"gl_Position"}, kOfPosition};
+    std::string outputs;
+    std::optional<std::vector<Varying>> inputs(std::in_place);
+    if (fragment != stages.end()) inputs = inputsOf(*fragment);
+    if (inputs)
+        for (const Varying& each : *inputs) {
+            wide.captured.push_back(each.name);
+            for (int i = 0; i < std::max(1, each.elements); ++i) {
+                outputs += fmt::format(" {}{} = {};\n", each.name,
+                                       each.elements > 0 ? fmt::format("[{}]", i) : std::string(),
+                                       valueOf(each, wide.components));
+                wide.components += each.type.components();
+            }
+        }
+    if (!mayCapture || !inputs || wide.components > kMostComponents) {
+        wide = {};
+        vertex->source += fmt::format("void main() {{ {}(); }}\n", kVertexMain);
+    } else {
+        vertex->source += kFunctions;
+        vertex->source += kClip;
+        vertex->source += kColumn;
+        vertex->source += fmt::format(fmt::runtime(kMain), wide.components, outputs);
+    }
+    const auto lines = static_cast<std::size_t>(std::ranges::count(vertex->source, '\n'));
+    vertex->lineMap.lines.resize(lines);
+    vertex->lineMap.columns.resize(lines);
+    return wide;
+}
+
+}  // namespace glibra::glsl
