@@ -18,12 +18,12 @@ namespace glibra::glsl {
 namespace {
 
 /// GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS is at least as large (OpenGL ES 3.0, table 6.28).
-constexpr int kMostComponents = 64;
-constexpr int kOfPosition = 4;
+constexpr int kMostCaptured = 64;
+constexpr int kPositionComponents = 4;
 
 /// What both main functions and the outputs need. Ends are numbers of the texture's texels at which the
 /// outputs of a vertex begin; `at` counts components from there.
-constexpr std::string_view kFunctions = R"(uniform highp usampler2D glibra_Ends;
+constexpr std::string_view kEndReaders = R"(uniform highp usampler2D glibra_Ends;
 uniform int glibra_Wide, glibra_Pairs, glibra_Vertices;
 uniform vec4 glibra_Line;
 int glibra_first, glibra_last;
@@ -36,7 +36,7 @@ vec4 glibra_place(int end) { return vec4(glibra_number(end), glibra_number(end +
 
 /// Clips a line to the planes of depth, in clip space; true if nothing is left of it. `p`, `q`: distances of
 /// its ends from a plane.
-constexpr std::string_view kClip = R"(bool glibra_cutDepth(float p, float q, inout vec2 range) {
+constexpr std::string_view kDepthCut = R"(bool glibra_cutDepth(float p, float q, inout vec2 range) {
  if (p < 0. && q < 0.) return true;
  if (p < 0.) range.x = max(range.x, p / (p - q));
  if (q < 0.) range.y = min(range.y, p / (p - q));
@@ -47,17 +47,17 @@ constexpr std::string_view kClip = R"(bool glibra_cutDepth(float p, float q, ino
 /// A line without samples covers whole columns of pixels, if x is its major axis: those whose diamond it
 /// leaves (OpenGL 4.6 Core, 14.5.1). `end` is in pixels, with x in the direction of the line, and `slope`
 /// that of y. Returns the edge of the column of `end` at which the columns begin or stop.
-constexpr std::string_view kColumn = R"(float glibra_column(vec2 end, float slope, bool isLast) {
+constexpr std::string_view kColumnEdge = R"(float glibra_column(vec2 end, float slope, bool isLast) {
  float column = floor(end.x), y = fract(end.y + slope * (column + .5 - end.x)) - .5;
  float leaves = column + .5 + min((.5 - y) / max(1. + slope, 1e-6), (.5 + y) / max(1. - slope, 1e-6));
- return (isLast ? leaves < end.x : leaves >= end.x) == isLast ? column + 1. : column;
+ return (isLast ? leaves <= end.x : leaves > end.x) == isLast ? column + 1. : column;
 }
 )";
 
 /// With samples, a line is a rectangle (14.5.4); without, a parallelogram whose ends are parallel to the
 /// minor axis, and whose width counts along that (14.5.2). Its corners are anticlockwise. `glibra_Line`:
 /// width and height of the viewport and width of the line, in pixels, and whether there are samples.
-constexpr std::string_view kMain = R"(void main() {{
+constexpr std::string_view kQuadMain = R"(void main() {{
  if (glibra_Wide == 0) {{ glibra_vertexMain(); return; }}
  gl_Position = vec4(0., 0., 2., 1.);
  int pair = gl_InstanceID % glibra_Pairs, data = (2 * glibra_Pairs + 2047) / 2048 * 2048 + gl_InstanceID / glibra_Pairs * glibra_Vertices * {0};
@@ -101,7 +101,7 @@ constexpr std::string_view kMain = R"(void main() {{
 )";
 
 /// An input of the fragment stage.
-struct Varying {
+struct CapturedInput {
     std::string name;
     Type type;
     std::string word;  ///< of the type
@@ -110,18 +110,18 @@ struct Varying {
 };
 
 /// The declared inputs that the stage uses; nothing if there are some whose components are not known.
-std::optional<std::vector<Varying>> inputsOf(const TranslatedStage& stage) {
+std::optional<std::vector<CapturedInput>> capturedInputsOf(const TranslatedStage& stage) {
     const ProgramRequest request;
     StageText text;
     text.request = &request;
     Report ignored;  // the source has been translated already
     readSource({stage.stage, stage.path, stage.source}, text, ignored);
-    std::vector<Varying> inputs;
+    std::vector<CapturedInput> inputs;
     for (const Declaration& each : parseSyntax(text.view).declarations) {
         if (each.kind != DeclarationKind::variable || each.qualifiers.storage != Storage::input) continue;
         for (const Declarator& declarator : each.declarators) {
-            Varying input{std::string(text.text(declarator.name)), typeOfWord(each.type.name),
-                          std::string(each.type.name), each.qualifiers.interpolation == "flat"};
+            CapturedInput input{std::string(text.text(declarator.name)), typeOfWord(each.type.name),
+                                std::string(each.type.name), each.qualifiers.interpolation == "flat"};
             std::size_t uses = 0;
             for (std::uint32_t i = 0; i < text.view.size(); ++i) uses += text.text(i) == input.name;
             if (uses < 2) continue;
@@ -140,7 +140,7 @@ std::optional<std::vector<Varying>> inputsOf(const TranslatedStage& stage) {
 }
 
 /// The value of one element of an output, whose components begin at `at`.
-std::string valueOf(const Varying& output, int at) {
+std::string capturedValueOf(const CapturedInput& output, int at) {
     std::string text = output.word + "(";
     for (int i = 0; i < output.type.components(); ++i, ++at) {
         if (i > 0) text += ", ";
@@ -160,28 +160,28 @@ WideLines widenLines(std::vector<TranslatedStage>& stages, bool mayCapture) {
     const auto at = [&](Stage stage) { return std::ranges::find(stages, stage, &TranslatedStage::stage); };
     const auto vertex = at(Stage::vertex), fragment = at(Stage::fragment);
     if (vertex == stages.end()) return {};
-    WideLines wide{{"gl_Position"}, kOfPosition};
+    WideLines wide{{"gl_Position"}, kPositionComponents};
     std::string outputs;
-    std::optional<std::vector<Varying>> inputs(std::in_place);
-    if (fragment != stages.end()) inputs = inputsOf(*fragment);
+    std::optional<std::vector<CapturedInput>> inputs(std::in_place);
+    if (fragment != stages.end()) inputs = capturedInputsOf(*fragment);
     if (inputs)
-        for (const Varying& each : *inputs) {
+        for (const CapturedInput& each : *inputs) {
             wide.captured.push_back(each.name);
             for (int i = 0; i < std::max(1, each.elements); ++i) {
                 outputs += fmt::format(" {}{} = {};\n", each.name,
                                        each.elements > 0 ? fmt::format("[{}]", i) : std::string(),
-                                       valueOf(each, wide.components));
+                                       capturedValueOf(each, wide.components));
                 wide.components += each.type.components();
             }
         }
-    if (!mayCapture || !inputs || wide.components > kMostComponents) {
+    if (!mayCapture || !inputs || wide.components > kMostCaptured) {
         wide = {};
         vertex->source += fmt::format("void main() {{ {}(); }}\n", kVertexMain);
     } else {
-        vertex->source += kFunctions;
-        vertex->source += kClip;
-        vertex->source += kColumn;
-        vertex->source += fmt::format(fmt::runtime(kMain), wide.components, outputs);
+        vertex->source += kEndReaders;
+        vertex->source += kDepthCut;
+        vertex->source += kColumnEdge;
+        vertex->source += fmt::format(fmt::runtime(kQuadMain), wide.components, outputs);
     }
     const auto lines = static_cast<std::size_t>(std::ranges::count(vertex->source, '\n'));
     vertex->lineMap.lines.resize(lines);

@@ -14,13 +14,13 @@
 namespace glibra::render {
 namespace {
 
-constexpr std::size_t kWidth = glsl::kEndsWidth;
+constexpr std::size_t kEndsInRow = glsl::kEndsWidth;
 
-std::size_t rowsOf(std::uint64_t numbers) {
-    return static_cast<std::size_t>((numbers + kWidth - 1) / kWidth);
+std::size_t endRowsOf(std::uint64_t numbers) {
+    return static_cast<std::size_t>((numbers + kEndsInRow - 1) / kEndsInRow);
 }
 
-void setLook(const LineWidener::Look& look) {
+void setLineLook(const LineWidener::Look& look) {
     const auto& uniforms = look.built->interface.uniforms;
     const auto line = std::ranges::find(uniforms, "glibra_Line", &base::ActiveUniform::emittedName);
     if (line != uniforms.end())
@@ -68,12 +68,12 @@ void LineWidener::list(Ends& ends, const Lines& lines) {
     std::vector<std::uint32_t>& pairs = ends.vertexPairs = gpu::edgesOf(indices, lines.mode);
     ends.pairs = static_cast<int>(pairs.size() / 2);
     ends.vertices = pairs.empty() ? 0 : std::int64_t{std::ranges::max(pairs)} + 1;
-    pairs.resize(rowsOf(pairs.size()) * kWidth);
+    pairs.resize(endRowsOf(pairs.size()) * kEndsInRow);
     ends.isFilled = false;
 }
 
 bool LineWidener::capture(const Ends& ends, const BuiltProgram& built, int instances, std::size_t rows) {
-    const std::size_t bytes = rows * kWidth * sizeof(std::uint32_t);
+    const std::size_t bytes = rows * kEndsInRow * sizeof(std::uint32_t);
     if (!outputs_ || outputs_->size() < bytes) {
         Result<gpu::Buffer> made = gpu::Buffer::create(bytes, GL_STREAM_COPY);
         append(problems_, std::move(made.diagnostics));
@@ -100,13 +100,13 @@ bool LineWidener::draw(const Look& look, const Lines& lines) {
     list(ends, lines);
     if (ends.pairs == 0 || lines.instances <= 0) return true;
     const auto components = static_cast<std::uint64_t>(built.interface.facts.wideLines.components);
-    const std::size_t listed = rowsOf(ends.vertexPairs.size());
-    const std::size_t captured = rowsOf(static_cast<std::uint64_t>(ends.vertices) *
-                                        static_cast<std::uint64_t>(lines.instances) * components);
+    const std::size_t listed = endRowsOf(ends.vertexPairs.size());
+    const std::size_t captured = endRowsOf(static_cast<std::uint64_t>(ends.vertices) *
+                                           static_cast<std::uint64_t>(lines.instances) * components);
     // Numbers of texels are ints in the shader.
     const auto most = std::min<std::size_t>(
         static_cast<std::size_t>(gpu::largestSide(capabilities_, gpu::TextureShape::texture2D)),
-        std::numeric_limits<int>::max() / kWidth);
+        std::numeric_limits<int>::max() / kEndsInRow);
     if (listed + captured > most || ends.pairs > std::numeric_limits<int>::max() / lines.instances) {
         if (!std::exchange(isReported_, true))
             problems_.push_back(
@@ -133,7 +133,7 @@ bool LineWidener::draw(const Look& look, const Lines& lines) {
     upload(listed, captured, nullptr);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
 
-    setLook(look);
+    setLineLook(look);
     setOwnUniform(built, "glibra_Pairs", ends.pairs);
     setOwnUniform(built, "glibra_Vertices", static_cast<double>(ends.vertices));
     if (!noInputs_) noInputs_.emplace(std::span<const gpu::AttributeSource>());

@@ -1,0 +1,225 @@
+// Lines that are wider than a driver of OpenGL ES draws them, compared with Mesa's own wide lines.
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene_text.h"
+#include "skip_runs.h"
+
+namespace glibra::test {
+namespace {
+
+PFNGLGETFLOATVPROC ownGetFloatv = nullptr;
+
+/// The driver's answers, but for the range of line widths: that of drivers which draw them one pixel wide.
+void getFloatv(GLenum what, GLfloat* values) {
+    ownGetFloatv(what, values);
+    if (what == GL_ALIASED_LINE_WIDTH_RANGE) values[0] = values[1] = 1;
+}
+
+/// Contexts of OpenGL ES that are opened meanwhile have thin lines.
+class ThinLines {
+  public:
+    ThinLines() {
+        ownGetFloatv = glad_glGetFloatv;
+        glad_glGetFloatv = getFloatv;
+    }
+    ThinLines(const ThinLines&) = delete;
+    ThinLines& operator=(const ThinLines&) = delete;
+    ~ThinLines() { glad_glGetFloatv = ownGetFloatv; }
+};
+
+struct BothLines {
+    Picture own, made;        ///< by Mesa's wide lines, and by quads
+    Diagnostics diagnostics;  ///< of the second one
+};
+
+BothLines bothLines(const std::string& scene, const RenderOptions& options) {
+    const SceneFolder folder(scene);
+    // A context of this driver loads the functions of which the table is changed.
+    Result<Renderer> wide = Renderer::open(Driver::gles);
+    if (!wide) throw std::runtime_error(text(wide.diagnostics));
+    Result<Picture> own = wide->render(folder / "scene.glib", options);
+    EXPECT_TRUE(own) << text(own.diagnostics);
+    const ThinLines thin;
+    Result<Renderer> narrow = Renderer::open(Driver::gles);
+    if (!narrow) throw std::runtime_error(text(narrow.diagnostics));
+    Result<Picture> made = narrow->render(folder / "scene.glib", options);
+    EXPECT_TRUE(made) << text(made.diagnostics);
+    if (!own || !made) throw std::runtime_error("no picture");
+    return {std::move(*own), std::move(*made), std::move(made.diagnostics)};
+}
+
+/// Pixels that differ by more than `step` of 255, and those that are not black in the first picture.
+struct LineCounts {
+    int different = 0, drawn = 0;
+};
+
+LineCounts lineCounts(const std::string& name, const std::string& scene, const RenderOptions& options = {},
+                      int step = 2) {
+    const BothLines pictures = bothLines(scene, options);
+    EXPECT_EQ(text(pictures.diagnostics), "");
+    if (const char* folder = std::getenv("GLIBRA_WIDE_LINES")) {
+        EXPECT_TRUE(pictures.own.save(std::string(folder) + "/" + name + "_own.png"));
+        EXPECT_TRUE(pictures.made.save(std::string(folder) + "/" + name + "_made.png"));
+    }
+    LineCounts counts;
+    for (int y = 0; y < pictures.own.height; ++y)
+        for (int x = 0; x < pictures.own.width; ++x) {
+            const auto a = pixel(pictures.own, x, y), b = pixel(pictures.made, x, y);
+            int most = 0;
+            for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a.at(i) - b.at(i)));
+            counts.different += most > step ? 1 : 0;
+            counts.drawn += a != std::array{0, 0, 0} ? 1 : 0;
+        }
+    printf("%s: %d of %d\n", name.c_str(), counts.different, counts.drawn);
+    return counts;
+}
+
+/// A program whose vertices are the number `i`, and begin of a scene of 200 x 150 pixels.
+std::string linesOf(const std::string& place, const std::string& color = "vec3(1., .8, .2)",
+                    const std::string& stages = "", const std::string& qualifier = "") {
+    return "WindowSize 200 150\nBackground 0 0 0\nVertex inline\n#version 330 core\n" + qualifier +
+           " out vec3 vColor;\nvoid main() {\n int i = gl_VertexID;\n vec2 pixel = " + place +
+           ";\n vColor = " + color +
+           ";\n gl_Position = vec4(pixel / vec2(100., 75.) - 1., 0., 1.);\n}\nEndVertex\n" + stages +
+           "Fragment inline\n#version 330 core\n" + qualifier +
+           " in vec3 vColor;\nout vec4 fColor;\nvoid main() { fColor = vec4(vColor, 1.); }\nEndFragment\n"
+           "Program Lines\n";
+}
+
+/// Horizontal and vertical lines in both directions. Their places are eighths of pixels and a bit more, so that
+/// no end is on the edge of a diamond.
+const std::string kParallel =
+    "(i / 2 % 2 == 0 ? vec2(4.03 + float(i % 2) * 80.375 + float(i / 2) * .125, 3. + float(i / 2) * 5.125)"
+    " : vec2(100. + float(i / 2) * 4.125, 10.03 + .125 * float(i / 2) + float(1 - i % 2) * 120.))";
+const std::string kMirrored = "(vec2(200., 150.) - " + kParallel + ")";
+/// Radii of a circle.
+const std::string kStar =
+    "(vec2(100., 75.) + float(10 + 55 * (i % 2)) * vec2(cos(float(i / 2) * .1963), sin(float(i / 2) * "
+    ".1963)))";
+
+TEST(WideLines, AreThoseOfTheDriverAlongTheAxes) {
+    for (const std::string& each : {kParallel, kMirrored})
+        for (const char* width : {"2", "3", "4", "7.5", "1.4"}) {
+            SCOPED_TRACE(width);
+            const LineCounts counts =
+                lineCounts("parallel", linesOf(each) + "LineWidth " + width + "\nVertices lines 48\n");
+            EXPECT_EQ(counts.different, 0);
+            EXPECT_GT(counts.drawn, 1000);
+        }
+}
+
+TEST(WideLines, AreThoseOfTheDriverInOtherDirections) {
+    for (const char* width : {"2", "3", "8"}) {
+        const LineCounts counts =
+            lineCounts(std::string("star") + width, linesOf(kStar, "vec3(1., float(i % 2), float(i) / 64.)") +
+                                                        "LineWidth " + width + "\nVertices lines 64\n");
+        EXPECT_LT(counts.different * 100, counts.drawn * 2);
+        EXPECT_GT(counts.drawn, 1000);
+    }
+}
+
+TEST(WideLines, AreRectanglesWithSamples) {
+    RenderOptions options;
+    options.samples = 4;
+    const LineCounts counts =
+        lineCounts("samples", linesOf(kStar) + "LineWidth 5\nVertices lines 64\n", options);
+    EXPECT_LT(counts.different * 100, counts.drawn * 2);
+    // The samples are at odd eighths of pixels.
+    const std::string between = "(vec2(.03) + " + kParallel + ")";
+    EXPECT_EQ(
+        lineCounts("sampled", linesOf(between) + "LineWidth 3\nVertices lines 48\n", options).different, 0);
+}
+
+TEST(WideLines, AreMadeOfStripsLoopsAndIndices) {
+    const std::string path = "vec2(100. + 80. * cos(float(i) * 2.4), 75. + 60. * sin(float(i) * 2.4))";
+    for (const char* draw :
+         {"Vertices line_strip 9", "Vertices line_loop 9", "Vertices lines 10",
+          "Buffer order uint [0 3 1 4  4294967295  7 2 8]\nVertices line_strip indices order",
+          "Buffer order uint [0 3 1 4  4294967295  7 2 8]\nVertices line_loop indices order",
+          "Buffer order uint [0 3 1 4 7 2]\nVertices lines indices order"}) {
+        SCOPED_TRACE(draw);
+        for (const char* qualifier : {"", "flat"}) {
+            const LineCounts counts = lineCounts(
+                "strip", linesOf(path, "vec3(float(i % 2), .5, float(i % 3) * .5)", "", qualifier) +
+                             "LineWidth 5\n" + draw + "\n");
+            EXPECT_LT(counts.different * 100, counts.drawn * 2);
+            EXPECT_GT(counts.drawn, 500);
+        }
+    }
+}
+
+TEST(WideLines, AreThoseOfAllInstances) {
+    const std::string place =
+        "vec2(20. + float(gl_InstanceID) * 30. + float(i % 2) * 20., 20. + float(i) * 30. + 15. * "
+        "float(gl_InstanceID % 2))";
+    const LineCounts counts =
+        lineCounts("instances", linesOf(place, "vec3(float(gl_InstanceID) * .2, 1., float(i % 2))") +
+                                    "LineWidth 4\nInstances 5\nVertices line_strip 4\n");
+    EXPECT_LT(counts.different * 100, counts.drawn * 2);
+    EXPECT_GT(counts.drawn, 500);
+}
+
+TEST(WideLines, AreThoseThatAGeometryStageEmits) {
+    for (const int most : {4, 20}) {
+        const std::string last = std::to_string(most - 1);
+        const std::string geometry =
+            "Geometry inline\n#version 330 core\nlayout(points) in;\nlayout(line_strip, max_vertices = " +
+            std::to_string(most) +
+            ") out;\nin vec3 vColor[];\nout vec3 vEdge;\nvoid main() {\n for (int i = 0; i < " + last +
+            "; ++i) {\n  vEdge = mix(vColor[0], vec3(0., 1., 0.), float(i) / " + last +
+            ".);\n  gl_Position = gl_in[0].gl_Position + vec4(.0513 * float(i), .1071 * float(i % 2), 0., 0.);\n  "
+            "EmitVertex();\n }\n"
+            " EndPrimitive();\n}\nEndGeometry\n";
+        std::string scene = linesOf("vec2(10. + 4. * float(i), 8. + 14. * float(i))",
+                                    "vec3(1., .2, float(i) * .1)", geometry);
+        scene.replace(scene.rfind("in vec3 vColor"), 14, "in vec3 vEdge ");
+        scene.replace(scene.rfind("vColor"), 6, "vEdge");
+        const LineCounts counts = lineCounts("geometry", scene + "LineWidth 3\nVertices points 9\n");
+        EXPECT_LT(counts.different * 100, counts.drawn * 2);
+        EXPECT_GT(counts.drawn, 300);
+    }
+}
+
+/// A scene in space.
+std::string inSpace(const std::string& camera, const std::string& draws) {
+    return "WindowSize 200 150\nBackground 0 0 0\nCamera eye LookAt " + camera +
+           " 0 1 0  Perspective 50 .5 100\nLineWidth 4\n" + draws;
+}
+
+TEST(WideLines, AreEdgesOfTriangles) {
+    const LineCounts counts =
+        lineCounts("edges", inSpace("0 1 4  0 0 0 ",
+                                    "State polygon line cull off\nColor 1 .5 0\nBox 2\nColor 0 .5 "
+                                    "1\nTranslate 1 0 0\nSphere .7 8 6\n"));
+    EXPECT_LT(counts.different * 100, counts.drawn * 2);
+    EXPECT_GT(counts.drawn, 2000);
+}
+
+TEST(WideLines, AreClippedAtTheNearPlane) {
+    for (const char* reversed : {"", "reversed"}) {
+        const LineCounts counts =
+            lineCounts("near", inSpace(".1 .3 0  0 0 -5 ", "Pass window " + std::string(reversed) +
+                                                               " clear {0 0 0}\nColor 1 .5 0\nWirePlane 20 8 "
+                                                               "8\nTranslate 0 .5 0\nWireBox 3\nEndPass\n"));
+        EXPECT_LT(counts.different * 100, counts.drawn * 3);
+        EXPECT_GT(counts.drawn, 2000);
+    }
+}
+
+TEST(WideLines, BlendEachPixelOnce) {
+    const std::string scene =
+        linesOf(kStar, "vec3(.25)") + "State blend one one\nLineWidth 12\nVertices lines 16\n";
+    const LineCounts counts = lineCounts("blended", scene);
+    EXPECT_LT(counts.different * 100, counts.drawn * 2);
+    EXPECT_GT(counts.drawn, 2000);
+}
+
+}  // namespace
+}  // namespace glibra::test
