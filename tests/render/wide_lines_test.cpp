@@ -189,6 +189,65 @@ TEST(WideLines, AreThoseThatAGeometryStageEmits) {
     }
 }
 
+TEST(WideLines, AreThoseThatTessellationDelivers) {
+    for (const char* const control :
+         {"TessLevels 3 20 1 1 1 1\n",
+          "layout(vertices = 2) out;\nin vec3 vColor[];\nout vec3 tColor[];\nvoid main() {\n"
+          " gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+          " tColor[gl_InvocationID] = vColor[gl_InvocationID];\n gl_TessLevelOuter[0] = 3.;\n"
+          " gl_TessLevelOuter[1] = 9. + 20. * vColor[0].x;\n}\n"}) {
+        const bool isStage = control[0] == 'l';
+        const std::string input = isStage ? "tColor" : "vColor";
+        const std::string stages =
+            (isStage ? std::string("TessControl inline\n#version 410 core\n") + control + "EndTessControl\n"
+                     : "") +
+            "TessEvaluation inline\n#version 410 core\nlayout(isolines) in;\nin vec3 " + input +
+            "[];\nout vec3 vEdge;\nvoid main() {\n float t = gl_TessCoord.x;\n"
+            " gl_Position = mix(gl_in[0].gl_Position, gl_in[1].gl_Position, t) + vec4(0., .3 * sin(9. * t) + "
+            ".2 * "
+            "gl_TessCoord.y, 0., 0.);\n vEdge = mix(" +
+            input + "[0], vec3(0., t, 1.), gl_TessCoord.y);\n}\nEndTessEvaluation\n";
+        std::string scene = linesOf("vec2(10. + 170. * float(i % 2), 30. + float(i) * 20.)",
+                                    "vec3(float(i / 2), 1., .2)", stages);
+        scene.replace(scene.rfind("in vec3 vColor"), 14, "in vec3 vEdge ");
+        scene.replace(scene.rfind("vColor"), 6, "vEdge");
+        const LineCounts counts = lineCounts(
+            isStage ? "control" : "tessellation",
+            scene + (isStage ? "" : control) + "NumPatchVertices 2\nLineWidth 4\nVertices patches 4\n");
+        EXPECT_LT(counts.different * 100, counts.drawn * 2);
+        EXPECT_GT(counts.drawn, 2000);
+    }
+}
+
+TEST(WideLines, PassOnEveryKindOfOutput) {
+    const std::string varyings =
+        "flat %s ivec2 vWhole;\nflat %s uint vCount;\n%s float vList[3];\n%s mat2 vTurn;\n"
+        "%s Block { vec2 at; } %s;\n";
+    const auto as = [&](const std::string& way, const std::string& instance) {
+        std::string text = varyings;
+        for (std::size_t at; (at = text.find("%s")) != std::string::npos;)
+            text.replace(at, 2, text.find("%s", at + 1) == std::string::npos ? instance : way);
+        return text;
+    };
+    const LineCounts counts = lineCounts(
+        "kinds",
+        "WindowSize 200 150\nBackground 0 0 0\nVertex inline\n#version 330 core\n" + as("out", "vOut") +
+            "void main() {\n int i = gl_VertexID;\n vec2 at = vec2(cos(float(i) * 2.4), sin(float(i) * "
+            "2.4));\n"
+            " vWhole = ivec2(i, -i - 1);\n vCount = 4294967290u - uint(i);\n"
+            " for (int k = 0; k < 3; ++k) vList[k] = float(i * k) / 20.;\n vTurn = mat2(at, -at);\n vOut.at "
+            "= at;\n"
+            " gl_Position = vec4(at * .8, 0., 1.);\n}\nEndVertex\nFragment inline\n#version 330 core\n" +
+            as("in", "vIn") +
+            "out vec4 fColor;\nvoid main() {\n float whole = float(vWhole.x - vWhole.y) / 40. + float(vCount "
+            "% 16u) / 32.;\n"
+            " fColor = vec4(whole, vList[1] + vList[2], .5 + .25 * dot(vTurn[1], vIn.at) + .1 * vTurn[0].x, "
+            "1.);\n}\n"
+            "EndFragment\nProgram Lines\nLineWidth 6\nVertices line_strip 9\n");
+    EXPECT_LT(counts.different * 100, counts.drawn * 2);
+    EXPECT_GT(counts.drawn, 2000);
+}
+
 /// A scene in space.
 std::string inSpace(const std::string& camera, const std::string& draws) {
     return "WindowSize 200 150\nBackground 0 0 0\nCamera eye LookAt " + camera +
@@ -209,8 +268,8 @@ TEST(WideLines, AreClippedAtTheNearPlane) {
         const LineCounts counts = lineCounts(
             std::string("near") + reversed,
             inSpace(".1 .05 0  0 0 -5 ", "Pass window " + std::string(reversed) +
-                                            " clear {0 0 0}\nColor 1 .5 0\nScale .4 .3 20\nWireBox 1\n"
-                                            "Color 0 .5 1\nWireTorus .2 .4\nEndPass\n"));
+                                             " clear {0 0 0}\nColor 1 .5 0\nScale .4 .3 20\nWireBox 1\n"
+                                             "Color 0 .5 1\nWireTorus .2 .4\nEndPass\n"));
         EXPECT_LT(counts.different * 100, counts.drawn * 2);
         EXPECT_GT(counts.drawn, 1000);
     }

@@ -68,9 +68,7 @@ EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
         empty.lineMap.lines.resize(2);
         empty.lineMap.columns.resize(2);
     }
-    if (options.draws.haveWideLines)
-        result.wideLines =
-            widenLines(result.stages, !result.expanded.measuresLevels && result.expanded.mostEmitted == 0);
+    if (options.draws.haveWideLines) result.wideLines = widenLines(result.stages, result.expanded);
     result.diagnostics = report.take();
     return result;
 }

@@ -26,17 +26,17 @@ constexpr int kPositionComponents = 4;
 constexpr std::string_view kEndReaders = R"(uniform highp usampler2D glibra_Ends;
 uniform int glibra_Wide, glibra_Pairs, glibra_Vertices;
 uniform vec4 glibra_Line;
-int glibra_first, glibra_last;
-float glibra_way;
-uint glibra_word(int at) { return texelFetch(glibra_Ends, ivec2(at & 2047, at >> 11), 0).x; }
-float glibra_number(int at) { return uintBitsToFloat(glibra_word(at)); }
-float glibra_between(int at) { return mix(glibra_number(glibra_first + at), glibra_number(glibra_last + at), glibra_way); }
-vec4 glibra_place(int end) { return vec4(glibra_number(end), glibra_number(end + 1), glibra_number(end + 2), glibra_number(end + 3)); }
+int glibra_lineFirst, glibra_lineLast;
+float glibra_lineWay;
+uint glibra_lineWord(int at) { return texelFetch(glibra_Ends, ivec2(at & 2047, at >> 11), 0).x; }
+float glibra_lineNumber(int at) { return uintBitsToFloat(glibra_lineWord(at)); }
+float glibra_lineBetween(int at) { return mix(glibra_lineNumber(glibra_lineFirst + at), glibra_lineNumber(glibra_lineLast + at), glibra_lineWay); }
+vec4 glibra_linePlace(int end) { return vec4(glibra_lineNumber(end), glibra_lineNumber(end + 1), glibra_lineNumber(end + 2), glibra_lineNumber(end + 3)); }
 )";
 
 /// Clips a line to the planes of depth, in clip space; true if nothing is left of it. `p`, `q`: distances of
 /// its ends from a plane.
-constexpr std::string_view kDepthCut = R"(bool glibra_cutDepth(float p, float q, inout vec2 range) {
+constexpr std::string_view kDepthCut = R"(bool glibra_lineCut(float p, float q, inout vec2 range) {
  if (p < 0. && q < 0.) return true;
  if (p < 0.) range.x = max(range.x, p / (p - q));
  if (q < 0.) range.y = min(range.y, p / (p - q));
@@ -47,7 +47,7 @@ constexpr std::string_view kDepthCut = R"(bool glibra_cutDepth(float p, float q,
 /// A line without samples covers whole columns of pixels, if x is its major axis: those whose diamond it
 /// leaves (OpenGL 4.6 Core, 14.5.1). `end` is in pixels, with x in the direction of the line, and `slope`
 /// that of y. Returns the edge of the column of `end` at which the columns begin or stop.
-constexpr std::string_view kColumnEdge = R"(float glibra_column(vec2 end, float slope, bool isLast) {
+constexpr std::string_view kColumnEdge = R"(float glibra_lineColumn(vec2 end, float slope, bool isLast) {
  float column = floor(end.x), y = fract(end.y + slope * (column + .5 - end.x)) - .5;
  float leaves = column + .5 + min((.5 - y) / max(1. + slope, 1e-6), (.5 + y) / max(1. - slope, 1e-6));
  return (isLast ? leaves <= end.x : leaves > end.x) == isLast ? column + 1. : column;
@@ -60,19 +60,19 @@ constexpr std::string_view kColumnEdge = R"(float glibra_column(vec2 end, float 
 constexpr std::string_view kQuadMain = R"(void main() {{
  if (glibra_Wide == 0) {{ glibra_vertexMain(); return; }}
  gl_Position = vec4(0., 0., 2., 1.);
- int pair = gl_InstanceID % glibra_Pairs, data = (2 * glibra_Pairs + 2047) / 2048 * 2048 + gl_InstanceID / glibra_Pairs * glibra_Vertices * {0};
- glibra_first = data + int(glibra_word(2 * pair)) * {0};
- glibra_last = data + int(glibra_word(2 * pair + 1)) * {0};
- vec4 p = glibra_place(glibra_first), q = glibra_place(glibra_last);
+ int pair = gl_InstanceID % glibra_Pairs, data = (2 * glibra_Pairs + 2047) / 2048 * 2048 + gl_InstanceID / glibra_Pairs * glibra_Vertices * {0} + {1};
+ glibra_lineFirst = data + int(glibra_lineWord(2 * pair)) * {0};
+ glibra_lineLast = data + int(glibra_lineWord(2 * pair + 1)) * {0};
+ vec4 p = glibra_linePlace(glibra_lineFirst), q = glibra_linePlace(glibra_lineLast);
  vec2 range = vec2(0., 1.), near = vec2(p.z + p.w, q.z + q.w), far = vec2(p.w - p.z, q.w - q.z);
  if (glibra_Wide == 2) near = vec2(p.z, q.z);
  if (glibra_Wide == 3) near = far = vec2(p.w, q.w) - 1e-5;
- if (glibra_cutDepth(near.x, near.y, range) || glibra_cutDepth(far.x, far.y, range)) return;
+ if (glibra_lineCut(near.x, near.y, range) || glibra_lineCut(far.x, far.y, range)) return;
  vec4 from = mix(p, q, range.x), to = mix(p, q, range.y);
  vec2 a = (from.xy / from.w * .5 + .5) * glibra_Line.xy, b = (to.xy / to.w * .5 + .5) * glibra_Line.xy;
  bool hasSamples = glibra_Line.w > 0.;
  if (!hasSamples) {{ a = floor(a * 256. + .5) / 256.; b = floor(b * 256. + .5) / 256.; }}
- vec2 along = b - a, side;
+ vec2 along = b - a;
  if (along == vec2(0.)) return;
  bool isEnd = gl_VertexID == 1 || gl_VertexID == 2 || gl_VertexID == 4;
  float hand = gl_VertexID == 0 || gl_VertexID == 1 || gl_VertexID == 3 ? -.5 : .5, part = isEnd ? 1. : 0.;
@@ -85,7 +85,7 @@ constexpr std::string_view kQuadMain = R"(void main() {{
   float width = max(1., floor(glibra_Line.z + .5)), way = sign(along.x), slope = along.y / abs(along.x);
   a.x *= way;
   b.x *= way;
-  float first = glibra_column(a, slope, false), last = glibra_column(b, slope, true);
+  float first = glibra_lineColumn(a, slope, false), last = glibra_lineColumn(b, slope, true);
   if (first >= last) return;
   float x = isEnd ? last : first, y = a.y + slope * (x - a.x);
   if (slope == 0.) y = ceil(y - .5 * width - .5) + .5 * width;
@@ -94,10 +94,10 @@ constexpr std::string_view kQuadMain = R"(void main() {{
   if (isSteep) window = window.yx;
  }}
  float scale = (1. - part) * to.w + part * from.w;
- glibra_way = mix(range.x, range.y, scale > 0. ? part * from.w / scale : step(.5, part));
- vec4 place = mix(p, q, glibra_way);
+ glibra_lineWay = mix(range.x, range.y, scale > 0. ? part * from.w / scale : step(.5, part));
+ vec4 place = mix(p, q, glibra_lineWay);
  gl_Position = vec4((window / glibra_Line.xy * 2. - 1.) * place.w, place.zw);
-{1}}}
+{2}}}
 )";
 
 /// An input of the fragment stage.
@@ -145,22 +145,29 @@ std::string capturedValueOf(const CapturedInput& output, int at) {
     for (int i = 0; i < output.type.components(); ++i, ++at) {
         if (i > 0) text += ", ";
         if (output.type.integral())
-            text += fmt::format("glibra_word(glibra_last + {})", at);  // whose bits constructors keep
+            text += fmt::format("glibra_lineWord(glibra_lineLast + {})", at);  // whose bits constructors keep
         else if (output.isFlat)
-            text += fmt::format("glibra_number(glibra_last + {})", at);
+            text += fmt::format("glibra_lineNumber(glibra_lineLast + {})", at);
         else
-            text += fmt::format("glibra_between({})", at);
+            text += fmt::format("glibra_lineBetween({})", at);
     }
     return text + ")";
 }
 
 }  // namespace
 
-WideLines widenLines(std::vector<TranslatedStage>& stages, bool mayCapture) {
+WideLines widenLines(std::vector<TranslatedStage>& stages, const ExpandedGeometry& expanded) {
     const auto at = [&](Stage stage) { return std::ranges::find(stages, stage, &TranslatedStage::stage); };
     const auto vertex = at(Stage::vertex), fragment = at(Stage::fragment);
     if (vertex == stages.end()) return {};
-    WideLines wide{{"gl_Position"}, kPositionComponents};
+    WideLines wide;
+    if (expanded.measuresLevels) {
+        wide.captured.assign(kLevelOutputs.begin(), kLevelOutputs.end());
+        wide.components = kLevelComponents;
+    }
+    const int begin = wide.components;
+    wide.captured.emplace_back("gl_Position");
+    wide.components += kPositionComponents;
     std::string outputs;
     std::optional<std::vector<CapturedInput>> inputs(std::in_place);
     if (fragment != stages.end()) inputs = capturedInputsOf(*fragment);
@@ -170,18 +177,18 @@ WideLines widenLines(std::vector<TranslatedStage>& stages, bool mayCapture) {
             for (int i = 0; i < std::max(1, each.elements); ++i) {
                 outputs += fmt::format(" {}{} = {};\n", each.name,
                                        each.elements > 0 ? fmt::format("[{}]", i) : std::string(),
-                                       capturedValueOf(each, wide.components));
+                                       capturedValueOf(each, wide.components - begin));
                 wide.components += each.type.components();
             }
         }
-    if (!mayCapture || !inputs || wide.components > kMostCaptured) {
+    if (expanded.mostEmitted > 0 || !inputs || wide.components > kMostCaptured) {
         wide = {};
         vertex->source += fmt::format("void main() {{ {}(); }}\n", kVertexMain);
     } else {
         vertex->source += kEndReaders;
         vertex->source += kDepthCut;
         vertex->source += kColumnEdge;
-        vertex->source += fmt::format(fmt::runtime(kQuadMain), wide.components, outputs);
+        vertex->source += fmt::format(fmt::runtime(kQuadMain), wide.components, begin, outputs);
     }
     const auto lines = static_cast<std::size_t>(std::ranges::count(vertex->source, '\n'));
     vertex->lineMap.lines.resize(lines);

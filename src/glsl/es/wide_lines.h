@@ -12,9 +12,9 @@ namespace glibra::glsl {
 inline constexpr const char* kVertexMain = "glibra_vertexMain";
 
 /// Adds a main function to the vertex stage of `stages`, which are GLSL ES: it calls kVertexMain, or makes
-/// quads (WideLines). `mayCapture`: the program captures nothing else. Returns nothing to capture if that is
-/// false, or if the fragment stage reads structures, arrays whose size is not written as a number, or more
-/// than can be captured; lines are then no wider than the driver draws them.
-WideLines widenLines(std::vector<TranslatedStage>& stages, bool mayCapture);
+/// quads (WideLines). Returns nothing to capture if the program tells the strips that it emits, or if the
+/// fragment stage reads structures, arrays whose size is not written as a number, or more than can be
+/// captured; lines are then no wider than the driver draws them.
+WideLines widenLines(std::vector<TranslatedStage>& stages, const ExpandedGeometry& expanded);
 
 }  // namespace glibra::glsl

@@ -173,18 +173,20 @@ inline constexpr const char* kFetchedInputs = "glibra_Inputs";
 inline constexpr const char* kCoordinates = "glibra_Coordinates";
 /// The outputs of levels: four outer ones, two inner ones.
 inline constexpr std::array<const char*, 2> kLevelOutputs{"glibra_OuterLevels", "glibra_InnerLevels"};
+inline constexpr int kLevelComponents = 6;  ///< of these
 /// A bit for each vertex that begins a strip, from the lowest one on, and how many vertices are emitted.
 inline constexpr std::array<const char*, 3> kStripOutputs{"glibra_Begins", "glibra_MoreBegins",
                                                           "glibra_Emitted"};
 inline constexpr int kMostMeasured = 256;  ///< vertices, whose bits these have
 
-/// Of GLSL ES: the vertex stage can make quads of lines, for drivers whose lines are thin. Its instance i is the
-/// line i % glibra_Pairs of the instance i / glibra_Pairs of the draw, and has the six corners of two
+/// Of GLSL ES: the vertex stage can make quads of lines, for drivers whose lines are thin. Its instance i is
+/// the line i % glibra_Pairs of the instance i / glibra_Pairs of the draw, and has the six corners of two
 /// triangles. The texture kLineEnds has rows of kEndsWidth numbers: the two vertices of each line, then, from
 /// the next row on, the captured outputs of each of the glibra_Vertices vertices of each instance.
 struct WideLines {
-    std::vector<std::string> captured{};  ///< outputs, interleaved; empty: the program cannot make quads
-    int components = 0;                   ///< of all of them
+    /// Outputs, interleaved, after kLevelOutputs if the program measures levels. Empty: it makes no quads.
+    std::vector<std::string> captured{};
+    int components = 0;  ///< of all of them
 };
 inline constexpr const char* kLineEnds = "glibra_Ends";
 inline constexpr int kEndsWidth = 2048;

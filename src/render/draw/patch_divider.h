@@ -47,6 +47,8 @@ class PatchDivider {
         std::optional<gpu::Texture> coordinates;
         int vertices = 0;  ///< of an instance: of all patches, or the most of one
     };
+    /// Asks the program for the levels of each patch. False if the device lacks memory.
+    bool measure(const BuiltProgram& built, std::vector<TessellationLevels>& levels);
     Divided divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
                    std::vector<TessellationLevels> levels);
 

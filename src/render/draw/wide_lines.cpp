@@ -62,7 +62,8 @@ void LineWidener::list(Ends& ends, const Lines& lines) {
     ends.key = key;
     std::vector<std::uint32_t> indices(static_cast<std::size_t>(std::max(0, lines.count)));
     if (lines.indices != nullptr)
-        lines.indices->read(lines.offset, std::as_writable_bytes(std::span(indices)));
+        lines.indices->read(static_cast<std::size_t>(lines.offset),
+                            std::as_writable_bytes(std::span(indices)));
     else
         std::iota(indices.begin(), indices.end(), 0U);
     std::vector<std::uint32_t>& pairs = ends.vertexPairs = gpu::edgesOf(indices, lines.mode);

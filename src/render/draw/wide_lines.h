@@ -39,7 +39,7 @@ class LineWidener {
     /// The vertices of lines, or of triangles whose edges are drawn.
     struct Lines {
         const gpu::Buffer* indices = nullptr;  ///< null: the vertices in order
-        std::size_t offset = 0;                ///< bytes before the first index
+        std::uint64_t offset = 0;              ///< bytes before the first index
         int count = 0;                         ///< of indices or vertices
         GLenum mode = GL_LINES;                ///< one of gpu::edgesOf
         int instances = 1;
@@ -58,7 +58,7 @@ class LineWidener {
     Diagnostics takeProblems() { return std::exchange(problems_, {}); }
 
   private:
-    using Key = std::tuple<GLuint, std::size_t, int, GLenum>;  ///< what lines depend on
+    using Key = std::tuple<GLuint, std::uint64_t, int, GLenum>;  ///< what lines depend on
     struct Ends {
         Key key{};
         std::vector<std::uint32_t> vertexPairs{};  ///< two for each line, then zeros to the end of a row
