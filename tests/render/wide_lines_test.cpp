@@ -248,6 +248,51 @@ TEST(WideLines, PassOnEveryKindOfOutput) {
     EXPECT_GT(counts.drawn, 2000);
 }
 
+TEST(WideLines, AreTheSameInTilesAndViewports) {
+    RenderOptions tiled;
+    tiled.tileSize = 64;
+    const std::string lines = "LineWidth 5\nVertices lines 64\n";
+    for (const std::string& each : {lines, "Viewport .1 .2 .7 .6\n" + lines}) {
+        const LineCounts whole = lineCounts("viewport", linesOf(kStar) + each);
+        EXPECT_LT(whole.different * 100, whole.drawn * 2);
+        const BothLines one = bothLines(linesOf(kStar) + each, {}),
+                        parts = bothLines(linesOf(kStar) + each, tiled);
+        EXPECT_TRUE(isSame(one.own, parts.own)) << "by the driver";
+        EXPECT_TRUE(isSame(one.made, parts.made));
+    }
+}
+
+TEST(WideLines, LeaveWhatElseTheirProgramDraws) {
+    const std::string scene =
+        linesOf("vec2(30. + 60. * float(i % 3), 20. + 40. * float(i / 2))", "vec3(1., float(i % 2), .5)") +
+        "Vertices triangles 3\nLineWidth 4\nVertices lines 4\nVertices points 6\nLineWidth 1\n"
+        "Vertices line_loop 6\n";
+    const LineCounts counts = lineCounts("mixed", scene);
+    EXPECT_LT(counts.different * 100, counts.drawn);
+    EXPECT_GT(counts.drawn, 1000);
+    EXPECT_EQ(lineCounts("thin", linesOf(kStar) + "Vertices lines 64\n").different, 0);
+}
+
+TEST(WideLines, AreThinWithOutputsThatCannotBeCaptured) {
+    for (const char* const type : {"vec4 vMany[16]", "Pair vPair"}) {
+        const std::string name = std::string(type).substr(0, 4) == "Pair" ? "vPair.a" : "vMany[15]";
+        const std::string declared = std::string("struct Pair { vec4 a; };\n");
+        const std::string scene =
+            "WindowSize 64 64\nBackground 0 0 0\nVertex inline\n#version 330 core\n" + declared + "out " +
+            type + ";\nvoid main() {\n " + name +
+            " = vec4(1.);\n gl_Position = vec4(float(gl_VertexID) - .5, 0.01, 0., "
+            "1.);\n}\nEndVertex\nFragment "
+            "inline\n#version 330 core\n" +
+            declared + "in " + type + ";\nout vec4 fColor;\nvoid main() { fColor = " + name +
+            "; }\nEndFragment\nProgram Lines\nLineWidth 3\nVertices lines 2\nVertices lines 2\n";
+        const BothLines pictures = bothLines(scene, {});
+        EXPECT_TRUE(has(pictures.diagnostics, "draw-W04")) << type;
+        EXPECT_EQ(pictures.diagnostics.size(), 1U) << text(pictures.diagnostics);
+        EXPECT_EQ(countPixels(pictures.own, kWhite), 96);
+        EXPECT_EQ(countPixels(pictures.made, kWhite), 32);
+    }
+}
+
 /// A scene in space.
 std::string inSpace(const std::string& camera, const std::string& draws) {
     return "WindowSize 200 150\nBackground 0 0 0\nCamera eye LookAt " + camera +
