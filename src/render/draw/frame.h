@@ -232,11 +232,10 @@ class FrameDrawer {
     [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
     /// The draw shows lines: its primitives, those of its stages, or edges.
     [[nodiscard]] bool drawsLines(const plan::PlannedDraw& planned, const BuiltProgram& built) const;
-    /// Its lines can be wider than those of the driver.
-    [[nodiscard]] bool canWiden(const plan::PlannedDraw& planned, const BuiltProgram& built) const;
-    /// Makes the next submissions draw quads, for which it changes the state.
-    void widen(const plan::PlannedDraw& planned, const BuiltProgram& built, const PassInProgress& pass,
-               base::RasterState& raster);
+    /// If its lines are wider than those of the driver, makes the next submissions draw quads, for which it
+    /// changes the state, or reports draw-W04.
+    void widenLines(const plan::PlannedDraw& planned, const BuiltProgram& built, const PassInProgress& pass,
+                    base::RasterState& raster, Diagnostics& diagnostics);
     /// Draws the lines of so many vertices and instances as quads; null if the draw has none.
     [[nodiscard]] QuadDrawer quads() const;
     /// Binds what the draw reads on gpu::kWorkUnit, after textures were made.

@@ -119,13 +119,6 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
         for (base::Blend& each : raster.blend)
             if (each == base::kBlendOver) each.isOn = false;
     const gpu::Capabilities& capabilities = context_.capabilities();
-    const double widest = capabilities.widestLine();
-    const bool isWide = raster.lineWidth > widest && (!capabilities.isEs || drawsLines(planned, built));
-    const bool isWidened = isWide && canWiden(planned, built);
-    if (isWide && !isWidened && !std::exchange(lineWidthReported_, true))
-        diagnostics.push_back(
-            diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
-                     plan_.drawOf(planned).place));
     const char* lack = capabilities.isEs ? lackOfEs(raster) : nullptr;
     if (capabilities.isEs && lack == nullptr && lacksBorders(planned, built))
         lack = "borders of textures that are not of two dimensions, and of arrays of samplers, are edges";
@@ -137,8 +130,7 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
     if (wireframe_) raster.polygon = base::PolygonMode::line;
     for (std::size_t target = 0; target < planned.unwritten.size(); ++target)
         if (planned.unwritten[target]) raster.write[target] = {false, false, false, false};
-    wide_.reset();
-    if (isWidened) widen(planned, built, pass, raster);
+    widenLines(planned, built, pass, raster, diagnostics);
     raster_.apply(raster);
 
     const int distances = built.interface.facts.clipDistances;
@@ -277,11 +269,6 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
         submitPart(planned, part, GL_POINTS);
     }
     if (restarts) glDisable(GL_PRIMITIVE_RESTART);
-}
-
-bool FrameDrawer::drawsEdges(const plan::PlannedDraw& planned) const {
-    return context_.capabilities().isEs &&
-           (wireframe_ || plan_.drawOf(planned).raster->polygon == base::PolygonMode::line);
 }
 
 void FrameDrawer::numberPrimitives(const plan::PlannedDraw& planned, const BuiltProgram& built) {

@@ -1,9 +1,18 @@
 // Lines that are wider than the driver draws them.
 
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "render/draw/frame.h"
 #include "render/load/gl_names.h"
 
 namespace glibra::render {
+
+bool FrameDrawer::drawsEdges(const plan::PlannedDraw& planned) const {
+    return context_.capabilities().isEs &&
+           (wireframe_ || plan_.drawOf(planned).raster->polygon == base::PolygonMode::line);
+}
 
 bool FrameDrawer::drawsLines(const plan::PlannedDraw& planned, const BuiltProgram& built) const {
     const glsl::ExpandedGeometry& expanded = built.interface.facts.expanded;
@@ -14,16 +23,23 @@ bool FrameDrawer::drawsLines(const plan::PlannedDraw& planned, const BuiltProgra
            (mode != GL_POINTS && drawsEdges(planned));
 }
 
-bool FrameDrawer::canWiden(const plan::PlannedDraw& planned, const BuiltProgram& built) const {
-    const scene::Draw& draw = plan_.drawOf(planned);
-    // A hook may draw with a program of its own.
-    return !built.interface.facts.wideLines.captured.empty() && !hook_ && !draw.raster->discard &&
-           !draw.verticesFrom && !draw.instancesFrom;
-}
-
-void FrameDrawer::widen(const plan::PlannedDraw& planned, const BuiltProgram& built,
-                        const PassInProgress& pass, base::RasterState& raster) {
+void FrameDrawer::widenLines(const plan::PlannedDraw& planned, const BuiltProgram& built,
+                             const PassInProgress& pass, base::RasterState& raster,
+                             Diagnostics& diagnostics) {
+    wide_.reset();
     const gpu::Capabilities& capabilities = context_.capabilities();
+    const scene::Draw& draw = plan_.drawOf(planned);
+    const double widest = capabilities.widestLine();
+    if (raster.lineWidth <= widest || (capabilities.isEs && !drawsLines(planned, built))) return;
+    // A hook may draw with a program of its own.
+    if (built.interface.facts.wideLines.captured.empty() || hook_ || raster.discard || draw.verticesFrom ||
+        draw.instancesFrom) {
+        if (!std::exchange(lineWidthReported_, true))
+            diagnostics.push_back(
+                diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
+                         draw.place));
+        return;
+    }
     const gpu::PixelRectangle port =
         gpu::pixelsOf(raster.viewport, pass.target.width(), pass.target.height());
     auto mode = glsl::WideMode::fromMinusW;
