@@ -1,9 +1,13 @@
 // Lines that are wider than a driver of OpenGL ES draws them, compared with Mesa's own wide lines.
 
+#include <glibra/scene.h>
+
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,30 +59,28 @@ BothLines bothLines(const std::string& scene, const RenderOptions& options) {
     return {std::move(*own), std::move(*made), std::move(made.diagnostics)};
 }
 
-/// Pixels that differ by more than `step` of 255, and those that are not black in the first picture.
+/// Pixels that differ by more than 2 of 255, and those that are not black in the first picture.
 struct LineCounts {
     int different = 0, drawn = 0;
 };
 
-LineCounts lineCounts(const std::string& name, const std::string& scene, const RenderOptions& options = {},
-                      int step = 2) {
-    const BothLines pictures = bothLines(scene, options);
-    EXPECT_EQ(text(pictures.diagnostics), "");
-    if (const char* folder = std::getenv("GLIBRA_WIDE_LINES")) {
-        EXPECT_TRUE(pictures.own.save(std::string(folder) + "/" + name + "_own.png"));
-        EXPECT_TRUE(pictures.made.save(std::string(folder) + "/" + name + "_made.png"));
-    }
+LineCounts linesCompared(const Picture& own, const Picture& made) {
     LineCounts counts;
-    for (int y = 0; y < pictures.own.height; ++y)
-        for (int x = 0; x < pictures.own.width; ++x) {
-            const auto a = pixel(pictures.own, x, y), b = pixel(pictures.made, x, y);
+    for (int y = 0; y < own.height; ++y)
+        for (int x = 0; x < own.width; ++x) {
+            const auto a = pixel(own, x, y), b = pixel(made, x, y);
             int most = 0;
             for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a.at(i) - b.at(i)));
-            counts.different += most > step ? 1 : 0;
+            counts.different += most > 2 ? 1 : 0;
             counts.drawn += a != std::array{0, 0, 0} ? 1 : 0;
         }
-    printf("%s: %d of %d\n", name.c_str(), counts.different, counts.drawn);
     return counts;
+}
+
+LineCounts lineCounts(const std::string& scene, const RenderOptions& options = {}) {
+    const BothLines pictures = bothLines(scene, options);
+    EXPECT_EQ(text(pictures.diagnostics), "");
+    return linesCompared(pictures.own, pictures.made);
 }
 
 /// A program whose vertices are the number `i`, and begin of a scene of 200 x 150 pixels.
@@ -109,7 +111,7 @@ TEST(WideLines, AreThoseOfTheDriverAlongTheAxes) {
         for (const char* width : {"2", "3", "4", "7.5", "1.4"}) {
             SCOPED_TRACE(width);
             const LineCounts counts =
-                lineCounts("parallel", linesOf(each) + "LineWidth " + width + "\nVertices lines 48\n");
+                lineCounts(linesOf(each) + "LineWidth " + width + "\nVertices lines 48\n");
             EXPECT_EQ(counts.different, 0);
             EXPECT_GT(counts.drawn, 1000);
         }
@@ -117,9 +119,8 @@ TEST(WideLines, AreThoseOfTheDriverAlongTheAxes) {
 
 TEST(WideLines, AreThoseOfTheDriverInOtherDirections) {
     for (const char* width : {"2", "3", "8"}) {
-        const LineCounts counts =
-            lineCounts(std::string("star") + width, linesOf(kStar, "vec3(1., float(i % 2), float(i) / 64.)") +
-                                                        "LineWidth " + width + "\nVertices lines 64\n");
+        const LineCounts counts = lineCounts(linesOf(kStar, "vec3(1., float(i % 2), float(i) / 64.)") +
+                                             "LineWidth " + width + "\nVertices lines 64\n");
         EXPECT_LT(counts.different * 100, counts.drawn * 2);
         EXPECT_GT(counts.drawn, 1000);
     }
@@ -128,13 +129,11 @@ TEST(WideLines, AreThoseOfTheDriverInOtherDirections) {
 TEST(WideLines, AreRectanglesWithSamples) {
     RenderOptions options;
     options.samples = 4;
-    const LineCounts counts =
-        lineCounts("samples", linesOf(kStar) + "LineWidth 5\nVertices lines 64\n", options);
+    const LineCounts counts = lineCounts(linesOf(kStar) + "LineWidth 5\nVertices lines 64\n", options);
     EXPECT_LT(counts.different * 100, counts.drawn * 2);
     // Mesa loses columns and rows of samples whose left or lower edge is just before a multiple of 64 pixels.
     const LineCounts parallel = lineCounts(
-        "sampled", linesOf("(vec2(.03, 0.) + " + kParallel + ")") + "LineWidth 3\nVertices lines 48\n",
-        options);
+        linesOf("(vec2(.03, 0.) + " + kParallel + ")") + "LineWidth 3\nVertices lines 48\n", options);
     EXPECT_LT(parallel.different * 100, parallel.drawn * 3);
 }
 
@@ -147,9 +146,9 @@ TEST(WideLines, AreMadeOfStripsLoopsAndIndices) {
           "Buffer order uint [0 3 1 4 7 2]\nVertices lines indices order"}) {
         SCOPED_TRACE(draw);
         for (const char* qualifier : {"", "flat"}) {
-            const LineCounts counts = lineCounts(
-                "strip", linesOf(path, "vec3(float(i % 2), .5, float(i % 3) * .5)", "", qualifier) +
-                             "LineWidth 5\n" + draw + "\n");
+            const LineCounts counts =
+                lineCounts(linesOf(path, "vec3(float(i % 2), .5, float(i % 3) * .5)", "", qualifier) +
+                           "LineWidth 5\n" + draw + "\n");
             EXPECT_LT(counts.different * 100, counts.drawn * 2);
             EXPECT_GT(counts.drawn, 500);
         }
@@ -160,9 +159,8 @@ TEST(WideLines, AreThoseOfAllInstances) {
     const std::string place =
         "vec2(20. + float(gl_InstanceID) * 30. + float(i % 2) * 20., 20. + float(i) * 30. + 15. * "
         "float(gl_InstanceID % 2))";
-    const LineCounts counts =
-        lineCounts("instances", linesOf(place, "vec3(float(gl_InstanceID) * .2, 1., float(i % 2))") +
-                                    "LineWidth 4\nInstances 5\nVertices line_strip 4\n");
+    const LineCounts counts = lineCounts(linesOf(place, "vec3(float(gl_InstanceID) * .2, 1., float(i % 2))") +
+                                         "LineWidth 4\nInstances 5\nVertices line_strip 4\n");
     EXPECT_LT(counts.different * 100, counts.drawn * 2);
     EXPECT_GT(counts.drawn, 500);
 }
@@ -183,7 +181,7 @@ TEST(WideLines, AreThoseThatAGeometryStageEmits) {
                                     "vec3(1., .2, float(i) * .1)", geometry);
         scene.replace(scene.rfind("in vec3 vColor"), 14, "in vec3 vEdge ");
         scene.replace(scene.rfind("vColor"), 6, "vEdge");
-        const LineCounts counts = lineCounts("geometry", scene + "LineWidth 3\nVertices points 9\n");
+        const LineCounts counts = lineCounts(scene + "LineWidth 3\nVertices points 9\n");
         EXPECT_LT(counts.different * 100, counts.drawn * 2);
         EXPECT_GT(counts.drawn, 300);
     }
@@ -211,11 +209,53 @@ TEST(WideLines, AreThoseThatTessellationDelivers) {
                                     "vec3(float(i / 2), 1., .2)", stages);
         scene.replace(scene.rfind("in vec3 vColor"), 14, "in vec3 vEdge ");
         scene.replace(scene.rfind("vColor"), 6, "vEdge");
-        const LineCounts counts = lineCounts(
-            isStage ? "control" : "tessellation",
-            scene + (isStage ? "" : control) + "NumPatchVertices 2\nLineWidth 4\nVertices patches 4\n");
+        const LineCounts counts = lineCounts(scene + (isStage ? "" : control) +
+                                             "NumPatchVertices 2\nLineWidth 4\nVertices patches 4\n");
         EXPECT_LT(counts.different * 100, counts.drawn * 2);
         EXPECT_GT(counts.drawn, 2000);
+    }
+}
+
+TEST(WideLines, MayBecomeMoreAndFewerFromFrameToFrame) {
+    std::string scene = linesOf(
+        "vec2(10. + 170. * float(i % 2), 30.)", "vec3(1.)",
+        "TessControl inline\n#version 410 core\nlayout(vertices = 2) out;\nuniform float Timer;\nvoid main() "
+        "{\n"
+        " gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+        " gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = 1. + 60. * Timer;\n}\nEndTessControl\n"
+        "TessEvaluation inline\n#version 410 core\nlayout(isolines) in;\nout vec3 vEdge;\nvoid main() {\n"
+        " gl_Position = mix(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_TessCoord.x);\n"
+        " gl_Position.y += gl_TessCoord.y + .2 * sin(9. * gl_TessCoord.x);\n"
+        " vEdge = vec3(gl_TessCoord.xy, 1.);\n}\nEndTessEvaluation\n");
+    scene.replace(scene.rfind("in vec3 vColor"), 14, "in vec3 vEdge ");
+    scene.replace(scene.rfind("vColor"), 6, "vEdge");
+    const SceneFolder folder(scene + "NumPatchVertices 2\nLineWidth 3\nVertices patches 2\n");
+    const std::vector<double> times{0, 1, 9, 2, 9.5, .1};
+    std::vector<Picture> own;
+    Result<Renderer> wide = Renderer::open(Driver::gles);
+    ASSERT_TRUE(wide);
+    for (const double time : times) {
+        RenderOptions options;
+        options.time = time;
+        Result<Picture> picture = wide->render(folder / "scene.glib", options);
+        ASSERT_TRUE(picture) << text(picture.diagnostics);
+        own.push_back(std::move(*picture));
+    }
+    const ThinLines thin;
+    Result<Renderer> narrow = Renderer::open(Driver::gles);
+    ASSERT_TRUE(narrow);
+    Result<Scene> loaded = narrow->load(folder / "scene.glib");
+    ASSERT_TRUE(loaded) << text(loaded.diagnostics);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        SCOPED_TRACE(times[i]);
+        DrawOptions options;
+        options.time = times[i];
+        Result<Picture> picture = loaded->draw(options);
+        ASSERT_TRUE(picture) << text(picture.diagnostics);
+        EXPECT_EQ(text(picture.diagnostics), "");
+        const LineCounts counts = linesCompared(own[i], *picture);
+        EXPECT_LT(counts.different * 100, counts.drawn * 2);
+        EXPECT_GT(counts.drawn, 400);
     }
 }
 
@@ -230,22 +270,35 @@ TEST(WideLines, PassOnEveryKindOfOutput) {
         return text;
     };
     const LineCounts counts = lineCounts(
-        "kinds",
         "WindowSize 200 150\nBackground 0 0 0\nVertex inline\n#version 330 core\n" + as("out", "vOut") +
-            "void main() {\n int i = gl_VertexID;\n vec2 at = vec2(cos(float(i) * 2.4), sin(float(i) * "
-            "2.4));\n"
-            " vWhole = ivec2(i, -i - 1);\n vCount = 4294967290u - uint(i);\n"
-            " for (int k = 0; k < 3; ++k) vList[k] = float(i * k) / 20.;\n vTurn = mat2(at, -at);\n vOut.at "
-            "= at;\n"
-            " gl_Position = vec4(at * .8, 0., 1.);\n}\nEndVertex\nFragment inline\n#version 330 core\n" +
-            as("in", "vIn") +
-            "out vec4 fColor;\nvoid main() {\n float whole = float(vWhole.x - vWhole.y) / 40. + float(vCount "
-            "% 16u) / 32.;\n"
-            " fColor = vec4(whole, vList[1] + vList[2], .5 + .25 * dot(vTurn[1], vIn.at) + .1 * vTurn[0].x, "
-            "1.);\n}\n"
-            "EndFragment\nProgram Lines\nLineWidth 6\nVertices line_strip 9\n");
+        "void main() {\n int i = gl_VertexID;\n vec2 at = vec2(cos(float(i) * 2.4), sin(float(i) * "
+        "2.4));\n"
+        " vWhole = ivec2(i, -i - 1);\n vCount = 4294967290u - uint(i);\n"
+        " for (int k = 0; k < 3; ++k) vList[k] = float(i * k) / 20.;\n vTurn = mat2(at, -at);\n vOut.at "
+        "= at;\n"
+        " gl_Position = vec4(at * .8, 0., 1.);\n}\nEndVertex\nFragment inline\n#version 330 core\n" +
+        as("in", "vIn") +
+        "out vec4 fColor;\nvoid main() {\n float whole = float(vWhole.x - vWhole.y) / 40. + float(vCount "
+        "% 16u) / 32.;\n"
+        " fColor = vec4(whole, vList[1] + vList[2], .5 + .25 * dot(vTurn[1], vIn.at) + .1 * vTurn[0].x, "
+        "1.);\n}\n"
+        "EndFragment\nProgram Lines\nLineWidth 6\nVertices line_strip 9\n");
     EXPECT_LT(counts.different * 100, counts.drawn * 2);
     EXPECT_GT(counts.drawn, 2000);
+}
+
+TEST(WideLines, AreNumberedAndCut) {
+    std::string scene = linesOf(kStar);
+    scene.replace(scene.rfind("vec4(vColor, 1.)"), 16,
+                  "vec4(vColor * float(gl_PrimitiveID % 4 + 1) / 4., 1.)");
+    const LineCounts numbered = lineCounts(scene + "LineWidth 5\nVertices lines 64\n");
+    EXPECT_LT(numbered.different * 100, numbered.drawn * 2);
+    scene = linesOf(kStar);
+    scene.insert(scene.find(" gl_Position"),
+                 " gl_ClipDistance[0] = pixel.x - 60.;\n gl_ClipDistance[1] = 110. - pixel.y;\n");
+    const LineCounts cut = lineCounts(scene + "LineWidth 5\nVertices lines 64\n");
+    EXPECT_LT(cut.different * 100, cut.drawn * 2);
+    EXPECT_LT(cut.drawn, numbered.drawn * 9 / 10);
 }
 
 TEST(WideLines, AreTheSameInTilesAndViewports) {
@@ -253,7 +306,7 @@ TEST(WideLines, AreTheSameInTilesAndViewports) {
     tiled.tileSize = 64;
     const std::string lines = "LineWidth 5\nVertices lines 64\n";
     for (const std::string& each : {lines, "Viewport .1 .2 .7 .6\n" + lines}) {
-        const LineCounts whole = lineCounts("viewport", linesOf(kStar) + each);
+        const LineCounts whole = lineCounts(linesOf(kStar) + each);
         EXPECT_LT(whole.different * 100, whole.drawn * 2);
         const BothLines one = bothLines(linesOf(kStar) + each, {}),
                         parts = bothLines(linesOf(kStar) + each, tiled);
@@ -267,10 +320,10 @@ TEST(WideLines, LeaveWhatElseTheirProgramDraws) {
         linesOf("vec2(30. + 60. * float(i % 3), 20. + 40. * float(i / 2))", "vec3(1., float(i % 2), .5)") +
         "Vertices triangles 3\nLineWidth 4\nVertices lines 4\nVertices points 6\nLineWidth 1\n"
         "Vertices line_loop 6\n";
-    const LineCounts counts = lineCounts("mixed", scene);
+    const LineCounts counts = lineCounts(scene);
     EXPECT_LT(counts.different * 100, counts.drawn);
     EXPECT_GT(counts.drawn, 1000);
-    EXPECT_EQ(lineCounts("thin", linesOf(kStar) + "Vertices lines 64\n").different, 0);
+    EXPECT_EQ(lineCounts(linesOf(kStar) + "Vertices lines 64\n").different, 0);
 }
 
 TEST(WideLines, AreThinWithOutputsThatCannotBeCaptured) {
@@ -301,9 +354,9 @@ std::string inSpace(const std::string& camera, const std::string& draws) {
 
 TEST(WideLines, AreEdgesOfTriangles) {
     const LineCounts counts =
-        lineCounts("edges", inSpace("0 1 4  0 0 0 ",
-                                    "State polygon line cull off\nColor 1 .5 0\nBox 2\nColor 0 .5 "
-                                    "1\nTranslate 1 0 0\nSphere .7 8 6\n"));
+        lineCounts(inSpace("0 1 4  0 0 0 ",
+                           "State polygon line cull off\nColor 1 .5 0\nBox 2\nColor 0 .5 "
+                           "1\nTranslate 1 0 0\nSphere .7 8 6\n"));
     EXPECT_LT(counts.different * 100, counts.drawn * 2);
     EXPECT_GT(counts.drawn, 2000);
 }
@@ -311,7 +364,6 @@ TEST(WideLines, AreEdgesOfTriangles) {
 TEST(WideLines, AreClippedAtTheNearPlane) {
     for (const char* reversed : {"", "reversed"}) {
         const LineCounts counts = lineCounts(
-            std::string("near") + reversed,
             inSpace(".1 .05 0  0 0 -5 ", "Pass window " + std::string(reversed) +
                                              " clear {0 0 0}\nColor 1 .5 0\nScale .4 .3 20\nWireBox 1\n"
                                              "Color 0 .5 1\nWireTorus .2 .4\nEndPass\n"));
@@ -323,7 +375,7 @@ TEST(WideLines, AreClippedAtTheNearPlane) {
 TEST(WideLines, BlendEachPixelOnce) {
     const std::string scene =
         linesOf(kStar, "vec3(.25)") + "State blend one one\nLineWidth 12\nVertices lines 16\n";
-    const LineCounts counts = lineCounts("blended", scene);
+    const LineCounts counts = lineCounts(scene);
     EXPECT_LT(counts.different * 100, counts.drawn * 2);
     EXPECT_GT(counts.drawn, 2000);
 }

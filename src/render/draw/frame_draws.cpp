@@ -424,6 +424,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInP
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
     if (!recordLoops(planned, built, pass.frame, raster)) submitInShares(planned, built);
+    wide_.reset();
     append(diagnostics, patches_.takeProblems());
     append(diagnostics, strips_.takeProblems());
     for (Diagnostic& each : widener_.takeProblems()) {

@@ -33,7 +33,6 @@ void setLineLook(const LineWidener::Look& look) {
 }  // namespace
 
 bool LineWidener::makeTexture(std::optional<gpu::Texture>& texture, int rows) {
-    texture.reset();
     Result<gpu::Texture> made =
         gpu::Texture::create(capabilities_, gpu::TextureLayout{.format = gpu::TexelFormat::r32ui,
                                                                .size = {glsl::kEndsWidth, rows},
@@ -41,8 +40,8 @@ bool LineWidener::makeTexture(std::optional<gpu::Texture>& texture, int rows) {
     bindings_.forgetWorkUnit();
     append(problems_, std::move(made.diagnostics));
     if (!made) return false;
-    texture.emplace(std::move(*made));
-    bindings_.bind(*texture, unit());
+    bindings_.bind(*made, unit());  // before the earlier one is deleted, whose number may come again
+    texture = std::move(*made);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit()));
     for (const GLenum each : std::array<GLenum, 2>{GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, each, GL_NEAREST);

@@ -67,10 +67,9 @@ class LineWidener {
         std::optional<gpu::Texture> texture{};
         bool isFilled = false;  ///< the texture has the pairs
     };
-    [[nodiscard]] int unit() const {
-        return capabilities_.combinedTextureUnits - 3;
-    }  // PatchDivider, FetchedInputs
-    /// Leaves the texture bound. False if the device lacks memory.
+    /// The last ones are those of PatchDivider and FetchedInputs.
+    [[nodiscard]] int unit() const { return capabilities_.combinedTextureUnits - 3; }
+    /// Leaves the texture bound, and its unit active. False if the device lacks memory.
     bool makeTexture(std::optional<gpu::Texture>& texture, int rows);
     /// Finds the pairs of vertices. Waits for the device if the indices are new.
     static void list(Ends& ends, const Lines& lines);
