@@ -38,6 +38,15 @@ class ThinLines {
     ~ThinLines() { glad_glGetFloatv = ownGetFloatv; }
 };
 
+class WideLines : public testing::Test {
+  protected:
+    void SetUp() override {
+        const Result<gpu::Context> context = gpu::openContext({.driver = Driver::gles});
+        if (!context || !context->capabilities().isSoftware)
+            GTEST_SKIP() << "no OpenGL ES by Mesa's software driver";
+    }
+};
+
 struct BothLines {
     Picture own, made;        ///< by Mesa's wide lines, and by quads
     Diagnostics diagnostics;  ///< of the second one
@@ -106,7 +115,7 @@ const std::string kStar =
     "(vec2(100., 75.) + float(10 + 55 * (i % 2)) * vec2(cos(float(i / 2) * .1963), sin(float(i / 2) * "
     ".1963)))";
 
-TEST(WideLines, AreThoseOfTheDriverAlongTheAxes) {
+TEST_F(WideLines, AreThoseOfTheDriverAlongTheAxes) {
     for (const std::string& each : {kParallel, kMirrored})
         for (const char* width : {"2", "3", "4", "7.5", "1.4"}) {
             SCOPED_TRACE(width);
@@ -117,7 +126,7 @@ TEST(WideLines, AreThoseOfTheDriverAlongTheAxes) {
         }
 }
 
-TEST(WideLines, AreThoseOfTheDriverInOtherDirections) {
+TEST_F(WideLines, AreThoseOfTheDriverInOtherDirections) {
     for (const char* width : {"2", "3", "8"}) {
         const LineCounts counts = lineCounts(linesOf(kStar, "vec3(1., float(i % 2), float(i) / 64.)") +
                                              "LineWidth " + width + "\nVertices lines 64\n");
@@ -126,7 +135,7 @@ TEST(WideLines, AreThoseOfTheDriverInOtherDirections) {
     }
 }
 
-TEST(WideLines, AreRectanglesWithSamples) {
+TEST_F(WideLines, AreRectanglesWithSamples) {
     RenderOptions options;
     options.samples = 4;
     const LineCounts counts = lineCounts(linesOf(kStar) + "LineWidth 5\nVertices lines 64\n", options);
@@ -137,7 +146,7 @@ TEST(WideLines, AreRectanglesWithSamples) {
     EXPECT_LT(parallel.different * 100, parallel.drawn * 3);
 }
 
-TEST(WideLines, AreMadeOfStripsLoopsAndIndices) {
+TEST_F(WideLines, AreMadeOfStripsLoopsAndIndices) {
     const std::string path = "vec2(100. + 80. * cos(float(i) * 2.4), 75. + 60. * sin(float(i) * 2.4))";
     for (const char* draw :
          {"Vertices line_strip 9", "Vertices line_loop 9", "Vertices lines 10",
@@ -155,7 +164,7 @@ TEST(WideLines, AreMadeOfStripsLoopsAndIndices) {
     }
 }
 
-TEST(WideLines, AreThoseOfAllInstances) {
+TEST_F(WideLines, AreThoseOfAllInstances) {
     const std::string place =
         "vec2(20. + float(gl_InstanceID) * 30. + float(i % 2) * 20., 20. + float(i) * 30. + 15. * "
         "float(gl_InstanceID % 2))";
@@ -165,7 +174,7 @@ TEST(WideLines, AreThoseOfAllInstances) {
     EXPECT_GT(counts.drawn, 500);
 }
 
-TEST(WideLines, AreThoseThatAGeometryStageEmits) {
+TEST_F(WideLines, AreThoseThatAGeometryStageEmits) {
     for (const int most : {4, 20}) {
         const std::string last = std::to_string(most - 1);
         const std::string geometry =
@@ -187,7 +196,7 @@ TEST(WideLines, AreThoseThatAGeometryStageEmits) {
     }
 }
 
-TEST(WideLines, AreThoseThatTessellationDelivers) {
+TEST_F(WideLines, AreThoseThatTessellationDelivers) {
     for (const char* const control :
          {"TessLevels 3 20 1 1 1 1\n",
           "layout(vertices = 2) out;\nin vec3 vColor[];\nout vec3 tColor[];\nvoid main() {\n"
@@ -216,7 +225,7 @@ TEST(WideLines, AreThoseThatTessellationDelivers) {
     }
 }
 
-TEST(WideLines, MayBecomeMoreAndFewerFromFrameToFrame) {
+TEST_F(WideLines, MayBecomeMoreAndFewerFromFrameToFrame) {
     std::string scene = linesOf(
         "vec2(10. + 170. * float(i % 2), 30.)", "vec3(1.)",
         "TessControl inline\n#version 410 core\nlayout(vertices = 2) out;\nuniform float Timer;\nvoid main() "
@@ -259,7 +268,7 @@ TEST(WideLines, MayBecomeMoreAndFewerFromFrameToFrame) {
     }
 }
 
-TEST(WideLines, PassOnEveryKindOfOutput) {
+TEST_F(WideLines, PassOnEveryKindOfOutput) {
     const std::string varyings =
         "flat %s ivec2 vWhole;\nflat %s uint vCount;\n%s float vList[3];\n%s mat2 vTurn;\n"
         "%s Block { vec2 at; } %s;\n";
@@ -287,7 +296,7 @@ TEST(WideLines, PassOnEveryKindOfOutput) {
     EXPECT_GT(counts.drawn, 2000);
 }
 
-TEST(WideLines, AreNumberedAndCut) {
+TEST_F(WideLines, AreNumberedAndCut) {
     std::string scene = linesOf(kStar);
     scene.replace(scene.rfind("vec4(vColor, 1.)"), 16,
                   "vec4(vColor * float(gl_PrimitiveID % 4 + 1) / 4., 1.)");
@@ -301,7 +310,7 @@ TEST(WideLines, AreNumberedAndCut) {
     EXPECT_LT(cut.drawn, numbered.drawn * 9 / 10);
 }
 
-TEST(WideLines, AreTheSameInTilesAndViewports) {
+TEST_F(WideLines, AreTheSameInTilesAndViewports) {
     RenderOptions tiled;
     tiled.tileSize = 64;
     const std::string lines = "LineWidth 5\nVertices lines 64\n";
@@ -315,7 +324,7 @@ TEST(WideLines, AreTheSameInTilesAndViewports) {
     }
 }
 
-TEST(WideLines, LeaveWhatElseTheirProgramDraws) {
+TEST_F(WideLines, LeaveWhatElseTheirProgramDraws) {
     const std::string scene =
         linesOf("vec2(30. + 60. * float(i % 3), 20. + 40. * float(i / 2))", "vec3(1., float(i % 2), .5)") +
         "Vertices triangles 3\nLineWidth 4\nVertices lines 4\nVertices points 6\nLineWidth 1\n"
@@ -326,7 +335,7 @@ TEST(WideLines, LeaveWhatElseTheirProgramDraws) {
     EXPECT_EQ(lineCounts(linesOf(kStar) + "Vertices lines 64\n").different, 0);
 }
 
-TEST(WideLines, AreThinWithOutputsThatCannotBeCaptured) {
+TEST_F(WideLines, AreThinWithOutputsThatCannotBeCaptured) {
     for (const char* const type : {"vec4 vMany[16]", "Pair vPair"}) {
         const std::string name = std::string(type).substr(0, 4) == "Pair" ? "vPair.a" : "vMany[15]";
         const std::string declared = std::string("struct Pair { vec4 a; };\n");
@@ -352,7 +361,7 @@ std::string inSpace(const std::string& camera, const std::string& draws) {
            " 0 1 0  Perspective 50 .5 100\nLineWidth 4\n" + draws;
 }
 
-TEST(WideLines, AreEdgesOfTriangles) {
+TEST_F(WideLines, AreEdgesOfTriangles) {
     const LineCounts counts =
         lineCounts(inSpace("0 1 4  0 0 0 ",
                            "State polygon line cull off\nColor 1 .5 0\nBox 2\nColor 0 .5 "
@@ -361,7 +370,7 @@ TEST(WideLines, AreEdgesOfTriangles) {
     EXPECT_GT(counts.drawn, 2000);
 }
 
-TEST(WideLines, AreClippedAtTheNearPlane) {
+TEST_F(WideLines, AreClippedAtTheNearPlane) {
     for (const char* reversed : {"", "reversed"}) {
         const LineCounts counts = lineCounts(
             inSpace(".1 .05 0  0 0 -5 ", "Pass window " + std::string(reversed) +
@@ -372,7 +381,7 @@ TEST(WideLines, AreClippedAtTheNearPlane) {
     }
 }
 
-TEST(WideLines, BlendEachPixelOnce) {
+TEST_F(WideLines, BlendEachPixelOnce) {
     const std::string scene =
         linesOf(kStar, "vec3(.25)") + "State blend one one\nLineWidth 12\nVertices lines 16\n";
     const LineCounts counts = lineCounts(scene);
