@@ -178,7 +178,7 @@ bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
     return submission.topology == Topology::points;
 }
 
-glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex program) {
+glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex program, double widestLine) {
     glsl::DrawForms forms;
     std::set<int> sizes;
     const auto look = [&](const scene::NodeList& nodes) {
@@ -187,6 +187,7 @@ glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex progr
             const scene::Shape& shape = scene.shapes[draw.shape];
             forms.areStrips = forms.areStrips || shape.strip;
             forms.haveIndexBuffers = forms.haveIndexBuffers || draw.indices.buffer;
+            forms.haveWideLines = forms.haveWideLines || draw.raster->lineWidth > widestLine;
             if (draw.attributes)
                 for (const scene::AttributeBinding& each : scene.attributeSets[draw.attributes].bindings) {
                     forms.haveInstanceData = forms.haveInstanceData || each.isPerInstance;

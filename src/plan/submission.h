@@ -4,6 +4,7 @@
 
 #include <glibra/result.h>
 
+#include <limits>
 #include <optional>
 
 #include "glsl/types/request.h"
@@ -21,8 +22,9 @@ std::string_view wordOf(geometry::Topology topology);
 Result<Submission> submissionOf(const scene::Scene& scene, const scene::Draw& draw,
                                 const scene::Program* program, const ProgramInterface& interface);
 
-/// How all draws of a scene with that program are submitted.
-glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex program);
+/// How all draws of a scene with that program are submitted. `widestLine`: of the driver, in pixels.
+glsl::DrawForms drawFormsOf(const scene::Scene& scene, scene::ProgramIndex program,
+                            double widestLine = std::numeric_limits<double>::infinity());
 
 /// The adjacency that the shape's triangles get if they are submitted as `submitted`; nothing if the mesh
 /// stays as it is.

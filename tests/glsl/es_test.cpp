@@ -444,5 +444,56 @@ TEST(Es, BordersAreReadByTheShader) {
     EXPECT_TRUE(hasTokens(text, "lit(glibra_Border_s, s, vec4(2.))")) << text;
 }
 
+TEST(Es, WideLinesAreMadeOfWhatTheFragmentStageReads) {
+    const auto made = [&](const std::string& outputs, const std::string& written, const std::string& value) {
+        std::string inputs = outputs;
+        for (std::size_t at; (at = inputs.find("out ")) != std::string::npos;) inputs.replace(at, 3, "in");
+        const TranslatedProgram core =
+            translateStages({{Stage::vertex, "#version 400\n" + outputs + "void main() { " + written +
+                                                 " gl_Position = aVertex; }\n"},
+                             {Stage::fragment, "#version 400\n" + inputs +
+                                                   "out vec4 c;\nvoid main() { c = " + value + "; }\n"}});
+        EXPECT_EQ(ids(core.diagnostics), "");
+        return toEs(core, {.draws = {.haveWideLines = true}});
+    };
+    const EsProgram es =
+        made("out mat2 turn; flat out uvec3 three; out float list[2]; out vec4 unread;\n",
+             "turn = mat2(1.); three = uvec3(1u); list[0] = list[1] = 1.; unread = vec4(1.);",
+             "vec4(turn[0], float(three.x), list[1])");
+    EXPECT_EQ(es.wideLines.captured, (std::vector<std::string>{"gl_Position", "turn", "three", "list"}));
+    EXPECT_EQ(es.wideLines.components, 4 + 4 + 3 + 2);
+    const std::string& text = es.stages.front().source;
+    EXPECT_TRUE(hasTokens(text, "void glibra_vertexMain() {")) << text;
+    EXPECT_TRUE(hasTokens(text, "list[1] = float(glibra_lineBetween(12));")) << text;
+    EXPECT_TRUE(hasTokens(text, "three = uvec3(glibra_lineWord(glibra_lineLast + 8),")) << text;
+    TranslatedProgram program;
+    program.stages = es.stages;
+    EXPECT_EQ(glslangErrors(program), "");
+    EXPECT_TRUE(made("out vec4 many[16];\n", "many[3] = vec4(1.);", "many[3]").wideLines.captured.empty());
+    EXPECT_TRUE(
+        made("struct S { vec4 a; }; out S s;\n", "s.a = vec4(1.);", "s.a").wideLines.captured.empty());
+}
+
+TEST(Es, WideLinesOfPatchesAreCapturedAfterTheirLevels) {
+    const TranslatedProgram core = translateStages(
+        {{Stage::vertex, kVertex},
+         {Stage::tessControl,
+          "#version 410\nlayout(vertices = 2) out;\nvoid main() { gl_TessLevelOuter[0] = 1.; "
+          "gl_TessLevelOuter[1] = "
+          "9.; gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position; }\n"},
+         {Stage::tessEvaluation,
+          "#version 410\nlayout(isolines) in;\nout float t;\nvoid main() { t = gl_TessCoord.x; gl_Position = "
+          "mix(gl_in[0].gl_Position, gl_in[1].gl_Position, t); }\n"},
+         {Stage::fragment, "#version 410\nin float t;\nout vec4 c;\nvoid main() { c = vec4(t); }\n"}});
+    const EsProgram es = toEs(core, {.draws = {.patchVertices = 2, .haveWideLines = true}});
+    EXPECT_EQ(ids(es.diagnostics), "");
+    EXPECT_EQ(es.wideLines.captured,
+              (std::vector<std::string>{kLevelOutputs[0], kLevelOutputs[1], "gl_Position", "t"}));
+    EXPECT_EQ(es.wideLines.components, kLevelComponents + 5);
+    TranslatedProgram program;
+    program.stages = es.stages;
+    EXPECT_EQ(glslangErrors(program), "");
+}
+
 }  // namespace
 }  // namespace glibra::glsl::test

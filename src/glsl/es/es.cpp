@@ -6,6 +6,7 @@
 #include "glsl/es/merged.h"
 #include "glsl/es/stage.h"
 #include "glsl/es/text_lines.h"
+#include "glsl/es/wide_lines.h"
 #include "glsl/parse/bodies.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
@@ -67,6 +68,7 @@ EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
         empty.lineMap.lines.resize(2);
         empty.lineMap.columns.resize(2);
     }
+    if (options.draws.haveWideLines) result.wideLines = widenLines(result.stages, result.expanded);
     result.diagnostics = report.take();
     return result;
 }

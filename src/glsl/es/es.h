@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/types/request.h"
+#include "glsl/es/options.h"
 #include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
@@ -17,15 +17,9 @@ struct EsProgram {
     std::vector<TranslatedStage> stages;
     std::vector<InitialValue> initialValues;
     ExpandedGeometry expanded{};
+    WideLines wideLines{};
     /// What GLSL ES 3.00 lacks: web-E01 to web-E05, at the user's places. `stages` may then not compile.
     Diagnostics diagnostics;
-};
-
-struct EsOptions {
-    /// Textures that the program reads may have a border, which whoever draws says by the uniforms of
-    /// borders.h.
-    bool hasBorders = false;
-    DrawForms draws{};
 };
 
 /// `program` must have been translated without errors.

@@ -21,7 +21,7 @@ static std::string_view nameOfKept(std::string_view name) {
     return name.starts_with("gl_") ? name.substr(3) : name;
 }
 
-std::string GeometryInVertex::prepare(const std::string& primitive, bool isOfMesh) {
+std::string GeometryInVertex::prepare(const std::string& primitive, bool mayMeasure) {
     if (cornersOfInput(program_.geometryInput) == 0 || program_.maxVertices <= 0)
         return "its primitives are not known";
     for (const auto& [name, written] :
@@ -51,7 +51,7 @@ std::string GeometryInVertex::prepare(const std::string& primitive, bool isOfMes
         geometry_.remove(each.tokens);
     }
     constexpr int kFewMeasured = 8;  // vertices, all of which cost little more than to wait for their number
-    isMeasured_ = isOfMesh && invocations_ == 1 && program_.maxVertices >= kFewMeasured &&
+    isMeasured_ = mayMeasure && invocations_ == 1 && program_.maxVertices >= kFewMeasured &&
                   program_.maxVertices <= kMostMeasured;
     geometry_.declare("int glibra_invocation;");
     geometry_.declare("void glibra_emit();");

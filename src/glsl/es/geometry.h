@@ -25,9 +25,10 @@ class GeometryInVertex {
     GeometryInVertex(CornerStage& corners, Unit& geometry, Unit* fragment, const TranslatedProgram& program)
         : corners_(corners), geometry_(geometry), fragment_(fragment), program_(program) {}
 
-    /// Rewrites the stage. `primitive`: what gl_PrimitiveIDIn is written as. `isOfMesh`: each instance is one
-    /// primitive. Returns what cannot be expressed, as a text, or nothing.
-    std::string prepare(const std::string& primitive, bool isOfMesh);
+    /// Rewrites the stage. `primitive`: what gl_PrimitiveIDIn is written as. `mayMeasure`: each instance is
+    /// one primitive, and may be asked how many vertices it emits. Returns what cannot be expressed, as a
+    /// text, or nothing.
+    std::string prepare(const std::string& primitive, bool mayMeasure);
     /// Another output, such as the variable in place of a member of a block.
     void keep(std::string type, std::string name, std::string sizes = {}) {
         blockOutputs_.push_back({std::move(type), std::move(name), std::move(sizes)});

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "glsl/es/text_lines.h"
+#include "glsl/es/wide_lines.h"
 
 namespace glibra::glsl {
 namespace {
@@ -102,6 +103,7 @@ MergedStages::MergedStages(std::vector<Unit>& units, std::vector<EsStage>& stage
     if (last_ && fragment) connect(*last_, *fragment);
     if (vertex_ && fragment && !geometry_ && fragment->isUsed("gl_PrimitiveID")) numberPrimitives(*fragment);
     if (vertex_ && program.clipDistances > 0) clip(fragment, program.clipDistances);
+    if (vertex_ && draws.haveWideLines && !evaluation_ && !geometry_) vertex_->renames["main"] = kVertexMain;
     if (!vertex_ || (!evaluation_ && !geometry_)) return;
     corners_ = evaluation_ ? draws.patchVertices : cornersOfInput(program.geometryInput);
     if (evaluation_) tessellate(program);
@@ -206,7 +208,10 @@ void MergedStages::build(Unit* fragment, const TranslatedProgram& program) {
     }
     CornerStage& corners = tessellation_ ? tessellation_->primitives() : *own_;
     GeometryInVertex& built = built_.emplace(corners, *geometry_, fragment, program);
-    std::string problem = built.prepare(tessellation_ ? "glibra_patch" : "gl_InstanceID", !tessellation_);
+    std::string problem =
+        built.prepare(tessellation_ ? "glibra_patch" : "gl_InstanceID",
+                      // Quads of lines take the place of what is measured.
+                      !tessellation_ && !(draws_.haveWideLines && program.geometryOutput == "line_strip"));
     for (const Unit* each : {vertex_, control_, evaluation_})
         if (each) removeTwins(*geometry_, *each);
     // Vertices without data are numbered; those of a mesh have lost their numbers.
@@ -248,7 +253,7 @@ std::string MergedStages::ending() const {
                                           std::to_string(corner) + ";");
         text += built_->statements("gl_VertexID");
     }
-    return functions + "void main() {\n" + text + "}\n";
+    return functions + "void " + (draws_.haveWideLines ? kVertexMain : "main") + "() {\n" + text + "}\n";
 }
 
 }  // namespace glibra::glsl

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "glsl/es/es.h"
 #include "glsl/es/geometry.h"
 #include "glsl/es/parts.h"
 #include "glsl/es/stage.h"
 #include "glsl/es/tessellation.h"
 #include "glsl/parse/unit.h"
+#include "glsl/types/request.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 

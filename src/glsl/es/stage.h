@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "glsl/es/es.h"
+#include "glsl/es/options.h"
 #include "glsl/es/parts.h"
 #include "glsl/parse/unit.h"
 

@@ -53,6 +53,7 @@ struct DrawForms {
     bool haveIndexBuffers = false;  ///< some take their indices from a buffer of the scene
     bool haveInstanceData = false;  ///< some have attributes that advance with instances
     bool haveBufferData = false;    ///< some have attributes from a buffer of the scene
+    bool haveWideLines = false;     ///< some have a line width that the driver lacks
 };
 
 struct ProgramRequest {

@@ -173,10 +173,26 @@ inline constexpr const char* kFetchedInputs = "glibra_Inputs";
 inline constexpr const char* kCoordinates = "glibra_Coordinates";
 /// The outputs of levels: four outer ones, two inner ones.
 inline constexpr std::array<const char*, 2> kLevelOutputs{"glibra_OuterLevels", "glibra_InnerLevels"};
+inline constexpr int kLevelComponents = 6;  ///< of these
 /// A bit for each vertex that begins a strip, from the lowest one on, and how many vertices are emitted.
 inline constexpr std::array<const char*, 3> kStripOutputs{"glibra_Begins", "glibra_MoreBegins",
                                                           "glibra_Emitted"};
 inline constexpr int kMostMeasured = 256;  ///< vertices, whose bits these have
+
+/// Of GLSL ES: the vertex stage can make quads of lines, for drivers whose lines are thin. Its instance i is
+/// the line i % glibra_Pairs of the instance i / glibra_Pairs of the draw, and has the six corners of two
+/// triangles. The texture kLineEnds has rows of kEndsWidth numbers: the two vertices of each line, then, from
+/// the next row on, the captured outputs of each of the glibra_Vertices vertices of each instance.
+struct WideLines {
+    /// Outputs, interleaved, after kLevelOutputs if the program measures levels. Empty: it makes no quads.
+    std::vector<std::string> captured{};
+    int components = 0;  ///< of all of them
+};
+inline constexpr const char* kLineEnds = "glibra_Ends";
+inline constexpr int kEndsWidth = 2048;
+/// The values of the uniform glibra_Wide: the vertices are delivered as they are, or quads are, whose lines
+/// are clipped to z from -w to w, to z from 0 to w, or, where depth is clamped, to w > 0.
+enum class WideMode { off, fromMinusW, fromZero, depthClamped };
 
 struct TranslatedProgram {
     std::vector<TranslatedStage> stages;  ///< empty if `diagnostics` has an error
@@ -230,6 +246,7 @@ struct TranslatedProgram {
     /// Of GLSL ES: the values of initialisers of uniforms, which it does not have.
     std::vector<InitialValue> initialValues{};
     ExpandedGeometry expanded{};
+    WideLines wideLines{};
     bool isOpaque = false;  ///< the text proves that the only colour written always has alpha 1
 
     std::string name;  ///< the Program's name, for the notes after compile errors

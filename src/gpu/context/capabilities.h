@@ -30,7 +30,8 @@ struct Capabilities {
 
     double minLineWidth = 1, maxLineWidth = 1;  ///< pixels, not antialiased
     bool wideLines = false;                     ///< false: a width above 1 is an error in this context
-    double minPointSize = 1, maxPointSize = 1;  ///< pixels
+    [[nodiscard]] double widestLine() const { return wideLines ? maxLineWidth : 1; }  ///< that can be set
+    double minPointSize = 1, maxPointSize = 1;                                        ///< pixels
 
     bool packInvert = false;       ///< GL_MESA_pack_invert: rows can be read top first
     bool parallelCompile = false;  ///< GL_KHR_parallel_shader_compile

@@ -13,16 +13,28 @@ std::vector<std::uint32_t> edgesOf(std::span<const std::uint32_t> indices, GLenu
     const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         edges.insert(edges.end(), {a, b, b, c, c, a});
     };
+    const bool areLines = mode == GL_LINES || mode == GL_LINE_STRIP || mode == GL_LINE_LOOP;
     std::size_t first = 0;
+    const auto close = [&](std::size_t end) {
+        if (mode == GL_LINE_LOOP && end > first + 1)
+            edges.insert(edges.end(), {indices[end - 1], indices[first]});
+    };
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] == kRestart) {
+            close(i);
             first = i + 1;
             continue;
         }
         const std::size_t place = i - first;
+        if (areLines) {
+            if (place > 0 && (mode != GL_LINES || place % 2 == 1))
+                edges.insert(edges.end(), {indices[i - 1], indices[i]});
+            continue;
+        }
         if (place < 2 || (mode == GL_TRIANGLES && place % 3 != 2)) continue;
         triangle(mode == GL_TRIANGLE_FAN ? indices[first] : indices[i - 2], indices[i - 1], indices[i]);
     }
+    close(indices.size());
     return edges;
 }
 

@@ -13,8 +13,8 @@
 
 namespace glibra::gpu {
 
-/// The edges of triangles, two indices each. `mode`: GL_TRIANGLES, GL_TRIANGLE_STRIP or GL_TRIANGLE_FAN; the
-/// largest index begins a new strip or fan. Lines get the edges that they are.
+/// The edges of triangles, or the lines, two indices each. `mode`: GL_TRIANGLES, GL_TRIANGLE_STRIP,
+/// GL_TRIANGLE_FAN, GL_LINES, GL_LINE_STRIP or GL_LINE_LOOP; the largest index begins anew.
 std::vector<std::uint32_t> edgesOf(std::span<const std::uint32_t> indices, GLenum mode);
 
 class EdgeBuffers {

@@ -259,7 +259,7 @@ void RasterTracker::applyScissor(const std::optional<PixelRectangle>& pixels) {
 }
 
 void RasterTracker::applySizes(const base::RasterState& state) {
-    const double widest = capabilities_->wideLines ? capabilities_->maxLineWidth : 1;
+    const double widest = capabilities_->widestLine();
     const auto width = static_cast<float>(
         std::clamp(roundedUpAtHalf(state.lineWidth), std::min(capabilities_->minLineWidth, widest), widest));
     change(known_.lineWidth, width, [&] { glLineWidth(width); });

@@ -1,7 +1,10 @@
 #pragma once
 // What a vertex stage that does the work of others tells of its instances before they are drawn (glsl/es).
 
+#include <glad/gl.h>
+
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -13,6 +16,10 @@ namespace glibra::render {
 
 /// Sets a uniform that the translation added, if the program has it.
 void setOwnUniform(const BuiltProgram& built, std::string_view name, double value);
+
+/// Draws lines, or the edges of triangles, as quads: so many vertices in each of so many instances. False: it
+/// cannot (LineWidener).
+using QuadDrawer = std::function<bool(GLenum mode, int vertices, int instances)>;
 
 class CapturedOutputs {
   public:

@@ -35,7 +35,7 @@ const StripDrawer::Indices* StripDrawer::indicesFor(const EmittedStrips& strips,
     return &known_.try_emplace(key, std::move(*buffer), static_cast<int>(indices.size())).first->second;
 }
 
-void StripDrawer::draw(const BuiltProgram& built, int count, bool asEdges) {
+void StripDrawer::draw(const BuiltProgram& built, int count, bool asEdges, const QuadDrawer& quads) {
     const glsl::ExpandedGeometry& expanded = built.interface.facts.expanded;
     constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
     const GLenum mode = kModes.at(static_cast<std::size_t>(expanded.ofPrimitive) - 1);
@@ -68,6 +68,7 @@ void StripDrawer::draw(const BuiltProgram& built, int count, bool asEdges) {
         }
         vertices = std::min(vertices, static_cast<int>(most));
     }
+    if (quads && quads(mode, vertices, count)) return;
     if (asEdges && expanded.ofPrimitive == 3)
         edges_.draw(nullptr, 0, vertices, GL_TRIANGLES, count);
     else

@@ -31,8 +31,8 @@ std::vector<std::uint32_t> indicesOf(const EmittedStrips& strips, int corners);
 class StripDrawer {
   public:
     /// Draws `count` instances with the program and the vertex array that are bound. `asEdges`: of
-    /// triangles.
-    void draw(const BuiltProgram& built, int count, bool asEdges);
+    /// triangles. `quads`: of lines, or null.
+    void draw(const BuiltProgram& built, int count, bool asEdges, const QuadDrawer& quads);
     /// What has prevented draws since the last call: gpu-E04.
     Diagnostics takeProblems() { return std::exchange(problems_, {}); }
 

@@ -41,7 +41,8 @@ FrameDrawer::FrameDrawer(const gpu::Context& context, const plan::FramePlan& pla
       stats_(stats),
       states_(plan.programs.size()),
       timeShare_(context.capabilities().isSoftware ? 0 : kTimeShare),
-      raster_(context.capabilities()) {}
+      raster_(context.capabilities()),
+      widener_(context.capabilities(), bindings_) {}
 
 void FrameDrawer::skipOpaqueBlending() {
     blendsOpaque_ = false;

@@ -26,6 +26,7 @@
 #include "render/draw/patch_divider.h"
 #include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
+#include "render/draw/wide_lines.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"
 #include "render/load/supplied.h"
@@ -229,6 +230,16 @@ class FrameDrawer {
     bool lacksBorders(const plan::PlannedDraw& planned, const BuiltProgram& built);
     /// The driver fills triangles only, and the draw shows their edges.
     [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
+    /// The draw shows lines: its primitives, those of its stages, or edges.
+    [[nodiscard]] bool drawsLines(const plan::PlannedDraw& planned, const BuiltProgram& built) const;
+    /// If its lines are wider than those of the driver, makes the next submissions draw quads, for which it
+    /// changes the state, or reports draw-W04.
+    void widenLines(const plan::PlannedDraw& planned, const BuiltProgram& built, const PassInProgress& pass,
+                    base::RasterState& raster, Diagnostics& diagnostics);
+    /// Draws the lines of so many vertices and instances as quads; null if the draw has none.
+    [[nodiscard]] QuadDrawer quads() const;
+    /// Binds what the draw reads on gpu::kWorkUnit, after textures were made.
+    void bindWorkUnit(const plan::PlannedDraw& planned) const;
     /// Draws elements of one kind.
     void submitPart(const plan::PlannedDraw& planned, const Elements& elements, GLenum mode) const;
     /// The program that records the loops of the frame in place of, or beside, the given one; null: none.
@@ -312,6 +323,8 @@ class FrameDrawer {
     mutable PatchDivider patches_;
     mutable StripDrawer strips_;
     FetchedInputs fetched_;
+    mutable LineWidener widener_;
+    std::optional<LineWidener::Look> wide_;  ///< of the draw whose state is set
     bool lineWidthReported_ = false;
     std::set<const plan::PlannedDraw*> bordersChecked_;
     std::set<std::string> lacks_;  ///< that were reported (lackOfEs)

@@ -119,13 +119,6 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
         for (base::Blend& each : raster.blend)
             if (each == base::kBlendOver) each.isOn = false;
     const gpu::Capabilities& capabilities = context_.capabilities();
-    const double widest = capabilities.wideLines ? capabilities.maxLineWidth : 1;
-    if (raster.lineWidth > widest && !lineWidthReported_) {
-        lineWidthReported_ = true;
-        diagnostics.push_back(
-            diagnose("draw-W04", fmt::format("LineWidth {:g} limited to {:g}", raster.lineWidth, widest),
-                     plan_.drawOf(planned).place));
-    }
     const char* lack = capabilities.isEs ? lackOfEs(raster) : nullptr;
     if (capabilities.isEs && lack == nullptr && lacksBorders(planned, built))
         lack = "borders of textures that are not of two dimensions, and of arrays of samplers, are edges";
@@ -137,6 +130,7 @@ base::RasterState FrameDrawer::setRaster(const plan::PlannedDraw& planned, const
     if (wireframe_) raster.polygon = base::PolygonMode::line;
     for (std::size_t target = 0; target < planned.unwritten.size(); ++target)
         if (planned.unwritten[target]) raster.write[target] = {false, false, false, false};
+    widenLines(planned, built, pass, raster, diagnostics);
     raster_.apply(raster);
 
     const int distances = built.interface.facts.clipDistances;
@@ -277,11 +271,6 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
     if (restarts) glDisable(GL_PRIMITIVE_RESTART);
 }
 
-bool FrameDrawer::drawsEdges(const plan::PlannedDraw& planned) const {
-    return context_.capabilities().isEs &&
-           (wireframe_ || plan_.drawOf(planned).raster->polygon == base::PolygonMode::line);
-}
-
 void FrameDrawer::numberPrimitives(const plan::PlannedDraw& planned, const BuiltProgram& built) {
     const GLenum mode = glMode(planned.submission);
     const int corners = mode == GL_POINTS ? 1 : mode == GL_LINES ? 2 : 3;
@@ -291,11 +280,14 @@ void FrameDrawer::numberPrimitives(const plan::PlannedDraw& planned, const Built
 void FrameDrawer::submitPatches(const plan::PlannedDraw& planned, const BuiltProgram& built,
                                 const Elements& elements) const {
     const int patches = elements.count / built.interface.facts.expanded.corners;
-    PatchDivider::Work work{
-        &planned, patches, 0, elements.instances, levelsOf(plan_.drawOf(planned)), drawsEdges(planned), [&] {
-            for (const plan::TextureUse& each : planned.textures)
-                if (each.driverUnit == gpu::kWorkUnit) device_.bind(each, bindings_);
-        }};
+    PatchDivider::Work work{&planned,
+                            patches,
+                            0,
+                            elements.instances,
+                            levelsOf(plan_.drawOf(planned)),
+                            drawsEdges(planned),
+                            [&] { bindWorkUnit(planned); },
+                            quads()};
     // Patches with vertex data are taken in turn, once for each instance.
     const bool isOneByOne = patches > 1 && !built.interface.inputs.empty();
     if (isOneByOne) work.instances = 1;
@@ -309,7 +301,7 @@ void FrameDrawer::submitExpanded(const plan::PlannedDraw& planned, const BuiltPr
     const int primitives = elements.count / built.interface.facts.expanded.corners;
     for (int i = 0; i < elements.instances; ++i) {
         setOwnUniform(built, "glibra_Instance", i);
-        strips_.draw(built, primitives, drawsEdges(planned));
+        strips_.draw(built, primitives, drawsEdges(planned), quads());
     }
 }
 
@@ -324,14 +316,14 @@ void FrameDrawer::submitPart(const plan::PlannedDraw& planned, const Elements& e
 void FrameDrawer::submitDirect(const plan::PlannedDraw& planned, const Elements& elements,
                                GLenum mode) const {
     const int instances = plan_.drawOf(planned).instances;
-    if (drawsEdges(planned) &&
-        (mode == GL_TRIANGLES || mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN)) {
-        const auto own = device_.indicesOf(plan_.drawOf(planned));
-        const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
-        const gpu::Buffer* indices = own ? own->buffer : mesh.indices ? &*mesh.indices : nullptr;
-        return edges_.draw(elements.areIndexed ? indices : nullptr, elements.offset, elements.count, mode,
-                           instances);
-    }
+    const auto own = device_.indicesOf(plan_.drawOf(planned));
+    const DeviceMesh& mesh = *device_.meshes().onDevice(plan_, planned.mesh);
+    const gpu::Buffer* indices = !elements.areIndexed ? nullptr : own ? own->buffer : &*mesh.indices;
+    if (wide_ && mode != GL_POINTS &&
+        widener_.draw(*wide_, {indices, elements.offset, elements.count, mode, instances}))
+        return;
+    if (drawsEdges(planned) && (mode == GL_TRIANGLES || mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN))
+        return edges_.draw(indices, elements.offset, elements.count, mode, instances);
     const auto drawPart = [&](int first, int count) {
         // NOLINTNEXTLINE(performance-no-int-to-ptr): an offset into the buffer that is bound
         const auto* at =
@@ -422,6 +414,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInP
         setBuiltins(built, facts);
     }
     if (isUsable) bindBlocks(planned.program, built);
+    if (!built.interface.facts.wideLines.captured.empty()) widener_.prepare(built);
     append(diagnostics, setConstantInputs(planned, built, facts.color));
     bindTextures(planned.textures, built);
     const base::RasterState raster = setRaster(planned, built, pass, diagnostics);
@@ -431,8 +424,13 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInP
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
     if (!recordLoops(planned, built, pass.frame, raster)) submitInShares(planned, built);
+    wide_.reset();
     append(diagnostics, patches_.takeProblems());
     append(diagnostics, strips_.takeProblems());
+    for (Diagnostic& each : widener_.takeProblems()) {
+        each.place = draw.place;
+        diagnostics.push_back(std::move(each));
+    }
     if (hook_) {
         hook_(planned, isWindow, false);
         forgetState();

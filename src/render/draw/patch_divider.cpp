@@ -1,6 +1,7 @@
 #include "render/draw/patch_divider.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -17,10 +18,7 @@ void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTra
     setOwnUniform(built, "glibra_Instance", work.first);
     setOwnUniform(built, "glibra_Patches", work.patches);
     std::vector<TessellationLevels> levels(static_cast<std::size_t>(count), work.levels);
-    if (built.interface.facts.expanded.measuresLevels &&
-        !captured_.read(built, {"glibra_Measures", 1}, count, std::as_writable_bytes(std::span(levels)),
-                        problems_))
-        return;
+    if (built.interface.facts.expanded.measuresLevels && !measure(built, levels)) return;
     Divided& divided = divided_[{work.draw, work.first}];
     if (divided.levels != levels) {
         divided = divide(capabilities, built, std::move(levels));
@@ -37,10 +35,25 @@ void PatchDivider::submit(const gpu::Capabilities& capabilities, gpu::BindingTra
     const int instances = built.interface.facts.expanded.areInSequence ? 1 : count;
     constexpr std::array<GLenum, 3> kModes{GL_POINTS, GL_LINES, GL_TRIANGLES};
     const auto corners = static_cast<std::size_t>(built.interface.facts.expanded.ofPrimitive);
+    if (work.quads && work.quads(kModes.at(corners - 1), divided.vertices, instances)) return;
     if (work.asEdges && corners == 3)
         edges_.draw(nullptr, 0, divided.vertices, GL_TRIANGLES, instances);
     else
         glDrawArraysInstanced(kModes.at(corners - 1), 0, divided.vertices, instances);
+}
+
+bool PatchDivider::measure(const BuiltProgram& built, std::vector<TessellationLevels>& levels) {
+    // Programs that make quads of lines capture more, after the levels.
+    const auto stride = static_cast<std::size_t>(
+        std::max(glsl::kLevelComponents, built.interface.facts.wideLines.components));
+    std::vector<float> told(levels.size() * stride);
+    if (!captured_.read(built, {"glibra_Measures", 1}, static_cast<int>(levels.size()),
+                        std::as_writable_bytes(std::span(told)), problems_))
+        return false;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        std::copy_n(told.begin() + static_cast<std::ptrdiff_t>(i * stride), levels[i].size(),
+                    levels[i].begin());
+    return true;
 }
 
 PatchDivider::Divided PatchDivider::divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,

@@ -32,6 +32,7 @@ class PatchDivider {
         bool asEdges = false;         ///< of triangles
         /// Binds what the draw reads on gpu::kWorkUnit, where textures are made.
         std::function<void()> bindAgain{};
+        QuadDrawer quads{};  ///< of lines
     };
     /// Draws with the program and the vertex array that are bound. Draws nothing if the device lacks memory,
     /// which takeProblems() then says.
@@ -46,6 +47,8 @@ class PatchDivider {
         std::optional<gpu::Texture> coordinates;
         int vertices = 0;  ///< of an instance: of all patches, or the most of one
     };
+    /// Asks the program for the levels of each patch. False if the device lacks memory.
+    bool measure(const BuiltProgram& built, std::vector<TessellationLevels>& levels);
     Divided divide(const gpu::Capabilities& capabilities, const BuiltProgram& built,
                    std::vector<TessellationLevels> levels);
 

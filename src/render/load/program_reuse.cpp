@@ -32,7 +32,7 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
          {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex, acceptsStorage,
           suppliesFullScreenVertex, flatColors, tiled, inPieces, checksUndefined, recordsLoops, reversesOrder,
           reportsGeometryConflicts, draws.areStrips, draws.haveIndexBuffers, draws.haveInstanceData,
-          draws.haveBufferData})
+          draws.haveBufferData, draws.haveWideLines})
         key += each ? '1' : '0';
     key += '\n';
     for (const glsl::Constant& each : constants)
@@ -96,6 +96,7 @@ glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramReques
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
     program.expanded = es.expanded;
+    program.wideLines = std::move(es.wideLines);
     append(program.diagnostics, std::move(es.diagnostics));
     return program;
 }

@@ -264,7 +264,8 @@ glsl::ProgramRequest ProgramLibrary::request(const plan::ProgramVariant& variant
     glsl::ProgramRequest request = sources_.request(variant, tiled_, diagnostics);
     request.target = glslTargetOf(context_.capabilities());
     request.reversesOrder = isReversed_;
-    if (context_.capabilities().isEs) request.draws = plan::drawFormsOf(scene_, variant.program);
+    if (context_.capabilities().isEs)
+        request.draws = plan::drawFormsOf(scene_, variant.program, context_.capabilities().widestLine());
     return request;
 }
 
@@ -280,6 +281,7 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
         source.captured.assign(glsl::kLevelOutputs.begin(), glsl::kLevelOutputs.end());
     if (translated.expanded.mostEmitted > 0)
         source.captured.assign(glsl::kStripOutputs.begin(), glsl::kStripOutputs.end());
+    if (!translated.wideLines.captured.empty()) source.captured = translated.wideLines.captured;
     gpu::BuildOutcome outcome = gpu::buildProgram(context_.capabilities(), source);
     for (std::size_t i = 0; i < outcome.stages.size(); ++i) {
         if (outcome.stages[i].compiled) continue;
@@ -302,9 +304,10 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     if (translated.expanded.corners > 0) collapseCorners(built.interface.inputs, translated.expanded.corners);
     for (const auto& [name, type] : translated.expanded.fetched)
         built.interface.inputs.push_back({.name = name, .type = {.rows = rowsOf(type), .word = type}});
-    // Nobody but the drawer gives these a texture (PatchDivider, FetchedInputs).
+    // Nobody but the drawer gives these a texture (PatchDivider, FetchedInputs, LineWidener).
     std::erase_if(built.interface.uniforms, [](const base::ActiveUniform& each) {
-        return each.emittedName == glsl::kCoordinates || each.emittedName == glsl::kFetchedInputs;
+        return each.emittedName == glsl::kCoordinates || each.emittedName == glsl::kFetchedInputs ||
+               each.emittedName == glsl::kLineEnds;
     });
     if (!context_.capabilities().atLeast(4, 3))
         built.interface.outputs = declaredOutputs(translated, *outcome.program);
