@@ -423,7 +423,7 @@ TEST(Es, ClipDistancesDiscardFragments) {
 }
 
 TEST(Es, BordersAreReadByTheShader) {
-    TranslatedProgram core = translateStages(
+    const TranslatedProgram core = translateStages(
         {{Stage::vertex, kVertex},
          {Stage::fragment,
           "#version 400\nuniform sampler2D a; uniform sampler2DShadow s; uniform sampler2D many[2]; out vec4 "

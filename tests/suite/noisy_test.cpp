@@ -198,7 +198,7 @@ TEST_F(Noisy, ResultsSayHowMuchIsCompared) {
     ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
     EXPECT_EQ(decide(gradient()).compared, 1);
     shot.ignored = {{0, 0, 32, 16, ""}};
-    ShotResult half = decide(gradient());
+    const ShotResult half = decide(gradient());
     EXPECT_EQ(half.compared, .5);
     ASSERT_FALSE(figures(half).empty());
     EXPECT_EQ(figures(half).front().name, "pixels compared");

@@ -216,7 +216,6 @@ TEST_F(Pointers, OfAWebServerPutNewPicturesAmongTheUploads) {
 TEST_F(Pointers, TakeThePlaceOfPicturesWithUpdate) {
     update(gradient());
     const std::string picture = textOf(folder / "goldens/a.png");
-    const std::string list = textOf(folder / "goldens/s.hashes");
     suite.store = (folder / "pictures").generic_string();
     EXPECT_EQ(decide(gradient()).result.verdict, Verdict::passed);
     EXPECT_EQ(textOf(folder / "goldens/a.png"), picture) << "a run moves nothing";

@@ -316,7 +316,7 @@ TEST_F(Renamed, AMissingGoldenIsThatOfNoShotWithTheSamePicture) {
 }
 
 TEST_F(Renamed, AMissingGoldenMayBeThatOfNoShotWithASimilarPictureOrName) {
-    Shot changed = shotNamed("another/scene@t=2.5");
+    const Shot changed = shotNamed("another/scene@t=2.5");
     const ShotResult near = decide(changed, gradient(2), {.orphans = orphans}).result;
     EXPECT_EQ(near.verdict, Verdict::missing);
     EXPECT_EQ(near.nearTo, folder / "goldens/old.png");

@@ -256,13 +256,12 @@ void FrameDrawer::submit(const plan::PlannedDraw& planned, bool withPoints) cons
     }
     Elements part = elements;
     part.count -= elements.points;
-    if (const BuiltProgram& built = *programOf(planned); built.interface.facts.expanded.corners > 0)
-        return submitExpanded(planned, built, part);
-    else if (built.interface.facts.expanded.numbersPrimitives)
-        numberPrimitives(planned, built);
+    const BuiltProgram& built = *programOf(planned);
+    if (built.interface.facts.expanded.corners > 0) return submitExpanded(planned, built, part);
+    if (built.interface.facts.expanded.numbersPrimitives) numberPrimitives(planned, built);
     if (part.count > 0 || elements.points == 0) submitPart(planned, part, mode);
     // A geometry stage takes lines or points, not both.
-    const std::string& geometryInput = programOf(planned)->interface.facts.geometryInput;
+    const std::string& geometryInput = built.interface.facts.geometryInput;
     if (withPoints && elements.points > 0 && mode == GL_LINES && geometryInput.empty()) {
         part.offset += static_cast<std::uint64_t>(part.count) * sizeof(GLuint);
         part.count = elements.points;
