@@ -213,6 +213,40 @@ struct WithGeometry : Written {
                    {Stage::fragment, "#version 400\n" + fragment}}) {}
 };
 
+// Mesa leaves out which source a line of GLSL ES is of, and browsers leave out the column.
+TEST(Es, MessagesAboutStagesThatRunInTheVertexStageNameTheirFiles) {
+    const std::string geometry =
+        "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out; // not gl_TessCoord\n"
+        "float twice(float x) { return 2. * x; }\nvoid main() { for (int i = 0; i < 3; ++i) {\n"
+        "    gl_Position = twice(.5) * gl_in[i].gl_Position * wrong; EmitVertex(); } }";
+    const WithGeometry written(
+        "float thrice(float x) { return 3. * x; } void main() { gl_Position = aVertex * thrice(1.); }",
+        geometry, "out vec4 c; void main() { c = vec4(1.); }");
+    const TranslatedStage& merged = written.es.stages.front();
+    std::size_t number = 0, column = 0;
+    for (std::size_t at = 0, end = 0; at < merged.source.size(); at = end + 1) {
+        end = merged.source.find('\n', at);
+        const std::string line = merged.source.substr(at, end - at);
+        column = line.find("wrong") + 1;
+        if (column > 0) break;
+        number = line.starts_with("#line ") ? std::stoul(line.substr(6)) : number + 1;
+    }
+    ASSERT_GT(column, 0U) << merged.source;
+    const std::string line = std::to_string(number);
+    for (const std::string& log :
+         {"0:" + line + "(" + std::to_string(column) + "): error: `wrong' undeclared\n",
+          "ERROR: 1:" + line + ": 'wrong' : undeclared identifier\n"}) {
+        const Diagnostics found = explainCompileLog(written.core, merged, log);
+        ASSERT_FALSE(found.empty()) << log;
+        EXPECT_EQ(found[0].place, (Place{"a.geom", 5, 54})) << toString(found[0]) << "\n" << merged.source;
+    }
+    TranslatedProgram named = written.core;
+    named.userNames.insert(written.es.userNames.begin(), written.es.userNames.end());
+    const Diagnostics call = explainCompileLog(
+        named, merged, "0:" + line + "(1): error: no matching function for `glibra_v_thrice(int)'\n");
+    EXPECT_EQ(call.at(0).text, "no matching function for `thrice(int)'") << merged.source;
+}
+
 TEST(Es, GeometryStagesRunInTheVertexStage) {
     const WithGeometry written(
         "out vec3 vColor; float twice(float x) { return 2. * x; }\n"

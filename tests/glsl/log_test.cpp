@@ -64,13 +64,24 @@ TEST(CompileLog, NamesTheFileOfAnErrorLineWhateverMesaCallsIt) {
     EXPECT_EQ(places, "a.glsl:2 b.glsl:2 a.frag:5 ");
 }
 
+TEST(CompileLog, WordsOfOtherStagesCountInCodeAlone) {
+    for (const std::string comment : {"// like gl_TessCoord\n", "/* EmitVertex() */\n"}) {
+        const TranslatedProgram translated =
+            translate(program({{Stage::vertex, kPlainVertex},
+                               {Stage::fragment, "#version 330\n" + comment + "void main() { wrong; }\n"}}));
+        const Diagnostics found =
+            explainCompileLog(translated, translated.stages.at(1), "0:3(15): error: `wrong' undeclared\n");
+        EXPECT_EQ("a.frag:3:15: error: `wrong' undeclared [glsl-E01]", toString(found.at(0))) << comment;
+    }
+}
+
 TEST(CompileLog, MesaWithNames) {
     EXPECT_EQ("dir/lib.glsl:2:1: error: oops [glsl-E01]", first("\"1\":2(1): error: oops\n"));
     EXPECT_EQ("dir/lib.glsl:2:1: error: oops [glsl-E01]", first("\"dir/lib.glsl\":2(1): error: oops\n"));
 }
 
 TEST(CompileLog, Nvidia) {
-    EXPECT_EQ("a.frag:5:1: error: undefined variable \"nothing\" [glsl-E01]",
+    EXPECT_EQ("a.frag:5:28: error: undefined variable \"nothing\" [glsl-E01]",
               first("0(5) : error C1008: undefined variable \"nothing\"\n"));
     EXPECT_EQ("dir/lib.glsl:2:1: error: syntax error, unexpected ';' [glsl-E01]",
               first("1(2) : error C0000: syntax error, unexpected ';'\n"));
@@ -78,7 +89,7 @@ TEST(CompileLog, Nvidia) {
 }
 
 TEST(CompileLog, AmdAndApple) {
-    EXPECT_EQ("a.frag:5:1: error: Use of undeclared identifier 'nothing' [glsl-E01]",
+    EXPECT_EQ("a.frag:5:28: error: Use of undeclared identifier 'nothing' [glsl-E01]",
               first("ERROR: 0:5: Use of undeclared identifier 'nothing'\n"));
     EXPECT_EQ(
         "a.frag:5:1: error: Undeclared identifier: nothing [glsl-E01]",
@@ -89,7 +100,7 @@ TEST(CompileLog, AmdAndApple) {
 }
 
 TEST(CompileLog, Glslang) {
-    EXPECT_EQ("a.frag:5:1: error: 'nothing' : undeclared identifier [glsl-E01]",
+    EXPECT_EQ("a.frag:5:28: error: 'nothing' : undeclared identifier [glsl-E01]",
               first("t.frag\nERROR: a.frag:5: 'nothing' : undeclared identifier \nERROR: 1 compilation "
                     "errors.  No code generated.\n\n"));
     EXPECT_EQ("dir/lib.glsl:1:1: error: '' : syntax error [glsl-E01]",

@@ -64,9 +64,9 @@ TEST(MacroPlaces, WhatFollowsACallOfSeveralLines) {
         "void main() {\n    float k = MIDDLE(\n        vST.x,\n        vST.y\n    ), after0 = after1;\n"
         "    gl_FragColor = vec4(k, misspelt, 0., 1.);\n}\n";
     EXPECT_EQ("11:28", messagesAbout(text, "misspelt"));
-    EXPECT_EQ("11:1", messagesAbout(text, "misspelt", false));
+    EXPECT_EQ("11:28", messagesAbout(text, "misspelt", false));
     EXPECT_EQ("10:17", messagesAbout(text, "after1"));
-    EXPECT_EQ("10:1", messagesAbout(text, "after1", false));
+    EXPECT_EQ("10:17", messagesAbout(text, "after1", false));
 }
 
 TEST(MacroPlaces, ArgumentsKeepTheirPlace) {
@@ -93,8 +93,8 @@ TEST(MacroPlaces, ArgumentsInTheLineOfTheCallHaveNoNote) {
     EXPECT_EQ("6:21", messagesAbout(kMiddle + "float f = MIDDLE(1.,misspelt);\n", "misspelt"));
 }
 
-TEST(MacroPlaces, ArgumentsKeepTheirLineWithoutColumns) {
-    EXPECT_EQ("8:1", messagesAbout(kMiddle + "void main() { float k = MIDDLE(\n1.,\n  misspelt); }\n",
+TEST(MacroPlaces, ArgumentsKeepTheirPlaceWithoutColumns) {
+    EXPECT_EQ("8:3", messagesAbout(kMiddle + "void main() { float k = MIDDLE(\n1.,\n  misspelt); }\n",
                                    "misspelt", false));
 }
 
@@ -143,7 +143,7 @@ TEST(MacroPlaces, CommentsAndJoinedLinesKeepTheLines) {
             1 +
             std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("misspelt")), '\n');
         EXPECT_EQ(std::to_string(line) + ":13", messagesAbout(text, "misspelt")) << before;
-        EXPECT_EQ(std::to_string(line) + ":1", messagesAbout(text, "misspelt", false)) << before;
+        EXPECT_EQ(std::to_string(line) + ":13", messagesAbout(text, "misspelt", false)) << before;
     }
 }
 

@@ -65,7 +65,7 @@ TEST_F(SafetyCopiesTest, OfAWindowThatWasKilledAreOfferedTheNewestFirst) {
     // The clock of a file system may stand still between the two.
     const fs::file_time_type time = fs::last_write_time(file);
     for (const auto& each : fs::directory_iterator(folder / "unsaved")) fs::last_write_time(each, time);
-    SafetyCopies copies(folder);
+    const SafetyCopies copies(folder);
     SafetyCopies::Others others = copies.othersOf(file);
     EXPECT_FALSE(others.isOpen);
     ASSERT_TRUE(others.left);

@@ -8,6 +8,9 @@ namespace glibra::glsl {
 /// Lines of the prologue and the epilogue are numbered from here, so that messages about them are not taken
 /// for messages about the user's lines.
 inline constexpr int kOwnLines = 100'000'000;
+/// Mesa leaves the number of the source out of its messages about GLSL ES. There the line numbers tell it:
+/// source n has those from n times this on.
+inline constexpr int kLinesOfSource = 1'000'000;
 
 TranslatedStage emit(Unit& unit);
 

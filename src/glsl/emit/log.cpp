@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <deque>
 #include <optional>
 #include <set>
 #include <string>
@@ -56,38 +57,22 @@ std::string_view nameOf(Stage stage) {
     return kStageNames.at(static_cast<std::size_t>(stage));
 }
 
-/// The place of the word in the text; npos if it is not there.
-std::size_t findWord(std::string_view text, std::string_view word) {
-    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        const bool begins = at == 0 || !base::isOfName(text[at - 1]);
-        if (begins && (end == text.size() || !base::isOfName(text[end]))) return at;
-    }
-    return std::string_view::npos;
-}
-
 /// For a stage that does not compile: its first word that only another stage can have, such as EmitVertex in
 /// a vertex stage. Nothing if there is no such word.
 std::optional<OtherStage> findOtherStage(const TranslatedStage& stage) {
-    const std::string_view source = stage.source;
-    const StageWord* first = nullptr;
-    std::size_t at = std::string_view::npos;
-    for (const StageWord& each : kStageWords) {
-        if (each.stage == stage.stage) continue;
-        if (const std::size_t found = findWord(source, each.word); found < at) {
-            at = found;
-            first = &each;
-        }
+    if (stage.isMerged) return std::nullopt;
+    std::deque<std::string> storage;
+    for (const Token& token : lex(stage.source, storage)) {
+        if (token.kind != TokenKind::word) continue;
+        const auto* const word = std::ranges::find(kStageWords, token.text, &StageWord::word);
+        if (word == kStageWords.end() || word->stage == stage.stage) continue;
+        return OtherStage{
+            fmt::format("'{}' belongs to a {} stage, but this is a {} stage; if the whole text is one, "
+                        "write '{}' before it",
+                        word->word, nameOf(word->stage), nameOf(stage.stage), word->command),
+            userPlace(stage, {static_cast<std::size_t>(token.line) - 1, token.column})};
     }
-    if (first == nullptr) return std::nullopt;
-    const std::string_view before = source.substr(0, at);
-    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
-    const std::size_t start = before.rfind('\n') + 1;
-    return OtherStage{
-        fmt::format("'{}' belongs to a {} stage, but this is a {} stage; if the whole text is one, "
-                    "write '{}' before it",
-                    first->word, nameOf(first->stage), nameOf(stage.stage), first->command),
-        userPlace(stage, {line, static_cast<int>(at - start) + 1})};
+    return std::nullopt;
 }
 
 // ---- Lines of a log
@@ -187,6 +172,29 @@ Place placeOf(const TranslatedStage& stage, const LineOrigin& line, int column) 
     return {stage.lineMap.files[static_cast<std::size_t>(line.file)], std::max(1, line.line), column};
 }
 
+/// The first column of a word in a line; 0 if it is not there. NVIDIA and browsers give no columns.
+int columnOf(std::string_view word, std::string_view line) {
+    for (std::size_t at = line.find(word); !word.empty() && at != std::string_view::npos;
+         at = line.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        const bool begins = at == 0 || !base::isOfName(line[at - 1]) || !base::isOfName(word.front());
+        if (begins && (end == line.size() || !base::isOfName(line[end]) || !base::isOfName(word.back())))
+            return static_cast<int>(at) + 1;
+    }
+    return 0;
+}
+
+/// The line of a log, with the source that its number tells (kLinesOfSource).
+std::optional<LogLine> readLine(std::string_view text, const TranslatedStage& stage) {
+    std::optional<LogLine> line = parseLogLine(text, stage.lineMap.files);
+    if (line && line->line >= kLinesOfSource && line->line < kOwnLines &&
+        stage.source.starts_with("#version 300 es")) {
+        line->source = std::to_string(line->line / kLinesOfSource);
+        line->line %= kLinesOfSource;
+    }
+    return line;
+}
+
 std::vector<std::string_view> linesOf(std::string_view log) {
     std::vector<std::string_view> lines;
     while (!log.empty()) {
@@ -273,7 +281,7 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
     Consequences consequences(stage);
     ErrorLines errorLines(stage);
     for (const std::string_view each : linesOf(log)) {
-        const std::optional<LogLine> line = parseLogLine(each, stage.lineMap.files);
+        const std::optional<LogLine> line = readLine(each, stage);
         if (line && candidates && isCandidate(line->text)) continue;
         candidates = line && line->text.ends_with(kCandidates);
         if (!line) {
@@ -284,7 +292,9 @@ Diagnostics explainCompileLog(const TranslatedProgram& program, const Translated
         if (line->line >= kOwnLines) continue;
         const std::string* const ofError = errorLines.fileOf(*line);
         const std::string& file = ofError != nullptr ? *ofError : fileOf(stage, line->source);
-        const std::optional<EmittedPlace> emitted = emittedPlace(stage, *line, file);
+        std::optional<EmittedPlace> emitted = emittedPlace(stage, *line, file);
+        if (emitted && emitted->column == 0)
+            emitted->column = columnOf(quotedWord(line->text), lineOfText(stage.source, emitted->line));
         if (consequences.contain(*line, emitted)) continue;
         const UserPlace user = emitted ? userPlace(stage, *emitted) : UserPlace{};
         const Place place =
@@ -338,7 +348,7 @@ Diagnostics explainLinkLog(const TranslatedProgram& program, std::string_view lo
             continue;
         }
         if (isLogSummary(each)) continue;
-        const std::optional<LogLine> line = stage ? parseLogLine(each, stage->lineMap.files) : std::nullopt;
+        const std::optional<LogLine> line = stage ? readLine(each, *stage) : std::nullopt;
         if (line && line->line < kOwnLines) {
             const std::string& file = fileOf(*stage, line->source);
             const Place place{file, std::max(1, lineOf(*stage, file, line->line)), 1};

@@ -57,6 +57,11 @@ EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
     }
     const MergedStages merged(units, stages, program, options.draws);
     for (EsStage& each : stages) each.adapt(result.initialValues);
+    for (const Unit& unit : units)
+        for (const auto& [name, written] : unit.renames) {
+            const auto known = program.userNames.find(name);
+            result.userNames[written] = known == program.userNames.end() ? name : known->second;
+        }
     for (EsStage& each : stages) result.stages.push_back(each.take());
     merged.join(result.stages);
     result.expanded = merged.expansion();

@@ -17,6 +17,8 @@ struct EsProgram {
     std::vector<TranslatedStage> stages;
     std::vector<InitialValue> initialValues;
     ExpandedGeometry expanded{};
+    std::map<std::string, std::string>
+        userNames{};  ///< by the names in their place; those of the core text are not here
     WideLines wideLines{};
     /// What GLSL ES 3.00 lacks: web-E01 to web-E05, at the user's places. `stages` may then not compile.
     Diagnostics diagnostics;

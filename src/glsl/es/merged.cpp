@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -58,12 +57,7 @@ TranslatedStage joined(TranslatedStage first, const TranslatedStage& second, con
         LineOrigin origin = second.lineMap.lines[i];
         std::vector<ColumnShift> columns = second.lineMap.columns[i++];
         if (origin.file < 0 && known.contains(line)) continue;
-        const std::size_t number = line.rfind(' ');
-        if (isLineNumber(line) && files > 0 && number != std::string_view::npos)
-            first.source += std::string(line.substr(0, number + 1)) +
-                            std::to_string(std::atoi(std::string(line.substr(number)).c_str()) + files);
-        else
-            first.source += line;
+        first.source += isLineNumber(line) ? withSource(line, files) : std::string(line);
         first.source += '\n';
         if (origin.file >= 0) origin.file += files;
         for (ColumnShift& each : columns) {
@@ -74,6 +68,7 @@ TranslatedStage joined(TranslatedStage first, const TranslatedStage& second, con
         first.lineMap.columns.push_back(std::move(columns));
     }
     first.source += ending;
+    first.isMerged = true;
     const auto count = static_cast<std::size_t>(std::ranges::count(first.source, '\n'));
     first.lineMap.lines.resize(count);
     first.lineMap.columns.resize(count);

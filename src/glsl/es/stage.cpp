@@ -72,6 +72,29 @@ constexpr std::array kWritten = std::to_array<Written>({
      "1u) != 0u) return i; return -1; }"},
 });
 
+/// The shifts of both translations after each other: from columns by `second` to those of the text that
+/// `first` begins with. `line`: where the line comes from.
+std::vector<ColumnShift> joinedShifts(std::vector<ColumnShift> second, const std::vector<ColumnShift>& first,
+                                      const LineOrigin& line) {
+    if (second.empty() || second.front().emitted > 1) second.insert(second.begin(), ColumnShift());
+    std::vector<ColumnShift> joined;
+    for (std::size_t i = 0; i < second.size(); ++i) {
+        const int begin = second[i].emitted, middle = second[i].user;
+        const bool isLast = i + 1 == second.size();
+        ColumnShift shift{begin, middle, line};
+        for (const ColumnShift& each : first)
+            if (each.emitted <= middle)
+                shift = {begin, each.user + middle - each.emitted, each.line, each.macro};
+        joined.push_back(shift);
+        for (const ColumnShift& each : first) {
+            const int at = begin + each.emitted - middle;
+            if (each.emitted > middle && (isLast || at < second[i + 1].emitted))
+                joined.push_back({at, each.user, each.line, each.macro});
+        }
+    }
+    return joined;
+}
+
 }  // namespace
 
 EsStage::EsStage(const TranslatedStage& core, Unit& unit, Report& report, const EsOptions& options)
@@ -118,11 +141,12 @@ TranslatedStage EsStage::take() {
         const auto at = static_cast<std::size_t>(origin.line) - 1;
         const bool isOfCore = origin.file >= 0 && at < coreLines.size();
         const bool isNumber = isOfCore && isLineNumber(coreLines[at]);
-        std::ranges::copy_if(isNumber ? coreLines[at] : line, std::back_inserter(stage.source),
-                             [&](char c) { return !isNumber || c != '"'; });
+        stage.source += isNumber ? withSource(coreLines[at], 0) : std::string(line);
         stage.source += '\n';
         origin = isOfCore ? core_.lineMap.lines[at] : LineOrigin();
-        stage.lineMap.columns[i] = isOfCore ? core_.lineMap.columns[at] : std::vector<ColumnShift>();
+        stage.lineMap.columns[i] =
+            isOfCore ? joinedShifts(stage.lineMap.columns[i], core_.lineMap.columns[at], origin)
+                     : std::vector<ColumnShift>();
         ++i;
     }
     stage.path = core_.path;

@@ -88,6 +88,7 @@ struct TranslatedStage {
     std::string source;  ///< complete text for glShaderSource; begins with its #version line, if it has one
     LineMap lineMap;
     std::string path;                ///< the stage's own file
+    bool isMerged = false;           ///< it does the work of other stages, too (ExpandedGeometry)
     int firstLine = 1;               ///< of its text, after blank lines
     std::vector<CountedLoop> loops;  ///< the countable loops that main runs, also in the functions it calls
     std::vector<Place> uncounted{};  ///< the other loops that main runs

@@ -96,6 +96,7 @@ glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramReques
     program.stages = std::move(es.stages);
     program.initialValues = std::move(es.initialValues);
     program.expanded = es.expanded;
+    program.userNames.merge(es.userNames);
     program.wideLines = std::move(es.wideLines);
     append(program.diagnostics, std::move(es.diagnostics));
     return program;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-// NOLINTNEXTLINE(readability-identifier-naming): the name of libwebp
 extern "C" std::uint8_t* WebPDecodeRGBAInto(const std::uint8_t* /*data*/, std::size_t /*size*/,
                                             std::uint8_t* /*to*/, std::size_t /*bytes*/, int /*stride*/) {
     for (;;) ::usleep(1000);
