@@ -15,6 +15,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/gallery_arguments.h"
+#include "cli/library_hint.h"
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
@@ -103,6 +104,11 @@ int publishScene(const PublishArguments& arguments, const fs::path& file, image:
                     });
     interruption.obey();
     print(page.diagnostics);
+    print(libraryHint(scene, page.diagnostics));
+    if (std::ranges::find(page.diagnostics, "file-E12", &Diagnostic::id) != page.diagnostics.end())
+        print({withoutId(Severity::note,
+                         "the scenes of a site may read whatever is in its folder: publish one that holds "
+                         "both, glibra publish FOLDER -o site/")});
     if (page.noDriver) return kNoDriver;
     const bool isWrong = hasError(page.diagnostics);
     if (page.picture.empty()) return kSceneIsWrong;
@@ -112,6 +118,8 @@ int publishScene(const PublishArguments& arguments, const fs::path& file, image:
         if (printErrors(found.diagnostics)) return kSceneIsWrong;
         runtime = std::move(*found);
     }
+    std::error_code ignored;  // what cannot be made is reported as the file that cannot be written
+    if (named == image::NamedBy::program) fs::create_directories(file.parent_path(), ignored);
     if (printErrors(writePage(page, arguments, file, named, runtime))) return kSceneIsWrong;
     printLine(fmt::format("page: {}{}", file.generic_string(),
                           page.isLive ? std::string()

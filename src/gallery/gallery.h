@@ -62,6 +62,7 @@ struct Gallery {
     std::string folder;  ///< as the user named it
     std::vector<GalleryScene> scenes;
     std::string driver;
+    bool isEmbedded = false;  ///< live pages are for frames of other pages
 };
 
 inline bool isDrawn(const GalleryScene& scene) {

@@ -259,14 +259,17 @@ std::string chaptersPage(const Gallery& gallery) {
 std::string scenePage(const Gallery& gallery, std::size_t index) {
     const GalleryScene& scene = gallery.scenes[index];
     const std::string path = fs::path(scene.path).replace_extension().generic_string();
+    const bool isEmbedded = gallery.isEmbedded && scene.isLive;
+    const std::string header =
+        fmt::format("<header>\n<h1>{}</h1>\n<nav><a href=\"../index.html\">{}</a> {}</nav>\n</header>",
+                    nameHtml(path), nameHtml(gallery.title), linksHtml(gallery, index));
     const base::Slot slots[] = {
         {"title", escapeXml(printableText(path + " - " + gallery.title))},
-        {"headline", nameHtml(path)},
-        {"gallery", nameHtml(gallery.title)},
-        {"links", linksHtml(gallery, index)},
+        {"kind", isEmbedded ? "page embedded" : "gallery scene"},
+        {"header", isEmbedded ? std::string() : header},
         {"policy", std::string(scene.isLive ? page::kSitePolicy : kPlainPolicy)},
         {"pictures", picturesHtml(scene)},
-        {"text", textHtml(scene)},
+        {"text", isEmbedded ? std::string() : textHtml(scene)},
         {"messages", messagesHtml(scene)},
         // A live scene has its own.
         {"controls", scene.isLive ? std::string() : controlsHtml(scene.description)},

@@ -54,6 +54,7 @@ class GalleryRun {
         : plan_(plan), workers_(workers), events_(events) {
         Gallery& gallery = end_.gallery;
         gallery.title = plan.title;
+        gallery.isEmbedded = plan.live && plan.live->page.isEmbedded;
         gallery.folder = plan.folder.generic_string();
         for (const fs::path& each : plan.scenes)
             gallery.scenes.emplace_back().path = each.lexically_relative(plan.folder).generic_string();

@@ -313,7 +313,8 @@ std::string toText(const PageScene& scene) {
     for (const fs::path& each : scene.read) json["read"].push_back(binary(each.generic_string()));
     for (const Diagnostic& each : scene.diagnostics)
         json["messages"].push_back({static_cast<int>(each.severity), binary(each.id), binary(each.text),
-                                    binary(each.place.file), each.place.line, each.place.column});
+                                    binary(each.place.file), each.place.line, each.place.column,
+                                    binary(each.subject), binary(each.suggestion)});
     const std::vector<std::uint8_t> packed = Json::to_cbor(json);
     return {packed.begin(), packed.end()};
 }
@@ -342,7 +343,9 @@ std::optional<PageScene> parsePageScene(std::string_view text) try {
         scene.diagnostics.push_back({static_cast<Severity>(severity),
                                      textOf(each.at(1)),
                                      textOf(each.at(2)),
-                                     {textOf(each.at(3)), each.at(4).get<int>(), each.at(5).get<int>()}});
+                                     {textOf(each.at(3)), each.at(4).get<int>(), each.at(5).get<int>()},
+                                     textOf(each.at(6)),
+                                     textOf(each.at(7))});
     }
     return scene;
 } catch (const Json::exception&) {

@@ -82,6 +82,22 @@ class Publish(unittest.TestCase):
                 self.assertIn(each, page)
             shutil.rmtree(os.path.join(self.folder, "site"))
 
+    def test_the_pages_of_a_site_may_be_for_frames(self):
+        self.write("in/b.glib", SCENE)
+        self.glibra("publish", "in", "-o", "site", "--embed")
+        page = self.read("site/scenes/a.html")
+        self.assertIn('<body class="page embedded">', page)
+        self.assertIn("../live/runtime.js", page)
+        for absent in ("<nav", "<h1", "A quad."):
+            self.assertNotIn(absent, page)
+        self.assertIn("scenes/b.html", self.read("site/index.html"))
+
+    def test_folders_of_a_page_are_made(self):
+        self.glibra("publish", "in/a.glib", "-o", "new/folder/")
+        self.assertIn("<title>a</title>", self.read("new/folder/a.html"))
+        self.glibra("publish", "in/none.glib", "-o", "other/", status=3)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "other")))
+
     def test_what_browsers_lack_is_reported_and_the_page_is_a_film(self):
         self.write("in/q.vert", VERTEX.replace("void main() {", "noperspective out vec3 v;\nvoid main() { v = vec3(.5);"))
         self.write("in/q.frag", LACKING)
@@ -118,6 +134,19 @@ class Publish(unittest.TestCase):
             self.write("in/a.glib", SCENE.replace("q.frag", each))
             self.assertIn("file-E12", self.glibra("publish", "in/a.glib", status=3))
             self.assertFalse(os.path.exists(os.path.join(self.folder, "a.html")))
+
+    def test_a_scene_is_told_how_it_gets_files_that_it_may_not_read(self):
+        self.write("two/shared/q.frag", FRAGMENT)
+        self.write("two/week/q.vert", VERTEX)
+        self.write("two/week/a.glib", SCENE.replace("q.frag", "../shared/q.frag"))
+        told = self.glibra("publish", "two/week/a.glib", status=3)
+        self.assertIn("[file-E12]", told)
+        self.assertIn("glibra publish FOLDER -o site/", told)
+        self.glibra("publish", "two", "-o", "site")
+        self.write("in/b.glib", SCENE.replace("q.frag", "noise/marble.frag"))
+        # The program in its own place, where its library is.
+        run = subprocess.run([PROGRAM, "publish", "in/b.glib"], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertIn("note: the library of glibra has 'noise/marble.frag'; --library", run.stderr)
 
     def test_what_is_read_is_not_written_over(self):
         self.assertIn("file-E13", self.glibra("publish", "in/a.glib", "-o", "in/q.frag", status=3))
