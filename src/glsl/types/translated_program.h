@@ -88,7 +88,6 @@ struct TranslatedStage {
     std::string source;  ///< complete text for glShaderSource; begins with its #version line, if it has one
     LineMap lineMap;
     std::string path;                ///< the stage's own file
-    bool isMerged = false;           ///< it does the work of other stages, too (ExpandedGeometry)
     int firstLine = 1;               ///< of its text, after blank lines
     std::vector<CountedLoop> loops;  ///< the countable loops that main runs, also in the functions it calls
     std::vector<Place> uncounted{};  ///< the other loops that main runs
@@ -96,6 +95,7 @@ struct TranslatedStage {
     std::vector<TypeMismatch> mismatches{};
     double emits = 0;  ///< EmitVertex() calls of main outside of conditions and loops
     std::vector<ElementSubscript> subscripts{};
+    bool isMerged = false;  ///< it does the work of other stages, too (ExpandedGeometry)
 };
 
 /// A uniform as declared in a source, whether or not the compiler keeps it.
