@@ -135,7 +135,7 @@ Result<SceneRenderer> SceneRenderer::finish(Result<std::unique_ptr<SceneState>> 
 
 void SceneRenderer::drawAhead(double time, Stats& stats) {
     SceneState& state = *state_;
-    Conductor& conductor = state.conductor;
+    const Conductor& conductor = state.conductor;
     SceneState::Ahead& ahead = state.ahead.emplace_back();
     Diagnostics& diagnostics = ahead.diagnostics;
     if (!state.stream) state.stream.emplace(conductor.context.capabilities());

@@ -351,8 +351,8 @@ void main() {
     def test_full_screen_keeps_the_shape(self):
         self.publish()
         self.open()
-        self.browser.click("[aria-label='Full screen']")
-        self.browser.wait("return document.fullscreenElement?.className === 'stage'")
+        self.browser.click("[aria-label='Full screen (F)']")
+        self.browser.wait("return document.fullscreenElement?.matches('.live')")
         self.assertEqual(self.browser.run("const c = document.querySelector('canvas'); return [c.width, c.height, getComputedStyle(c).objectFit]"), [64, 48, "contain"])
         self.browser.run("return document.exitFullscreen()")
 

@@ -253,7 +253,8 @@ class Pages(unittest.TestCase):
 
 MARKED = "return [...document.querySelectorAll('.code li')].flatMap((each, i) => (each.classList.contains('error') ? [i] : []))"
 TEXTS = "return [document.querySelector('.messages')?.innerText, document.querySelector('.note')?.innerText].join(' ')"
-LEFT, RIGHT, HOME = "\ue012", "\ue014", "\ue011"
+SHOWN = "return [...document.querySelectorAll(arguments[0])].filter((each) => each.checkVisibility()).length"
+LEFT, UP, RIGHT = "\ue012", "\ue013", "\ue014"
 
 
 class Values(Pages):
@@ -330,13 +331,28 @@ class Values(Pages):
         self.browser.wait("return document.querySelector('.seconds').value === '1.00'")
 
     def test_values_of_the_command_are_set_and_reset(self):
-        self.open("start/teapot", "--set", "uGlazeColor=1,0,.2", "--set", "uBands=0")
-        self.assert_shows(self.render("start/teapot", "--set", "uGlazeColor=1,0,.2", "--set", "uBands=0"))
+        published = ("start/teapot", "--set", "uGlazeColor=1,0,.2", "--set", "uBands=0")
+        is_reset = "return document.querySelector('.reset-all').disabled && document.querySelector(\"[aria-label='Reset uBands of Glaze']\").disabled"
+        self.open(*published)
+        self.assert_shows(self.render(*published))
+        self.assertTrue(self.browser.run(is_reset))
+        self.browser.click("[type=checkbox][aria-label='uBands of Glaze']")
+        self.type_into("[aria-label='uGlazeColor of Glaze']", "#0000ff")
+        self.assert_shows(self.render("start/teapot", "--set", "uGlazeColor=0,0,1"))
+        self.assertFalse(self.browser.run(is_reset))
+        self.browser.click("[aria-label='Reset uBands of Glaze']")
+        self.assert_shows(self.render("start/teapot", "--set", "uGlazeColor=0,0,1", "--set", "uBands=0"))
         self.browser.click(".reset-all")
-        self.assert_shows(self.render("start/teapot"))
-        time.sleep(0.5)
-        self.open("start/teapot", "--set", "uGlazeColor=1,0,.2", "--set", "uBands=0", hash=self.browser.run("return location.hash"))
-        self.assert_shows(self.render("start/teapot"))
+        self.assert_shows(self.render(*published))
+        self.assertTrue(self.browser.run(is_reset))
+        # The values of a link are the reader's.
+        self.browser.click("[type=checkbox][aria-label='uBands of Glaze']")
+        self.browser.wait("return location.hash.includes('uBands=1')")
+        self.open(*published, hash=self.browser.run("return location.hash"))
+        self.assert_shows(self.render("start/teapot", "--set", "uGlazeColor=1,0,.2"))
+        self.assertFalse(self.browser.run(is_reset))
+        self.browser.click(".reset-all")
+        self.assert_shows(self.render(*published))
 
 
 class Time(Pages):
@@ -381,6 +397,38 @@ class View(Pages):
                 self.browser.click("[aria-label='Reset the view (R)']")
                 self.assert_shows(at_first)
                 self.browser.run("document.querySelector('canvas').focus()")
+
+    def test_arrow_keys_turn_the_scene_while_the_picture_has_the_focus(self):
+        self.open("start/teapot")
+        at_first = self.render("start/teapot")
+        self.press_on("body", RIGHT)
+        self.browser.run("document.querySelector('.tabs button').focus()")
+        self.browser.press(RIGHT)
+        self.assert_shows(at_first)
+        self.press_on("canvas", RIGHT, UP)
+        self.assert_shows_other_than(at_first)
+        self.browser.press("\ue015", LEFT)
+        self.browser.press("r")
+        self.assert_shows(at_first)
+        self.open("detail/fly_through")  # whose own keys are taken first
+        self.browser.press("f")
+        self.assertEqual(self.browser.run("return document.fullscreenElement"), None)
+
+    def test_the_full_screen_has_the_values(self):
+        self.open("start/teapot")
+        self.press_on("canvas", "f")
+        self.browser.wait("return document.fullscreenElement && seen.copy.width === innerWidth")
+        self.assertEqual(self.browser.run(SHOWN, ".sources, .messages, .panel, [aria-label^=Sources]"), 0)
+        self.browser.click("[aria-label='Values (V)']")
+        self.type_into("[aria-label='uAmbient of Glaze, number']", ".75")
+        left, top, width, height = self.box("[type=range][aria-label='uLightX of Glaze']")
+        self.assertTrue(self.browser.run("return document.elementFromPoint(...arguments).matches('[type=range]')", left + width / 2, top + height / 2))
+        self.browser.press("v")
+        self.assertEqual(self.browser.run(SHOWN, ".panel"), 0)
+        self.browser.press("f")
+        self.browser.wait("return !document.fullscreenElement && seen.copy.width === 320")
+        self.assertEqual(self.browser.run(SHOWN, ".sources, .panel"), 2)
+        self.assert_shows(self.render("start/teapot", "--set", "uAmbient=.75"))
 
     def test_cameras_are_chosen(self):
         self.open("lights/two_shadows")
@@ -461,7 +509,82 @@ class Edits(Pages):
         self.assert_shows(red)
 
 
+    def test_messages_stand_in_their_list(self):
+        self.open("own/quad")
+        self.edit("quad.frag", FRAGMENT.replace("uG,", "uNone,"))
+        self.browser.wait("return document.querySelector('.messages .note')")
+        self.assertEqual(self.browser.run("""const [note, list] = [".messages .note", ".messages"].map((each) => document.querySelector(each).getBoundingClientRect());
+            return [note.left >= list.left, note.top >= list.top, note.bottom <= list.bottom, document.querySelector(".stage .note").hidden]"""), [True] * 4)
+
+    def test_edits_are_saved_and_not_lost_without_a_question(self):
+        self.open("own/quad")
+        asks = "return !dispatchEvent(new Event('beforeunload', {cancelable: true}))"
+        self.assertFalse(self.browser.run(asks))
+        self.edit("quad.frag", FRAGMENT + "// more\n")
+        self.assertTrue(self.browser.run(asks))
+        self.browser.run("""globalThis.saved = [];
+            HTMLAnchorElement.prototype.click = function () { saved.push(this.download); };
+            URL.createObjectURL = (content) => { content.text().then((text) => saved.push(text)); return "#"; };""")
+        self.browser.click(".tabrow > button:last-child")
+        self.assertEqual(sorted(self.browser.wait("return saved.length > 1 && saved")), sorted(["quad.frag", FRAGMENT + "// more\n"]))
+        self.browser.click(".tabrow > button")
+        self.assertFalse(self.browser.run(asks))
+
+    def test_sources_stand_beside_the_picture_or_below_it(self):
+        page = self.folder / "large.html"
+        self.assertEqual(glibra("publish", self.scene("start/teapot"), "--size", "600x600", "-o", page).returncode, 0)
+        boxes = """return [".stage canvas", ".code", ".panel"].map((each) => document.querySelector(each).getBoundingClientRect())
+            .map(({left, top, right, bottom}) => ({left, top, right, bottom, isWhole: top >= 0 && bottom <= innerHeight && right <= innerWidth}))"""
+        try:
+            for width, height in ((1280, 720), (1920, 1080), (1024, 700)):
+                self.browser.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+                self.browser.open("about:blank")
+                self.browser.open(f"file://{page}")
+                self.browser.wait(IS_DRAWN)
+                picture, code, values = self.browser.run(boxes)
+                self.assertTrue(picture["isWhole"] and code["isWhole"] and values["isWhole"], (width, picture, code, values))
+                self.assertGreaterEqual(code["left"], picture["right"])
+                self.assertGreater(code["bottom"] - code["top"], 150)
+            for width, height in ((800, 900), (390, 844)):
+                self.browser.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=True)
+                self.browser.open("about:blank")
+                self.browser.open(f"file://{page}")
+                self.browser.wait(IS_DRAWN)
+                self.browser.click("[aria-label='Sources (E)']")
+                for scroll in (0, 300):
+                    self.browser.run("scrollTo(0, arguments[0])", scroll)
+                    picture, code, _ = self.browser.run(boxes)
+                    self.assertTrue(picture["isWhole"], (width, scroll, picture))
+                    self.assertLessEqual(picture["bottom"] - picture["top"], 0.4 * height + 1)
+                    self.assertGreater(code["bottom"], picture["bottom"])
+        finally:
+            self.browser.command("Emulation.clearDeviceMetricsOverride")
+
+
 class Frames(Pages):
+    def test_an_embedded_page_fits_its_frame(self):
+        page = self.folder / "fitting.html"
+        fits = """const {scrollWidth, scrollHeight} = document.documentElement, picture = document.querySelector(".stage canvas").getBoundingClientRect(),
+            bar = document.querySelector(".bar").getBoundingClientRect();
+            return [scrollWidth, scrollHeight, picture.top >= 0 && picture.right <= innerWidth && picture.height >= 100, bar.top >= picture.bottom && bar.bottom <= innerHeight + .5]"""
+        for name in ("start/teapot", "tessellation/bezier_surface", "lights/two_shadows", "own/quad"):
+            self.assertEqual(glibra("publish", self.scene(name), "--embed", "-o", page).returncode, 0)
+            for width, height in ((520, 420), (400, 300), (320, 480), (900, 500), (1100, 600)):
+                with self.subTest(f"{name} {width}x{height}"):
+                    self.write("fitted.html", f'<!doctype html><body style="margin: 0"><iframe src="fitting.html" width="{width}" height="{height}" style="border: 0">')
+                    self.browser.frame()
+                    self.browser.open(f"file://{self.folder}/fitted.html")
+                    self.browser.frame("iframe")
+                    self.browser.wait(IS_DRAWN)
+                    self.assertEqual(self.browser.run(fits), [width, height, True, True])
+                    if width < 800:
+                        self.browser.click("[aria-label='Values (V)']")
+                        self.assertEqual(self.browser.run(SHOWN, ".panel"), 1)
+                        self.assertEqual(self.browser.run(fits), [width, height, True, True])
+                    self.browser.run("document.querySelector(\"[aria-label='Sources (E)']\").click()")
+                    self.assertEqual(self.browser.run(fits), [width, height, True, True])
+                    self.assertGreater(self.browser.run("return document.querySelector('.code').clientHeight"), 40)
+
     def test_twenty_frames_on_one_page(self):
         page = self.publish("start/teapot", "--embed")
         for gap, name in ((900, "apart.html"), (0, "together.html")):
@@ -507,7 +630,7 @@ class Frames(Pages):
             self.browser.frame("iframe", number)
             self.browser.wait(IS_DRAWN)
             self.assert_shows(expected)
-            self.type_into("[aria-label='uBands of Glaze']", "")
+            self.browser.click("[aria-label='Values (V)']")
             self.browser.click("[type=checkbox][aria-label='uBands of Glaze']")
             self.assert_shows(self.render("start/teapot", "--set", f"uShininess={number + 20}", "--set", "uBands=0"))
             self.browser.frame()
@@ -537,6 +660,15 @@ class Frames(Pages):
                 self.assert_shows_other_than(at_first)
                 self.browser.click("[aria-label='Reset the view (R)']")
                 self.assert_shows(at_first)
+            # A finger that swipes upwards scrolls the page.
+            self.browser.run("scrollTo(0, 0)")
+            left, top, _, _ = self.box("canvas")
+            touch("touchStart", (100, 200))
+            for y in range(190, 90, -10):
+                touch("touchMove", (100, y))
+            touch("touchEnd")
+            self.browser.wait("return scrollY > 50")
+            self.assert_shows(at_first)
             left, top, width, height = self.box("[type=range][aria-label='uLightX of Glaze']")
             touch("touchStart", (0.75 * width, height / 2))
             touch("touchEnd")
@@ -560,6 +692,10 @@ class Frames(Pages):
         left, top, width, height = self.box("canvas")
         self.browser.frame()
         self.assert_screen(left, top, self.render("start/teapot", "--set", "uAmbient=.75"))
+        self.browser.frame("iframe")
+        self.browser.click("[aria-label='Save the picture']")
+        self.browser.wait("return document.querySelector('.note').textContent.startsWith('Nothing is saved')")
+        self.browser.logs("browser")  # the browser reports that it has not saved
 
     def assert_screen(self, left, top, expected):
         """The window gets that picture there. The scripts of this test are not in every frame."""
@@ -581,9 +717,10 @@ class Frames(Pages):
         self.browser.open(f"file://{self.publish('start/teapot', '--poster', '--embed')}")
         time.sleep(0.5)
         self.assertIsNone(self.browser.run("return globalThis.seen ?? null"))
-        self.browser.click(".note button")
+        self.press_on(".note button", "Enter")
         self.browser.wait(IS_DRAWN)
         self.assert_shows(self.render("start/teapot"))
+        self.assertTrue(self.browser.run("return document.activeElement === seen.canvas"))
 
 
 class Sites(Pages):

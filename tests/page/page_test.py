@@ -230,6 +230,7 @@ class Page(unittest.TestCase):
     def test_values_of_the_command_are_there_at_first(self):
         self.open(set=[{"program": "", "name": "show", "values": [], "word": "striped"}, {"program": "Floor", "name": "uKd", "values": [.25], "word": ""}], time=3, width=256, height=192)
         self.assertEqual([self.browser.run(VALUE, each) for each in (1, 7, 8)], [[1], [0.5], [0.25]])
+        self.assertTrue(self.browser.run("return document.querySelector('.reset-all').disabled"))
         self.assertGreaterEqual(self.browser.run(LAST, "time"), 3)
         self.assertEqual(self.browser.run(LAST, "width"), 256)
 
@@ -258,8 +259,8 @@ class Page(unittest.TestCase):
         self.browser.run("""globalThis.saved = []; HTMLAnchorElement.prototype.click = function () { saved.push(this.download); };""")
         self.browser.click("[aria-label='Save the picture']")
         self.browser.wait("return saved[0] === 'ball.png'")
-        self.browser.click("[aria-label='Full screen']")
-        self.browser.wait("return document.fullscreenElement?.className === 'stage' && told.frames.at(-1).width === innerWidth")
+        self.browser.click("[aria-label='Full screen (F)']")
+        self.browser.wait("return document.fullscreenElement?.matches('.live') && told.frames.at(-1).width === innerWidth")
         self.browser.run("document.exitFullscreen()")
         self.browser.wait("return told.frames.at(-1).width === 512")
 

@@ -34,8 +34,8 @@ BEGIN = """
 const done = arguments[arguments.length - 1];
 (async () => {
     const {Runtime} = await import("/src/page/web/runtime.js");
-    const runtime = window.runtime = await Runtime.make(await (await fetch("/glibra.wasm")).arrayBuffer(),
-                                                        document.querySelector("canvas"));
+    const runtime = window.runtime = new Runtime(await WebAssembly.compile(await (await fetch("/glibra.wasm")).arrayBuffer()),
+                                                 document.querySelector("canvas"));
     window.readFiles = async (names) => {
         for (const name of names) runtime.file(name, new Uint8Array(await (await fetch("/" + encodeURI(name))).arrayBuffer()));
     };

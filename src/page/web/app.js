@@ -14,17 +14,23 @@ import { showMessages, sorted } from "./messages.js";
 import { Clock } from "./time.js";
 import { ViewControl } from "./view.js";
 
-const kGap = 16;  // CSS pixels between the picture and the values
-const kWide = 22 * 16 + 30 * 16;  // CSS pixels that values and sources take beside the picture
+// CSS pixels
+const kGap = 16;  // between the picture and what stands beside it
+const kNarrow = 760;  // from here on values stand beside the picture
+const kWide = 960;  // from here on sources do
+const kSources = 480;  // that they have at least
+
 const kRest = 1000;  // milliseconds off the screen until a frame gives its context back
 
-/** @typedef {(canvas: HTMLCanvasElement) => Promise<Runtime>} Start */
+/** @param {{ width: number, height: number }} [size] in pixels */
+const makeCanvas = (size = { width: 300, height: 150 }) =>
+    make("canvas", { width: size.width, height: size.height, tabindex: 0, "aria-label": "the scene" });
 
 export class App {
     /**
      * @param {HTMLElement} element which holds the picture that stands there first
      * @param {Scene} data
-     * @param {Start} start
+     * @param {(canvas: HTMLCanvasElement) => Promise<Runtime>} start
      */
     constructor(element, data, start) {
         this.element = element;
@@ -34,7 +40,7 @@ export class App {
         this.poster = element.querySelector("img");
         /** @type {HTMLElement | null} */
         this.shown = this.poster;
-        this.canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
+        this.canvas = makeCanvas();
         this.note = make("div", { class: "note", role: "status", hidden: true });
         /** @type {Runtime | undefined} */
         this.runtime = undefined;
@@ -58,12 +64,15 @@ export class App {
         this.controls = new Controls(this.panel, (change) => this.tell(change));
         this.keys = new Keys(this);
         this.list = make("ul", { class: "messages", "aria-label": "Messages", "aria-live": "polite", hidden: true });
-        this.editor = new Editor((name, text) => this.edit(name, text), (name, text) => this.runtime?.colour(this.languageOf(name), text, name) ?? "");
+        this.editor = new Editor((name, text) => this.edit(name, text),
+            (name, text) => this.runtime?.colour(this.opened?.files.find((each) => each.name === name)?.language ?? "", text, name) ?? "",
+            (name, text) => this.save(name, new Blob([text])));
         this.sourceButton = iconButton("code", "Sources (E)", () => this.showSources(this.editor.element.hidden));
-        this.bar = make("div", { class: "bar", role: "toolbar", "aria-label": "Scene" }, this.clock.element, this.view.element,
-            make("span", { class: "tools" }, iconButton("save", "Save the picture", () => this.hardcopy()),
+        this.valuesButton = iconButton("values", "Values (V)", () => this.showValues());
+        this.bar = make("div", { class: "bar", role: "toolbar", "aria-label": "Scene" },
+            this.valuesButton, this.clock.element, this.view.element, make("span", { class: "tools" }, iconButton("save", "Save the picture", () => this.hardcopy()),
                 iconButton("link", "Copy a link to what is shown", () => this.copyLink()), this.sourceButton,
-                ...(document.fullscreenEnabled ? [iconButton("screen", "Full screen", () => this.fullScreen())] : [])));
+                ...(document.fullscreenEnabled ? [iconButton("screen", "Full screen (F)", () => this.fullScreen())] : [])));
         this.bar.hidden = true;  // until there is a scene
         if (data.film) for (const each of [this.view, this.editor]) each.fix();
         this.stage = make("div", { class: "stage" }, ...(this.poster ? [this.poster] : []), this.note, this.bar, this.keys.element);
@@ -81,7 +90,8 @@ export class App {
 
     /** Begins, once more after the runtime has ended. */
     async run() {
-        this.hideNote();
+        const hasFocus = this.note.contains(document.activeElement);
+        this.note.hidden = true;
         try {
             if (this.files.size === 0) await this.unpack();
             if (!this.runtime) {
@@ -96,6 +106,7 @@ export class App {
             return this.stop(failure instanceof Error ? failure.message : String(failure));
         }
         this.show(this.canvas);
+        if (hasFocus) this.canvas.focus({ preventScroll: true });
         this.resize();
         this.change();
     }
@@ -120,15 +131,17 @@ export class App {
     build() {
         this.bar.hidden = false;
         this.element.append(this.panel, this.list, this.editor.element);
-        this.showSources(!this.data.embed && this.element.clientWidth > 700);
+        this.showSources(!this.data.embed && this.element.clientWidth >= kWide);
         this.listen(this.canvas);
         this.keys.listen();
-        new ResizeObserver(() => this.resize()).observe(this.element);
+        const watch = new ResizeObserver(() => this.resize());
+        for (const each of [this.element, this.bar, this.list]) watch.observe(each);
         document.addEventListener("visibilitychange", () => this.change());
         document.addEventListener("fullscreenchange", () => this.resize());
         window.addEventListener("hashchange", () => this.restoreLink());
+        window.addEventListener("beforeunload", (event) => this.editor.isChanged && event.preventDefault());
         this.clock.seconds = this.data.time;
-        this.preset();
+        this.controls.reset();
         this.restoreLink();
     }
 
@@ -157,7 +170,7 @@ export class App {
     giveBack() {
         if (!this.runtime?.calls || !this.opened) return;
         this.draw(performance.now());  // what is drawn can be copied until the browser shows it
-        const still = make("canvas", { width: this.canvas.width, height: this.canvas.height, "aria-label": "the scene" });
+        const still = makeCanvas(this.canvas);
         still.getContext("2d")?.drawImage(this.canvas, 0, 0);
         this.show(this.canvas = still);
         this.resize();
@@ -167,15 +180,16 @@ export class App {
 
     /** Begins with a new canvas, where the browser does not give the old one its context back. */
     async begin() {
-        const { hash } = this;
+        const { opened, hash } = this;
         this.isWaiting = false;
-        this.canvas = make("canvas", { tabindex: 0, "aria-label": "the scene" });
-        if (this.opened) this.listen(this.canvas);
+        this.canvas = makeCanvas();
+        if (opened) this.listen(this.canvas);
         this.runtime?.release();
         this.runtime = undefined;
         await this.run();
-        this.preset();
-        if (this.opened) restore(hash, this.opened.knobs, this.clock, this.view, (change) => this.tell(change));
+        if (!opened) return;  // build() has set the values
+        this.controls.reset();
+        restore(hash, this.controls.knobs, this.clock, this.view, (change) => this.tell(change));
     }
 
     /** @param {string} why nothing more can be drawn */
@@ -185,9 +199,7 @@ export class App {
         this.note.title = why;
     }
 
-    /**
-     * Reads the scene with what the files have now. False if there is nothing to draw.
-     */
+    /** Reads the scene with what the files have now. False if there is nothing to draw. */
     async read() {
         /** @type {any} */
         const answer = await this.runtime?.open(this.data.scene);
@@ -197,6 +209,7 @@ export class App {
         if (answer.ended || (!answer.drawn && !this.opened)) this.stop(this.messages[0]?.text ?? "");
         if (answer.drawn) {
             this.opened = /** @type {Opened} */ (answer);
+            this.opened.knobs = this.opened.knobs.map((each) => ({ ...each, initial: this.firstOf(each) }));
             this.clock.last = undefined;
             this.fill(this.opened);
         }
@@ -204,16 +217,12 @@ export class App {
         return answer.drawn;
     }
 
-    /** @param {string} name */
-    languageOf(name) {
-        return this.opened?.files.find((each) => each.name === name)?.language === "glib" ? "glib" : "glsl";
-    }
-
     /** @param {Opened} opened */
     fill(opened) {
         this.clock.fill(opened);
         this.view.fill(opened.cameras, opened.camera);
         this.controls.fill(opened.knobs, opened.shared ?? []);
+        this.valuesButton.hidden = opened.knobs.length === 0;
         this.keys.fill(opened.keys);
         const text = new TextDecoder();
         this.editor.fill(opened.files.filter((each) => each.language && this.files.has(each.name))
@@ -249,8 +258,8 @@ export class App {
             this.opened.animated = answer.animated;
             this.clock.fill(this.opened);
         }
-        if (answer.restart) this.clock.restart();
-        if (answer.isStill) this.clock.hold();
+        if (answer.restart || answer.isStill) this.clock.restart();
+        if (answer.isStill) this.clock.play(false);
     }
 
     /** @param {object} change as glibra_set() takes it */
@@ -272,13 +281,6 @@ export class App {
             if (given.length === knob.current.length && !(word && given[0] < 0)) first = given;
         }
         return first;
-    }
-
-    preset() {
-        this.opened?.knobs.forEach((knob, index) => {
-            const values = this.firstOf(knob);
-            if (values !== knob.initial) this.tell({ knob: index, values });
-        });
     }
 
     /**
@@ -334,17 +336,23 @@ export class App {
     /** The canvas keeps the shape of the scene's window, and is no larger; a full screen it fills. */
     resize() {
         if (!this.opened) return;
-        const isFull = document.fullscreenElement === this.stage;
+        const { element, panel, isFull } = this, isFrame = this.data.embed && !isFull, across = element.clientWidth;
         let width = this.data.width || this.opened.width || 512, height = this.data.height || this.opened.height || 512;
-        // The sources stand beside picture and values if there is room.
-        this.element.classList.toggle("wide", this.element.clientWidth - width > kWide);
-        const hasPanel = !this.panel.hidden && getComputedStyle(this.element).gridTemplateColumns.includes(" ");
-        const room = isFull ? window.innerWidth : this.element.clientWidth - (hasPanel ? this.panel.offsetWidth + 2 * kGap : 0);
-        const most = isFull ? window.innerHeight - this.bar.offsetHeight : this.data.embed ? window.innerHeight - this.bar.offsetHeight - 8 : Infinity;
-        const shrink = Math.min(1, room / width, most / height);
+        const hasSources = !this.editor.element.hidden && !isFull, isBeside = hasSources && across >= kWide;
+        const isBelow = hasSources && !isBeside, isOver = isFull || (isFrame && (isBelow || across <= kNarrow));
+        const isSide = !hasSources && !isOver && !panel.hidden && across > kNarrow;
+        const layout = { beside: isBeside, below: isBelow, over: isOver, side: isSide };  // see live.css
+        for (const [name, on] of Object.entries(layout)) element.classList.toggle(name, on);
+        const room = across - (isBeside ? kSources + kGap : isSide ? panel.offsetWidth + kGap : 0);
+        const whole = isFrame ? element.clientHeight : window.innerHeight - (isBeside ? 5 * kGap : 0);
+        const under = isFrame && !isBeside ? [this.bar, this.keys.element, this.list] : [this.bar, this.keys.element];
+        const rest = under.reduce((sum, each) => sum + each.offsetHeight, 0);
+        const most = isBelow ? 0.4 * whole : isFull || isFrame || isBeside ? whole - rest : Infinity;
+        const shrink = Math.min(1, room / width, Math.max(most, 1) / height);
         [width, height] = isFull ? [room, most] : [width * shrink, height * shrink];
         this.canvas.style.width = `${width}px`;
         this.canvas.style.height = `${height}px`;
+        panel.style.maxHeight = isOver ? `${height}px` : "";
         const sharp = (/** @type {number} */ side) => Math.max(1, Math.round(side * Math.min(devicePixelRatio, 2)));
         if (this.size.width === sharp(width) && this.size.height === sharp(height)) return;
         this.size = { width: sharp(width), height: sharp(height) };
@@ -352,7 +360,7 @@ export class App {
     }
 
     get hash() {
-        return this.opened ? hashOf(this.opened.knobs, (knob) => this.firstOf(knob), this.clock, this.view, !this.clock.element.hidden) : "";
+        return this.opened ? hashOf(this.opened.knobs, this.clock, this.view, !this.clock.element.hidden) : "";
     }
 
     writeLink() {
@@ -366,9 +374,8 @@ export class App {
     }
 
     restoreLink() {
-        const { opened } = this;
-        if (!opened || location.hash.length < 2 || location.hash.slice(1) === this.hash) return;
-        restore(location.hash, opened.knobs, this.clock, this.view, (change) => this.tell(change));
+        if (!this.opened || location.hash.length < 2 || location.hash.slice(1) === this.hash) return;
+        restore(location.hash, this.controls.knobs, this.clock, this.view, (change) => this.tell(change));
         this.change();
     }
 
@@ -385,24 +392,42 @@ export class App {
 
     hardcopy() {
         this.draw(performance.now());  // what is drawn can be read until the browser shows it
-        this.canvas.toBlob((blob) => {
-            if (!blob) return;
-            const link = make("a", { href: URL.createObjectURL(blob), download: `${this.title}.png` });
-            link.click();
-            setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-        });
+        this.canvas.toBlob((blob) => blob && this.save(`${this.title}.png`, blob));
+    }
+
+    /**
+     * @param {string} name of the file
+     * @param {Blob} content
+     */
+    save(name, content) {
+        const link = make("a", { href: URL.createObjectURL(content), download: name });
+        link.click();
+        setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+        // A frame is not told whether it has saved.
+        if (window !== top && origin === "null") this.flash("Nothing is saved if this frame has no \u201callow-downloads\u201d");
+    }
+
+    get isFull() {
+        return document.fullscreenElement === this.element;
     }
 
     fullScreen() {
         if (document.fullscreenElement) document.exitFullscreen();
-        else this.stage.requestFullscreen().catch(() => this.flash("The browser forbids it here"));
+        else this.element.requestFullscreen?.().catch(() => this.flash("The browser forbids it here"));
     }
 
     /** @param {boolean} on */
     showSources(on) {
+        if (this.isFull) return;
         this.editor.element.hidden = !on || this.editor.sources.size === 0;
         this.sourceButton.setAttribute("aria-pressed", String(on));
+        this.resize();
         if (on) this.editor.paint();
+    }
+
+    /** Those that lie over the picture where there is no room beside it. */
+    showValues() {
+        this.valuesButton.setAttribute("aria-pressed", String(this.element.classList.toggle("open")));
     }
 
     /**
@@ -414,13 +439,9 @@ export class App {
         this.note.hidden = false;
     }
 
-    hideNote() {
-        this.note.hidden = true;
-    }
-
     /** @param {string} text that goes away by itself */
     flash(text) {
         this.showNote(text);
-        setTimeout(() => this.hideNote(), 2500);
+        setTimeout(() => { this.note.hidden = true; }, 2500);
     }
 }

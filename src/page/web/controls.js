@@ -4,11 +4,8 @@
 import { make } from "./dom.js";
 import { SliderScale, StopScale } from "./slider.js";
 
-/** @param {number[]} a @param {number[]} b */
-export const areEqual = (a, b) => a.length === b.length && a.every((each, i) => each === b[i]);
-
 /** @param {Knob} knob */
-const isChanged = (knob) => !areEqual(knob.current, knob.initial);
+export const isChanged = ({ current, initial }) => current.length !== initial.length || current.some((each, i) => each !== initial[i]);
 
 /**
  * A colour of numbers from 0 to 1 as #rrggbb.
@@ -27,8 +24,8 @@ export class Controls {
         this.tell = tell;
         /** @type {Knob[]} */
         this.knobs = [];
-        /** @type {Map<number, (() => void)[]>} what shows a knob's value again */
-        this.shown = new Map();
+        /** @type {(() => void)[]} what shows the values again */
+        this.shown = [];
         /** @type {Map<string, boolean>} folds that were opened or closed */
         this.folds = new Map();
         this.shape = "";
@@ -44,7 +41,7 @@ export class Controls {
         this.knobs = knobs;
         if (shape === this.shape) return this.refresh();
         this.shape = shape;
-        this.shown.clear();
+        this.shown = [];
         /** @type {[string, HTMLElement[]][]} */
         const groups = [["Variables", []], ["Shared by programs", []]];
         knobs.forEach((knob, index) => {
@@ -60,32 +57,28 @@ export class Controls {
         });
         const filled = groups.filter(([, rows]) => rows.length > 0);
         this.panel.replaceChildren(...filled.map(([title, rows]) => {
-            const fold = make("details", { open: this.folds.get(title) ?? true }, make("summary", { text: title }), ...rows);
+            const fold = make("details", { open: this.folds.get(title) ?? true }, make("summary", { text: title }), make("div", { class: "rows" }, ...rows));
             fold.addEventListener("toggle", () => this.folds.set(title, fold.open));
             return fold;
         }));
         if (knobs.length > 0) {
-            const all = make("button", { type: "button", class: "reset-all", text: "Reset values", click: () => this.tell({ reset: -1 }) });
+            const all = make("button", { type: "button", class: "reset-all", text: "Reset values", click: () => this.reset() });
             this.panel.append(all);
-            this.shows(0, () => { all.disabled = !this.knobs.some(isChanged); });
+            this.shown.push(() => { all.disabled = !this.knobs.some(isChanged); });
         }
         this.panel.hidden = knobs.length === 0;
         this.refresh();
     }
 
-    /** Shows all values again. */
-    refresh() {
-        for (const each of this.shown.values()) for (const show of each) show();
+    /** All values are those with which the page opens. */
+    reset() {
+        this.tell({ reset: -1 });
+        this.knobs.forEach((knob, index) => isChanged(knob) && this.tell({ knob: index, values: knob.initial }));
     }
 
-    /**
-     * @param {number} index
-     * @param {() => void} show
-     */
-    shows(index, show) {
-        const known = this.shown.get(index);
-        if (known) known.push(show);
-        else this.shown.set(index, [show]);
+    /** Shows all values again. */
+    refresh() {
+        for (const show of this.shown) show();
     }
 
     /**
@@ -106,7 +99,7 @@ export class Controls {
         const owner = knob.owner && !isShared ? ` of ${knob.owner}` : "";
         const reset = make("button", { type: "button", class: "reset", text: "\u21ba", title: `Reset ${knob.name}`,
             "aria-label": `Reset ${knob.name}${owner}`, click: () => set([...this.knobs[index].initial]) });
-        this.shows(index, () => { reset.disabled = !isChanged(this.knobs[index]); });
+        this.shown.push(() => { reset.disabled = !isChanged(this.knobs[index]); });
         const inputs = this.inputs(index, knob.name + owner, setOne, set);
         return make("div", { class: `knob ${knob.words ? "choice" : knob.widget}` },
             make("span", { class: "name", text: knob.name, title: knob.declaration || knob.name }), make("span", { class: "inputs" }, ...inputs), reset);
@@ -124,13 +117,13 @@ export class Controls {
         if (knob.widget === "checkBox" && !knob.words)
             return knob.current.map((_, i) => {
                 const box = make("input", { type: "checkbox", "aria-label": labelOf(label, knob, i), change: ({ target }) => setOne(i, target.checked ? 1 : 0) });
-                this.shows(index, () => { box.checked = now()[i] !== 0; });
+                this.shown.push(() => { box.checked = now()[i] !== 0; });
                 return box;
             });
         if (knob.words) {
             const menu = make("select", { "aria-label": label, change: ({ target }) => setAll([target.selectedIndex]) },
                 ...knob.words.map((word) => make("option", { text: word })));
-            this.shows(index, () => { menu.selectedIndex = now()[0]; });
+            this.shown.push(() => { menu.selectedIndex = now()[0]; });
             return [menu];
         }
         if (knob.widget === "color") {
@@ -139,7 +132,7 @@ export class Controls {
                 setAll([...parts, ...now().slice(3)]);
             } });
             const text = make("output", { class: "number" });
-            this.shows(index, () => {
+            this.shown.push(() => {
                 field.value = hexOf(now());
                 text.value = now().slice(0, 3).map((each) => each.toFixed(2)).join(" ");
             });
@@ -164,7 +157,7 @@ export class Controls {
             const thumb = make("input", { type: "range", min: 0, max: 1, step: "any", "aria-label": name,
                 input: ({ target }) => setOne(i, scale.valueAt(target.valueAsNumber)) });
             if (scale.isInteger) thumb.step = String(1 / Math.max(1, scale.maximum - scale.minimum));
-            this.shows(index, () => {
+            this.shown.push(() => {
                 const value = this.knobs[index].current[i];
                 // The thumb stays where the user holds it: it may stand between two rounded values.
                 if (scale.valueAt(thumb.valueAsNumber) !== value) thumb.valueAsNumber = scale.positionOf(value);
@@ -183,7 +176,7 @@ export class Controls {
     numberField(index, component, label, setOne) {
         const field = make("input", { type: "number", class: "number", step: "any", "aria-label": label,
             change: ({ target }) => setOne(component, target.valueAsNumber) });
-        this.shows(index, () => {
+        this.shown.push(() => {
             const value = this.knobs[index].current[component];
             if (field.valueAsNumber !== value) field.value = String(Number(value.toPrecision(7)));
         });

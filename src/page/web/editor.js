@@ -9,8 +9,9 @@ export class Editor {
     /**
      * @param {(name: string, text: string) => void} changed
      * @param {(name: string, text: string) => string} colour
+     * @param {(name: string, text: string) => void} save
      */
-    constructor(changed, colour) {
+    constructor(changed, colour, save) {
         this.changed = changed;
         this.colour = colour;
         /** @type {Map<string, { text: string, original: string, tab: HTMLButtonElement }>} */
@@ -24,13 +25,20 @@ export class Editor {
         this.area = make("textarea", { spellcheck: "false", autocapitalize: "off", autocomplete: "off", wrap: "off", rows: 1,
             input: () => this.type(), keydown: (/** @type {KeyboardEvent} */ event) => this.key(event) });
         this.restoreButton = make("button", { type: "button", text: "Restore", title: "The text as the page has it", click: () => this.restore() });
+        this.saveButton = make("button", { type: "button", text: "Save", title: "Save the text as a file",
+            click: () => save(this.open.slice(this.open.lastIndexOf("/") + 1), this.area.value) });
         this.code = make("div", { class: "code", role: "tabpanel" }, this.lines, this.area);
-        this.element = make("section", { class: "sources", "aria-label": "Sources" }, make("div", { class: "tabrow" }, this.tabs, this.restoreButton), this.code);
+        this.element = make("section", { class: "sources", "aria-label": "Sources" }, 
+            make("div", { class: "tabrow" }, this.tabs, this.restoreButton, this.saveButton), this.code);
     }
 
     /** Shows texts that cannot be changed. */
     fix() {
-        this.area.readOnly = this.restoreButton.hidden = true;
+        this.area.readOnly = this.restoreButton.hidden = this.saveButton.hidden = true;
+    }
+
+    get isChanged() {
+        return [...this.sources.values()].some((each) => each.text !== each.original);
     }
 
     /**
@@ -45,7 +53,7 @@ export class Editor {
                 this.sources.set(name, { text, original: text, tab });
             }
         this.tabs.replaceChildren(...texts.map((each) => /** @type {any} */ (this.sources.get(each.name)).tab));
-        this.element.hidden = texts.length === 0;
+        this.element.hidden ||= texts.length === 0;
         if (!this.sources.has(this.open) && texts.length > 0) this.show(texts[0].name);
     }
 
@@ -132,9 +140,7 @@ export class Editor {
     }
 
     restore() {
-        const source = this.sources.get(this.open);
-        if (!source) return;
-        this.area.value = source.original;
+        this.area.value = this.sources.get(this.open)?.original ?? "";
         this.type();
     }
 }

@@ -7,6 +7,9 @@ import { make } from "./dom.js";
 /** @type {Record<string, string>} */
 const kNames = { " ": "space", Enter: "enter", ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down" };
 
+/** @param {number} x @param {number} y degrees @returns {import("./matrices.js").Drag} */
+const turn = (x, y) => ({ gesture: "rotate", x, y, width: 180, height: 180 });
+
 /** @type {Record<string, (app: App) => void>} */
 const kOwn = {
     space: (app) => app.clock.play(!app.clock.isPlaying),
@@ -17,12 +20,19 @@ const kOwn = {
     c: (app) => app.view.nextCamera(),
     p: (app) => app.view.nextProjection(),
     e: (app) => app.showSources(app.editor.element.hidden),
+    v: (app) => app.showValues(),
+    f: (app) => app.fullScreen(),
+    left: (app) => app.view.drag(turn(-5, 0)),
+    right: (app) => app.view.drag(turn(5, 0)),
+    up: (app) => app.view.drag(turn(0, 5)),
+    down: (app) => app.view.drag(turn(0, -5)),
     1: (app) => app.view.setMode("scene"),
     2: (app) => app.view.setMode("eye"),
     4: (app) => app.view.setMode("texture"),
 };
 
-const kOfView = ["r", "c", "p", "1", "2", "4"];
+const kArrows = ["left", "right", "up", "down"];  // while the picture has the focus
+const kOfView = ["r", "c", "p", "1", "2", "4", ...kArrows];
 
 /** @param {KeyboardEvent} event as Key statements name it */
 const nameOf = (event) => kNames[event.key] ?? event.key.toLowerCase();
@@ -31,7 +41,7 @@ const nameOf = (event) => kNames[event.key] ?? event.key.toLowerCase();
 function isTyping(target, name) {
     if (!(target instanceof HTMLElement)) return false;
     if (target.closest("textarea, select, input:not([type=range], [type=checkbox])")) return true;
-    const isUsed = name === "space" || name === "enter" || ["left", "right", "up", "down"].includes(name);
+    const isUsed = name === "space" || name === "enter" || kArrows.includes(name);
     return isUsed && target.closest("input, button, summary, a, [role=tab]") !== null;
 }
 
@@ -60,8 +70,10 @@ export class Keys {
             const name = nameOf(event);
             if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target, name)) return;
             const isOfScene = !event.shiftKey && this.keys.some((each) => each.key.toLowerCase() === name);
+            const isElsewhere = kArrows.includes(name) && event.target !== this.app.canvas;
+            const isOwn = kOwn[name] && !isElsewhere && !(this.app.view.isFixed && kOfView.includes(name));
             if (isOfScene) this.press(name, event.repeat);
-            else if (kOwn[name] && !(this.app.view.isFixed && kOfView.includes(name))) kOwn[name](this.app);
+            else if (isOwn) kOwn[name](this.app);
             else return;
             event.preventDefault();
         });

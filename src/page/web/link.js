@@ -3,7 +3,7 @@
 /** @typedef {import("./types.js").Knob} Knob */
 /** @typedef {import("./time.js").Clock} Clock */
 /** @typedef {import("./view.js").ViewControl} ViewControl */
-import { areEqual } from "./controls.js";
+import { isChanged } from "./controls.js";
 import { isIdentity } from "./matrices.js";
 
 /** @param {number[]} numbers */
@@ -33,15 +33,14 @@ function keyOf(knobs, index) {
 /**
  * The hash for what differs from the page as it opens.
  * @param {Knob[]} knobs
- * @param {(knob: Knob) => number[]} firstOf the values with which a knob opens
  * @param {Clock} clock
  * @param {ViewControl} view
  * @param {boolean} hasTime
  */
-export function hashOf(knobs, firstOf, clock, view, hasTime) {
+export function hashOf(knobs, clock, view, hasTime) {
     const parts = new URLSearchParams();
     knobs.forEach((knob, index) => {
-        if (!areEqual(knob.current, firstOf(knob))) parts.set(keyOf(knobs, index), textOf(knob.current));
+        if (isChanged(knob)) parts.set(keyOf(knobs, index), textOf(knob.current));
     });
     if (hasTime && !clock.isPlaying) parts.set("time", textOf([clock.seconds]));
     if (hasTime && clock.speed !== 1) parts.set("speed", textOf([clock.speed]));

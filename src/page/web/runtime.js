@@ -3,24 +3,13 @@
 import {glImports} from "./gl.js";
 import {wasiImports} from "./wasi.js";
 
-/** @typedef {{severity: string, id: string, text: string, suggestion?: string, file?: string, line?: number,
- *             column?: number}} Message */
-/** @typedef {{owner: string, name: string, widget: string, declaration: string, isInteger: boolean, isShared: boolean,
- *             minimum: number, maximum: number, initial: number[], current: number[], words?: string[], file: string,
- *             line: number}} Knob */
+/** @typedef {import("./types.js").Message} Message */
+/** @typedef {import("./types.js").Knob} Knob */
 /** @typedef {{drawn: boolean, messages?: Message[], ended?: boolean, animated?: boolean, knobs?: any[]} & Record<string, any>} Answer */
 
 const same = (/** @type {any} */ a, /** @type {any} */ b) => JSON.stringify(a) === JSON.stringify(b);
 
 export class Runtime {
-    /**
-     * @param {BufferSource} bytes the module
-     * @param {HTMLCanvasElement} canvas
-     */
-    static async make(bytes, canvas) {
-        return new Runtime(await WebAssembly.compile(bytes), canvas);
-    }
-
     /**
      * @param {WebAssembly.Module} module
      * @param {HTMLCanvasElement} canvas
@@ -111,7 +100,7 @@ export class Runtime {
 
     /**
      * A text as HTML, a list item per line; empty while there is no instance.
-     * @param {"glib" | "glsl"} language
+     * @param {string} language
      * @param {string} text
      * @param {string} [_name] of the file
      */

@@ -51,7 +51,6 @@ export class Clock {
         this.stepRate = scene.stepRate ?? 0;
         this.element.hidden = !scene.animated && !scene.hasSteps;
         this.stepButton.hidden = !scene.hasSteps || !(this.stepRate > 0);
-        this.show();
     }
 
     show() {
@@ -69,12 +68,6 @@ export class Clock {
         if (!this.span) return Math.max(0, seconds);
         const { begin, step, count } = this.span, frame = Math.floor((seconds - begin) / step + 1e-6);
         return begin + Math.min(Math.max(frame || 0, 0), count - 1) * step;
-    }
-
-    /** Stands at the beginning. */
-    hold() {
-        this.restart();
-        this.play(false);
     }
 
     /** @param {boolean} on */

@@ -8,6 +8,9 @@ import { dragged, draggedTexture, identity, isIdentity, product } from "./matric
 const kWheelPixels = 20;  // of a drag, for one notch
 /** @typedef {"eye" | "scene" | "texture"} Mode what the mouse moves */
 
+/** @returns {View} as the scene has it */
+const ownView = () => ({ scene: identity(), eye: identity(), texture: identity(), projection: "scene" });
+
 export class ViewControl {
     /**
      * @param {() => void} changed
@@ -27,18 +30,16 @@ export class ViewControl {
         this.around = { before: identity(), projection: identity() };
         /** @type {Map<number, PointerEvent>} */
         this.pointers = new Map();
+        this.isTurning = false;  // the one finger on the picture
         this.lastNotch = { size: 0, time: 0, shrinking: 0 };
-        this.view = ViewControl.asInScene();
-        this.cameraMenu = menu("Camera (C)", [["", "own camera"]], (value) => {
-            this.tell({ camera: value });
-        });
+        this.view = ownView();
+        this.cameraMenu = menu("Camera (C)", [["", "own camera"]], (value) => this.tell({ camera: value }));
         this.projectionMenu = menu("Projection (P)", [["scene", "own projection"], ["orthographic", "orthographic"], ["perspective", "perspective"]], (value) => {
             this.view.projection = /** @type {View["projection"]} */ (value);
             this.changed();
         });
-        this.modeMenu = menu("What the mouse moves (1, 2, 4)", [["eye", "move eye"], ["scene", "move scene"], ["texture", "move textures"]], (value) => {
-            this.setMode(/** @type {Mode} */ (value));
-        });
+        this.modeMenu = menu("What mouse, fingers and arrow keys move (1, 2, 4)", [["eye", "move eye"], ["scene", "move scene"], ["texture", "move textures"]],
+            (value) => this.setMode(/** @type {Mode} */ (value)));
         this.resetButton = iconButton("home", "Reset the view (R)", () => this.reset());
         this.isFixed = false;  // as in a film
         this.element = make("span", { class: "view", role: "group", "aria-label": "View" }, this.modeMenu, this.projectionMenu, this.cameraMenu, this.resetButton);
@@ -58,7 +59,6 @@ export class ViewControl {
         this.camera = camera;
         this.cameraMenu.hidden = cameras.length < 2;
         this.cameraMenu.replaceChildren(...["", ...cameras].map((each) => make("option", { value: each, text: each || "own camera" })));
-        this.show();
     }
 
     show() {
@@ -68,20 +68,14 @@ export class ViewControl {
         this.resetButton.disabled = !this.isChanged;
     }
 
-    /** @returns {View} */
-    static asInScene() {
-        return { scene: identity(), eye: identity(), texture: identity(), projection: "scene" };
-    }
-
     get isChanged() {
         return this.view.projection !== "scene" || this.camera !== "" ||
             ![this.view.scene, this.view.eye, this.view.texture].every(isIdentity);
     }
 
     reset() {
-        this.view = ViewControl.asInScene();
+        this.view = ownView();
         this.tell({ camera: "" });
-        this.changed();
     }
 
     /** @param {Mode} mode */
@@ -115,9 +109,12 @@ export class ViewControl {
     /** @param {HTMLCanvasElement} canvas */
     listen(canvas) {
         if (this.isFixed) return;
+        // Two fingers never scroll the page.
+        canvas.addEventListener("touchstart", (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
         canvas.addEventListener("pointerdown", (event) => {
             canvas.focus({ preventScroll: true });
             canvas.setPointerCapture(event.pointerId);
+            this.isTurning = event.pointerType !== "touch" || document.fullscreenElement !== null;
             this.pointers.set(event.pointerId, event);
             this.follow(canvas, event);
         });
@@ -144,8 +141,10 @@ export class ViewControl {
         const x = event.clientX - before.clientX, y = before.clientY - event.clientY;
         const { width, height } = canvas.getBoundingClientRect();
         const other = [...this.pointers.values()].find((each) => each.pointerId !== event.pointerId);
+        // A finger that begins upwards or downwards scrolls the page (see live.css).
+        this.isTurning ||= other !== undefined || Math.abs(x) > Math.abs(y);
+        if (!this.isTurning || (x === 0 && y === 0)) return;
         this.pointers.set(event.pointerId, event);
-        if (x === 0 && y === 0) return;
         if (other) {
             // Two fingers: what they have in common moves, and their distance scales.
             const distance = (/** @type {PointerEvent} */ each) => Math.hypot(each.clientX - other.clientX, each.clientY - other.clientY);
