@@ -19,7 +19,6 @@ const kGap = 16;  // between the picture and what stands beside it
 const kNarrow = 760;  // from here on values stand beside the picture
 const kWide = 960;  // from here on sources do
 const kSources = 480;  // that they have at least
-
 const kRest = 1000;  // milliseconds off the screen until a frame gives its context back
 
 /** @param {{ width: number, height: number }} [size] in pixels */
