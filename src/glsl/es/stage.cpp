@@ -73,9 +73,10 @@ constexpr std::array kWritten = std::to_array<Written>({
 });
 
 /// The shifts of both translations after each other: from columns by `second` to those of the text that
-/// `first` begins with. `line`: where the line comes from.
+/// `first` begins with. `line`: where the line comes from; none for lines of the translation.
 std::vector<ColumnShift> joinedShifts(std::vector<ColumnShift> second, const std::vector<ColumnShift>& first,
                                       const LineOrigin& line) {
+    if (line.file < 0 || (second.empty() && first.empty())) return {};
     if (second.empty() || second.front().emitted > 1) second.insert(second.begin(), ColumnShift());
     std::vector<ColumnShift> joined;
     for (std::size_t i = 0; i < second.size(); ++i) {
