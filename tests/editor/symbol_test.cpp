@@ -6,6 +6,7 @@
 #include <string>
 
 #include "editor/declared_names.h"
+#include "example_scenes.h"
 #include "server_test.h"
 
 namespace glibra::test {

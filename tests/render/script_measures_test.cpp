@@ -239,7 +239,8 @@ TEST(ScriptChecks, LookAtPartsOfTheirObjects) {
 
 /// What the notes of Print say, one after another.
 std::string printed(const std::string& scene) {
-    std::string problems = problemsOf(scene), all;
+    const std::string problems = problemsOf(scene);
+    std::string all;
     for (std::size_t at = problems.find("note: "); at != std::string::npos;
          at = problems.find("note: ", at + 1)) {
         const std::size_t end = problems.find(" [check-N02]", at);
