@@ -11,6 +11,7 @@
 
 #include "base/suggest.h"
 #include "geometry/shapes/primitive.h"
+#include "glib/limits.h"
 
 namespace glibra::glib::test {
 namespace {
