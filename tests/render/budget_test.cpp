@@ -229,7 +229,7 @@ struct CurveForm {
     std::string curvature = "1.";
 };
 
-Result<Picture> drawForm(const CurveForm& form, RenderOptions options) {
+Result<Picture> drawForm(const CurveForm& form, const RenderOptions& options) {
     std::map<std::string, std::string> files = kCurve;
     files["a.vert"] = "#version 400\nout float vBend;\nvoid main() { gl_Position = " + form.place +
                       "; vBend = " + form.curvature + "; }\n";
@@ -253,7 +253,7 @@ Result<Picture> drawForm(const CurveForm& form, RenderOptions options) {
         (form.levels.empty() ? "" : "TessControl a.tcs\n") +
         "TessEvaluation a.tes\nFragment a.frag\nProgram P" + (isSet ? " uPieces <1 4 60>" : "") +
         "\nNumPatchVertices 2\n" + form.draws;
-    return tryPicture(text, files, std::move(options));
+    return tryPicture(text, files, options);
 }
 
 // A parabola of 2 x 1 units with 4 pieces is 200 / 4^2 = 12.5 pixels from its chords, however its patch is
@@ -386,14 +386,14 @@ TEST(Budget, EachFrameOfAFilmIsThePictureOfItsTime) {
 }
 
 /// A rectangle over the whole picture, whose fragment stage has this main; `vX` is in pixels.
-Result<Picture> painted(const std::string& main, const std::string& more, RenderOptions options) {
+Result<Picture> painted(const std::string& main, const std::string& more, const RenderOptions& options) {
     return tryPicture("Background 0\nOrtho 0 100 -10 10 -1 1\nVertex a.vert\nFragment a.frag\n" + more +
                           "Program P\nTranslate 50 0 0\nQuadXY 0 100\n",
                       {{"a.vert",
                         "#version 330 core\nout float vX;\nvoid main() {\n    vX = aVertex.x + 50.;\n"
                         "    gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n"},
                        {"a.frag", "#version 430 core\nin float vX;\nout vec4 fColor;\n" + main}},
-                      std::move(options));
+                      options);
 }
 
 RenderOptions stripOptions(double maxError) {
@@ -453,7 +453,7 @@ TEST(Budget, StraightLinesTakeOneCellWhereNothingElseIsComputedOnThem) {
                             ";\n    gl_Position = uModelViewProjectionMatrix * aVertex;\n}\n"},
              {"a.frag",
               "#version 330 core\nin vec3 vC;\nout vec4 fColor;\nvoid main() { fColor = vec4(vC, 1.); }\n"}});
-        RenderOptions options = bounded(.25);
+        const RenderOptions options = bounded(.25);
         render::Stats stats;
         const Result<render::SceneRenderer> made =
             render::SceneRenderer::load(sharedContext(), folder / "scene.glib", options, stats);
