@@ -1,6 +1,7 @@
 #include "gpu/object/buffer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <new>
 #include <vector>
@@ -39,8 +40,14 @@ Result<Buffer> Buffer::create(std::size_t bytes, GLenum usage) {
     return allocate(nullptr, bytes, usage);
 }
 
+std::uint64_t Buffer::nextContent() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
 void Buffer::update(std::size_t offset, std::span<const std::byte> content) {
     if (offset >= size_ || content.empty()) return;
+    content_ = nextContent();
     const std::size_t bytes = std::min(content.size(), size_ - offset);
     glBindBuffer(kUploadTarget, id());
     glBufferSubData(kUploadTarget, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
@@ -48,6 +55,7 @@ void Buffer::update(std::size_t offset, std::span<const std::byte> content) {
 }
 
 void Buffer::clear(const Capabilities& capabilities) {
+    content_ = nextContent();
     if (size_ == 0) return;
     if (!capabilities.atLeast(4, 3)) return update(0, std::vector<std::byte>(size_));
     glBindBuffer(kUploadTarget, id());
@@ -68,6 +76,7 @@ void Buffer::copyFrom(const Buffer& other) {
 
 void Buffer::copyFrom(const Buffer& other, std::size_t from, std::size_t to, std::size_t bytes) {
     if (from >= other.size_ || to >= size_) return;
+    content_ = nextContent();
     bytes = std::min({bytes, other.size_ - from, size_ - to});
     glBindBuffer(GL_COPY_READ_BUFFER, other.id());
     glBindBuffer(kUploadTarget, id());

@@ -4,6 +4,7 @@
 
 #include <glad/gl.h>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "gpu/context/capabilities.h"
@@ -40,11 +41,15 @@ class Buffer {
 
     [[nodiscard]] GLuint id() const { return name_.get(); }
     [[nodiscard]] std::size_t size() const { return size_; }
+    /// Another number for each content of each buffer of this process, as long as no shader writes it.
+    [[nodiscard]] std::uint64_t content() const { return content_; }
 
   private:
+    static std::uint64_t nextContent();
     static Result<Buffer> allocate(const std::byte* content, std::size_t bytes, GLenum usage);
     Name<glDeleteBuffers> name_;
     std::size_t size_ = 0;
+    std::uint64_t content_ = nextContent();
 };
 
 // Buffers that shaders read as textures: samplerBuffer, imageBuffer and their like.

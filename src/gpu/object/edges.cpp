@@ -44,7 +44,8 @@ void EdgeBuffers::draw(const Buffer* indices, std::size_t offset, int count, GLe
     const std::uint32_t all = static_cast<std::uint32_t>(count);
     const Key key{indices != nullptr ? indices->id() : 0, offset, isPart ? std::bit_ceil(all) : all, mode};
     auto known = made_.find(key);
-    if (known == made_.end()) {
+    const std::uint64_t content = indices != nullptr ? indices->content() : 0;
+    if (known == made_.end() || known->second.content != content) {
         std::vector<std::uint32_t> read(std::get<2>(key));
         if (indices != nullptr)
             indices->read(offset, std::as_writable_bytes(std::span(read)));
@@ -53,7 +54,9 @@ void EdgeBuffers::draw(const Buffer* indices, std::size_t offset, int count, GLe
         const std::vector<std::uint32_t> edges = edgesOf(read, mode);
         Result<Buffer> buffer = Buffer::create(std::as_bytes(std::span(edges)));
         if (!buffer) return;
-        known = made_.try_emplace(key, Edges{std::move(*buffer), static_cast<int>(edges.size())}).first;
+        known =
+            made_.insert_or_assign(key, Edges{std::move(*buffer), static_cast<int>(edges.size()), content})
+                .first;
     }
     // The buffer of indices is a part of the vertex array.
     known->second.buffer.bind(GL_ELEMENT_ARRAY_BUFFER);

@@ -27,6 +27,7 @@ class EdgeBuffers {
     struct Edges {
         Buffer buffer;
         int count = 0;
+        std::uint64_t content = 0;  ///< of the indices
     };
     using Key = std::tuple<GLuint, std::size_t, std::uint32_t, GLenum>;
     std::map<Key, Edges> made_;

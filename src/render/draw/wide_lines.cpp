@@ -56,7 +56,8 @@ void LineWidener::prepare(const BuiltProgram& built) {
 }
 
 void LineWidener::list(Ends& ends, const Lines& lines) {
-    const Key key{lines.indices != nullptr ? lines.indices->id() : 0, lines.offset, lines.count, lines.mode};
+    const Key key{lines.indices != nullptr ? lines.indices->content() : 0, lines.offset, lines.count,
+                  lines.mode};
     if (ends.key == key) return;
     ends.key = key;
     std::vector<std::uint32_t> indices(static_cast<std::size_t>(std::max(0, lines.count)));

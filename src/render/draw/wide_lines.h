@@ -58,7 +58,7 @@ class LineWidener {
     Diagnostics takeProblems() { return std::exchange(problems_, {}); }
 
   private:
-    using Key = std::tuple<GLuint, std::uint64_t, int, GLenum>;  ///< what lines depend on
+    using Key = std::tuple<std::uint64_t, std::uint64_t, int, GLenum>;  ///< what lines depend on
     struct Ends {
         Key key{};
         std::vector<std::uint32_t> vertexPairs{};  ///< two for each line, then zeros to the end of a row
