@@ -54,7 +54,7 @@ struct BothLines {
 
 BothLines bothLines(const std::string& scene, const RenderOptions& options) {
     const SceneFolder folder(scene);
-    // A context of this driver loads the functions of which the table is changed.
+    // Opening a context of this driver fills the table of functions, which is then changed.
     Result<Renderer> wide = Renderer::open(Driver::gles);
     if (!wide) throw std::runtime_error(text(wide.diagnostics));
     Result<Picture> own = wide->render(folder / "scene.glib", options);
