@@ -92,12 +92,15 @@ class Browser:
         return self.ask("POST", self.session + "/execute/sync", {"script": script, "args": list(arguments)})
 
     def wait(self, script, *arguments):
-        """Waits until the script gives something true, and returns it. ctest ends what never comes."""
-        while True:
+        """Waits until the script gives something true, and returns it. What never comes is named before ctest ends the test."""
+        end = time.monotonic() + self.patience / 3
+        while time.monotonic() < end:
             value = self.run(script, *arguments)
             if value:
                 return value
             time.sleep(0.02)
+        raise TimeoutError("not in %d s: %s %s; the page says: %s"
+                           % (self.patience / 3, script, arguments, self.run("return JSON.stringify(document.body.dataset)")))
 
     def element(self, selector):
         return self.ask("POST", self.session + "/element", {"using": "css selector", "value": selector})[ELEMENT]

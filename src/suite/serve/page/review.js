@@ -78,15 +78,17 @@ function alike(part) {
 
 // A picture has been seen once half of it, or as much as fits, is in view and decoded. `reported` tells the server.
 let seen = new Set(), reported = Promise.resolve();
-const eye = new IntersectionObserver((entries) => {
+function look(entries) {
     const now = entries.filter((each) => each.isIntersecting && document.visibilityState === "visible" &&
         each.target.naturalWidth > 0 &&
         (each.intersectionRatio >= .5 || each.intersectionRect.height >= .5 * each.rootBounds.height))
         .map((each) => Number(each.target.dataset.got)).filter((shot) => !seen.has(shot));
     if (!now.length) return;
     for (const shot of now) seen.add(shot);
-    reported = reported.then(() => send("see", {shots: now})).then(() => { document.body.dataset.seen = [...seen].join(" "); });
-}, {threshold: [0, .1, .2, .3, .4, .5]});
+    reported = reported.then(() => send("see", {shots: now})).then(() => { document.body.dataset.seen = [...seen].join(" "); },
+        () => { for (const shot of now) seen.delete(shot); });  // the server did not get it: another look reports it
+}
+const eye = new IntersectionObserver(look, {threshold: [0, .1, .2, .3, .4, .5]});
 function watch() {
     eye.disconnect();
     for (const image of document.querySelectorAll("[data-got]")) eye.observe(image);
@@ -165,8 +167,9 @@ function sayWhy(refused) {
 async function decide(what, shots, more = {}) {
     if (!ready || !shots.length) return;
     byId("said").textContent = "";
-    // What has just come into view is reported with the next frame.
+    // What has just come into view is known after the next frame, which may not have told it yet.
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    look(eye.takeRecords());
     await reported;
     const reply = await send(what, {shots, ...more});
     const refused = reply.refused || [];
