@@ -10,6 +10,7 @@ namespace glibra::classroom {
 namespace {
 
 constexpr float kVisible = 8.0F / 255;           // of a component of a reduced pixel
+constexpr float kAny = 1.0F / 255;               // of the same: more than rounding
 constexpr double kNoEffect = .15, kEffect = .6;  // unrelated changes have up to 0.15
 constexpr double kLocal = .4, kEverywhere = .6;  // of the objects
 constexpr double kOtherwise = .35;
@@ -23,6 +24,10 @@ Colors change(const Colors& before, const Colors& after) {
 
 bool isVisible(const Color& change) {
     return colorDistance(change, {}) > kVisible;
+}
+
+bool isAny(const Color& change) {
+    return colorDistance(change, {}) > kAny;
 }
 
 double product(const Color& a, const Color& b) {
@@ -165,7 +170,8 @@ std::optional<Effect> effectOf(const Colors& referenceBefore, const Colors& refe
     }
     effect.share = changed / shown;
     const Colors got = change(before, after);
-    if (std::ranges::none_of(got.at, isVisible)) return effect;
+    // The cosine does not depend on the strength: a weaker change than the reference's is not another one.
+    if (std::ranges::none_of(got.at, isAny)) return effect;
     const double norm = std::sqrt(square(wanted) * square(got));
     for (int v = -wanted.height / 4; v <= wanted.height / 4; ++v)
         for (int u = -wanted.width / 4; u <= wanted.width / 4; ++u)

@@ -76,5 +76,35 @@ TEST(CutPictures, OthersAreNone) {
     EXPECT_FALSE(isCutFrom(sky, stars));
 }
 
+/// The picture with a square of it brighter.
+image::Image brighterAt(image::Image picture, int left, int top, int by) {
+    for (int y = top; y < top + 40; ++y)
+        for (int i = 3 * left; i < 3 * (left + 40); ++i) {
+            std::byte& each =
+                picture.data[static_cast<std::size_t>(y * picture.width * 3) + static_cast<std::size_t>(i)];
+            each = static_cast<std::byte>(std::min(std::to_integer<int>(each) + by, 255));
+        }
+    return picture;
+}
+
+TEST(Effects, AreAlikeInAnyStrength) {
+    const image::Image plain = detailed(256, 256, 20);
+    const Colors before = reduced(plain), after = reduced(brighterAt(plain, 80, 100, 20));
+    for (const int by : {40, 20, 9, 5, 2}) {
+        const auto effect = effectOf(before, after, before, reduced(brighterAt(plain, 80, 100, by)));
+        ASSERT_TRUE(effect);
+        EXPECT_GT(effect->likeness, 0.97) << by;
+        EXPECT_EQ(keptLikeness(*effect), 1) << by;
+        EXPECT_FALSE(changesOtherwise(*effect)) << by;
+    }
+    const auto none = effectOf(before, after, before, before);
+    ASSERT_TRUE(none);
+    EXPECT_EQ(none->likeness, 0);
+    EXPECT_EQ(keptLikeness(*none), 0);
+    image::Image stray = plain;
+    stray.data[0] = stray.data[0] == std::byte{255} ? std::byte{253} : std::byte{255};
+    EXPECT_EQ(effectOf(before, after, before, reduced(stray))->likeness, 0) << "a stray pixel";
+}
+
 }  // namespace
 }  // namespace glibra::classroom
