@@ -67,7 +67,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     options.jobs = arguments.jobs;
     options.timeout = arguments.timeout;
     options.memory = arguments.memory;
-    options.skip = arguments.skip;
+    options.ofAll = arguments.ofAll;
     options.onlyRender = output;
     if (output.empty()) options.onlyRender = several ? "." : selection->suites.front().name;
 
@@ -195,7 +195,7 @@ int runRenderCommand(RenderArguments& arguments) {
         arguments.suite.untrusted = arguments.untrusted;
         arguments.suite.driver = arguments.driver;
         arguments.suite.jobs = arguments.jobs;
-        arguments.suite.skip = arguments.picture.options.skip;
+        arguments.suite.ofAll = arguments.picture;
         return renderSuites(arguments.suite, arguments.output);
     }
     if (arguments.scenes.empty())

@@ -28,7 +28,7 @@ struct SuiteArguments {
     std::optional<double> timeout;        ///< seconds; nothing: what each shot states
     std::optional<std::uint64_t> memory;  ///< bytes; nothing: what each shot states
     bool resume = false;
-    bool skip = true;  ///< false: --no-skip
+    suite::Shot ofAll{};  ///< options of all shots (RunOptions::ofAll)
     bool untrusted = false;
     /// Also runs the shots that others name by `match` and `differ`. With --update only the shots that --only
     /// names are replaced.

@@ -256,8 +256,7 @@ suite::RunOptions runOptions(const TestArguments& arguments, const std::optional
     options.jobs = arguments.suites.jobs;
     options.timeout = arguments.suites.timeout;
     options.memory = arguments.suites.memory;
-    options.skip = arguments.picture.options.skip;
-    options.checkUndefined = arguments.picture.options.checkUndefined;
+    options.ofAll = arguments.picture;
     options.update = arguments.updates();
     options.onlyMissing = arguments.update == kMissing;
     options.force = arguments.force;
@@ -562,8 +561,8 @@ void addTest(CommandLine& program, int& status) {
                      "repeated");
     command.jobs(to.suites.jobs);
     command.driver(to.suites.driver);
-    for (const char* each : {"timeout", "memory", "no-skip", "check-undefined"})
-        addPictureOption(command, each, to.picture);
+    for (const suite::OptionRow& row : suite::optionTable())
+        if (row.withSuite) addPictureOption(command, row.name, to.picture);
     addUntrustedOption(command, to.suites.untrusted);
     for (const char* each :
          {"--force", "--variant", "--replace-unreadable", "--any-driver", "--shard", "--resume", "--results",

@@ -7,71 +7,66 @@
 
 #include "base/text.h"
 #include "image/bytes.h"
+#include "image/formats/readers.h"
+#include "image/png/png_reader.h"
 
 namespace glibra::image {
 namespace {
 
-using Row = FormatRow;
-
-// One row per format. Add a new one here and, if it has a signature, below.
-constexpr std::array kFormatRows{
-    Row{Format::unknown, "neither a picture nor a raw texture", "", "", false},
-    Row{Format::bmp, "a BMP picture", "bmp", ".bmp .dib ", false},
-    Row{Format::png, "a PNG picture", "png", ".png .apng ", true},
-    Row{Format::jpeg, "a JPEG picture", "jpeg", ".jpg .jpeg .jpe .jfif ", false},
-    Row{Format::tiff, "a TIFF picture", "tiff", ".tif .tiff ", true},
-    Row{Format::openExr, "an EXR picture", "openexr", ".exr ", true},
-    Row{Format::hdr, "an HDR picture", "hdr", ".hdr .rgbe ", false},
-    Row{Format::targa, "a TGA picture", "targa", ".tga .tpic ", true},
-    Row{Format::gif, "a GIF picture", "gif", ".gif ", false},
-    Row{Format::webp, "a WebP picture", "webp", ".webp ", true},
-    Row{Format::photoshop, "a Photoshop picture", "psd", ".psd ", false},
-    Row{Format::dds, "a DDS picture", "dds", ".dds ", false},
-    Row{Format::pnm, "a PNM picture", "pnm", ".ppm .pgm .pbm .pnm ", false},
-    Row{Format::pfm, "a PFM picture", "pnm", ".pfm ", false},
-    Row{Format::sgi, "an SGI picture", "sgi", ".sgi .rgb .rgba .bw ", true},
-    Row{Format::icon, "an ICO picture", "ico", ".ico ", true},
-    Row{Format::heif, "a HEIF picture", "heif", ".heic .heif .avif ", true},
-    Row{Format::rawTexture, "a raw texture", "", ".tex ", false},
-};
-
-const Row& rowOf(Format format) {
-    return *std::find_if(kFormatRows.begin(), kFormatRows.end(),
-                         [&](const Row& row) { return row.format == format; });
-}
-
-struct Signature {
-    Format format;
-    std::size_t offset;
-    std::string_view bytes;
-};
-
 using namespace std::string_view_literals;
 
-constexpr std::array kSignatures{
-    Signature{Format::png, 0, "\x89PNG\r\n\x1a\n"sv},
-    Signature{Format::jpeg, 0, "\xff\xd8\xff"sv},
-    Signature{Format::tiff, 0, "II*\0"sv},
-    Signature{Format::tiff, 0, "MM\0*"sv},
-    Signature{Format::tiff, 0, "II+\0"sv},
-    Signature{Format::tiff, 0, "MM\0+"sv},
-    Signature{Format::openExr, 0, "v/1\x01"sv},
-    Signature{Format::hdr, 0, "#?RADIANCE"sv},
-    Signature{Format::hdr, 0, "#?RGBE"sv},
-    Signature{Format::gif, 0, "GIF87a"sv},
-    Signature{Format::gif, 0, "GIF89a"sv},
-    Signature{Format::photoshop, 0, "8BPS"sv},
-    Signature{Format::dds, 0, "DDS "sv},
-    Signature{Format::sgi, 0, "\x01\xda\0\x01"sv},
-    Signature{Format::sgi, 0, "\x01\xda\x01\x01"sv},
-    Signature{Format::sgi, 0, "\x01\xda\0\x02"sv},
-    Signature{Format::sgi, 0, "\x01\xda\x01\x02"sv},
-    Signature{Format::icon, 0, "\0\0\x01\0"sv},
-    Signature{Format::heif, 4, "ftypheic"sv},
-    Signature{Format::heif, 4, "ftypheix"sv},
-    Signature{Format::heif, 4, "ftypmif1"sv},
-    Signature{Format::heif, 4, "ftypavif"sv},
-};
+// One row per format. What has no signature is recognised in formatOf().
+constexpr auto kFormatRows = std::to_array<FormatRow>({
+    {Format::unknown, "neither a picture nor a raw texture", "", ""},
+    {Format::bmp, "a BMP picture", "bmp", ".bmp .dib ", Holds::nothing, decodeBmp},
+    {Format::png, "a PNG picture", "png", ".png .apng ", Holds::alpha, decodePng, {"\x89PNG\r\n\x1a\n"sv}},
+    {Format::jpeg,
+     "a JPEG picture",
+     "jpeg",
+     ".jpg .jpeg .jpe .jfif ",
+     Holds::nothing,
+     nullptr,
+     {"\xff\xd8\xff"sv}},
+    {Format::tiff,
+     "a TIFF picture",
+     "tiff",
+     ".tif .tiff ",
+     Holds::alpha,
+     nullptr,
+     {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}},
+    {Format::openExr, "an EXR picture", "openexr", ".exr ", Holds::alphaAndFloats, nullptr, {"v/1\x01"sv}},
+    {Format::hdr,
+     "an HDR picture",
+     "hdr",
+     ".hdr .rgbe ",
+     Holds::floats,
+     decodeHdr,
+     {"#?RADIANCE"sv, "#?RGBE"sv}},
+    {Format::targa, "a TGA picture", "targa", ".tga .tpic ", Holds::alpha, decodeTarga},
+    {Format::gif, "a GIF picture", "gif", ".gif ", Holds::nothing, nullptr, {"GIF87a"sv, "GIF89a"sv}},
+    {Format::webp, "a WebP picture", "webp", ".webp ", Holds::alpha},
+    {Format::photoshop, "a Photoshop picture", "psd", ".psd ", Holds::nothing, nullptr, {"8BPS"sv}},
+    {Format::dds, "a DDS picture", "dds", ".dds ", Holds::nothing, nullptr, {"DDS "sv}},
+    {Format::pnm, "a PNM picture", "pnm", ".ppm .pgm .pbm .pnm ", Holds::nothing, decodePnm},
+    {Format::pfm, "a PFM picture", "pnm", ".pfm ", Holds::floats, decodePfm},
+    {Format::sgi,
+     "an SGI picture",
+     "sgi",
+     ".sgi .rgb .rgba .bw ",
+     Holds::alpha,
+     nullptr,
+     {"\x01\xda\0\x01"sv, "\x01\xda\x01\x01"sv, "\x01\xda\0\x02"sv, "\x01\xda\x01\x02"sv}},
+    {Format::icon, "an ICO picture", "ico", ".ico ", Holds::alpha, nullptr, {"\0\0\x01\0"sv}},
+    {Format::heif,
+     "a HEIF picture",
+     "heif",
+     ".heic .heif .avif ",
+     Holds::alpha,
+     nullptr,
+     {"ftypheic"sv, "ftypheix"sv, "ftypmif1"sv, "ftypavif"sv},
+     4},
+    {Format::rawTexture, "a raw texture", "", ".tex "},
+});
 
 bool hasAt(std::span<const std::byte> bytes, std::size_t offset, std::string_view text) {
     if (bytes.size() < offset + text.size()) return false;
@@ -148,8 +143,9 @@ bool isTarga(std::span<const std::byte> bytes) {
 
 Format formatOf(std::span<const std::byte> bytes) {
     if (isBmp(bytes)) return Format::bmp;
-    for (const Signature& each : kSignatures)
-        if (hasAt(bytes, each.offset, each.bytes)) return each.format;
+    for (const FormatRow& row : kFormatRows)
+        for (const std::string_view each : row.signatures)
+            if (!each.empty() && hasAt(bytes, row.signatureAt, each)) return row.format;
     if (hasAt(bytes, 0, "RIFF") && hasAt(bytes, 8, "WEBP")) return Format::webp;
     if (const Format format = pnmOrPfm(bytes); format != Format::unknown) return format;
     if (isTarga(bytes)) return Format::targa;
@@ -159,14 +155,14 @@ Format formatOf(std::span<const std::byte> bytes) {
 Format formatOfSuffix(const std::filesystem::path& path) {
     const std::string suffix = base::lower(path.extension().generic_string()) + ' ';
     if (suffix.size() < 3) return Format::unknown;
-    for (const Row& row : kFormatRows)
+    for (const FormatRow& row : kFormatRows)
         if (row.suffixes.find(suffix) != std::string_view::npos) return row.format;
     return Format::unknown;
 }
 
 bool holdsFloats(const std::filesystem::path& path) {
-    const Format format = formatOfSuffix(path);
-    return format == Format::openExr || format == Format::hdr || format == Format::pfm;
+    const Holds holds = rowOf(formatOfSuffix(path)).holds;
+    return holds == Holds::floats || holds == Holds::alphaAndFloats;
 }
 
 std::string_view placeholderOf(std::span<const std::byte> bytes) {
@@ -187,8 +183,13 @@ std::string_view describeUnknown(std::span<const std::byte> bytes) {
     return instead.empty() ? describe(Format::unknown) : instead;
 }
 
+const FormatRow& rowOf(Format format) {
+    return *std::ranges::find(kFormatRows, format, &FormatRow::format);
+}
+
 bool keepsAlpha(Format format) {
-    return rowOf(format).keepsAlpha;
+    const Holds holds = rowOf(format).holds;
+    return holds == Holds::alpha || holds == Holds::alphaAndFloats;
 }
 
 std::string_view describe(Format format) {

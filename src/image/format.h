@@ -1,12 +1,19 @@
 #pragma once
 // The format of a picture file by its first bytes (language, 8.1), and by its suffix.
 
+#include <glibra/result.h>
+
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string_view>
 
 namespace glibra::image {
+
+struct FileLabel;
+struct Image;
+struct Limits;
 
 enum class Format {
     unknown,
@@ -53,14 +60,27 @@ std::string_view describeUnknown(std::span<const std::byte> bytes);
 /// OpenImageIO's name of the format; "" for unknown and rawTexture.
 std::string_view openImageIoName(Format format);
 
-/// One kind of file, for lists of them.
+/// Reads a whole file (formats/readers.h).
+using Reader = Result<Image> (*)(std::span<const std::byte> file, const FileLabel& label,
+                                 const Limits& limits);
+
+/// What a file holds besides colours of 0 to 1.
+enum class Holds { nothing, alpha, floats, alphaAndFloats };
+
+/// One kind of file.
 struct FormatRow {
     Format format;
     std::string_view description;  ///< as `describe` gives it
     std::string_view openImageIo;  ///< as `openImageIoName` gives it
     std::string_view suffixes;     ///< each with its dot and a blank after it
-    bool keepsAlpha;               ///< a picture that is written keeps its alpha
+    Holds holds = Holds::nothing;  ///< of those that are written, too
+    Reader read = nullptr;         ///< null: a library reads it
+    std::array<std::string_view, 4>
+        signatures{};             ///< one of them stands in each file; none if others have it, too
+    std::size_t signatureAt = 0;  ///< the byte at which they begin
 };
+/// That of a format.
+const FormatRow& rowOf(Format format);
 std::span<const FormatRow> formats();
 
 }  // namespace glibra::image

@@ -22,23 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Reader = Result<Image> (*)(ByteSpan, const FileLabel&, const Limits&);
-
-struct ReaderRow {
-    Format format;
-    Reader read;
-};
-
-/// The formats that are read here, without a library that opens them.
-constexpr std::array kReaderRows{
-    ReaderRow{Format::png, decodePng},     ReaderRow{Format::bmp, decodeBmp},
-    ReaderRow{Format::targa, decodeTarga}, ReaderRow{Format::hdr, decodeHdr},
-    ReaderRow{Format::pnm, decodePnm},     ReaderRow{Format::pfm, decodePfm},
-};
-
-// All others are decoded by libraries. A library hands over pixels that are not the picture for some kinds of
-// samples, and its next version for others: only kinds whose pixels a test has compared with the content of
-// the file or with another decoder are given to it. The headers are read here first.
+// Formats without a reader of our own are decoded by libraries. A library hands over pixels that are not the
+// picture for some kinds of samples, and its next version for others: only kinds whose pixels a test has
+// compared with the content of the file or with another decoder are given to it. The headers are read here
+// first.
 
 /// What is known of a file after its header.
 struct Prepared {
@@ -200,8 +187,7 @@ Result<Image> decode(ByteSpan file, Format format, const fs::path& path, const F
             return decode(*inner, wrapped, {}, label, options);
         return damaged(label, "the BMP header announces a JPEG or PNG picture, but the file contains none");
     }
-    const auto* const row = std::ranges::find(kReaderRows, format, &ReaderRow::format);
-    if (row != kReaderRows.end()) return row->read(file, label, options.limits);
+    if (const Reader read = rowOf(format).read) return read(file, label, options.limits);
     return decodeForeign(format, file, path, label, options);
 }
 

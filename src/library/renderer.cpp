@@ -82,13 +82,9 @@ Diagnostics problemsOfLoading(const RenderOptions& options) {
     refuse("floatPixels", &RenderOptions::floatPixels, kOfDraw);
     refuse("viewState", &RenderOptions::viewState, kOfDraw);
     refuse("axes", &RenderOptions::axes, kOfDraw);
-    // Every other one is of render(), too, unless it is named here as one that a loaded scene keeps.
-    static const std::array kKept{&suite::optionNamed("steps"),   &suite::optionNamed("set"),
-                                  &suite::optionNamed("eye"),     &suite::optionNamed("strict"),
-                                  &suite::optionNamed("no-shim"), &suite::optionNamed("no-skip"),
-                                  &suite::optionNamed("library")};
+    // Every other one is of render(), too, unless a loaded scene keeps it.
     for (const suite::OptionRow& row : suite::optionTable())
-        if (std::ranges::find(kKept, &row) == kKept.end() && !suite::isDefault(row, rest))
+        if (!row.isKept && !suite::isDefault(row, rest))
             found.push_back(wrongOption(fmt::format("{}: {}", row.name, kOfRender)));
     return found;
 }

@@ -77,11 +77,10 @@ class Names {
     fs::path top_;  ///< that names are relative to
 };
 
+/// A page reads DDS files itself, but for blocks that the module decodes.
 bool needsModule(image::Format format) {
-    using image::Format;
-    constexpr std::array kForeign{Format::jpeg,      Format::tiff, Format::openExr, Format::gif, Format::webp,
-                                  Format::photoshop, Format::sgi,  Format::icon,    Format::heif};
-    return std::ranges::find(kForeign, format) != kForeign.end();
+    const image::FormatRow& row = image::rowOf(format);
+    return row.read == nullptr && !row.openImageIo.empty() && format != image::Format::dds;
 }
 
 /// A picture as PNG, or as PFM if it has floats.

@@ -36,7 +36,7 @@ class ShotRendering : public testing::Test {
         Result<gpu::Context> opened = gpu::openContext();
         ASSERT_TRUE(opened);
         context.emplace(std::move(*opened));
-        for (const Shot& each : shots) alone.push_back(seenOf(ShotRenderer(*context, true).render(each)));
+        for (const Shot& each : shots) alone.push_back(seenOf(ShotRenderer(*context).render(each)));
     }
 
     static std::string seenOf(const Rendering& rendering) {
@@ -61,7 +61,7 @@ class ShotRendering : public testing::Test {
 TEST_F(ShotRendering, GivesEveryShotAfterEveryOtherThePictureThatItHasAlone) {
     ASSERT_NE(alone[0], alone[2]);
     ASSERT_NE(alone[0], alone[1]);
-    ShotRenderer renderer(*context, true);
+    ShotRenderer renderer(*context);
     for (std::size_t i = 0; i < shots.size(); ++i)
         for (std::size_t next = 0; next < shots.size(); ++next) {
             expectAsAlone(renderer, i, {next});
@@ -70,7 +70,7 @@ TEST_F(ShotRendering, GivesEveryShotAfterEveryOtherThePictureThatItHasAlone) {
 }
 
 TEST_F(ShotRendering, IsTheSameWithEveryPairOfShotsPrepared) {
-    ShotRenderer renderer(*context, true);
+    ShotRenderer renderer(*context);
     for (std::size_t i = 0; i < shots.size(); ++i)
         for (std::size_t next = 0; next < shots.size(); ++next)
             for (std::size_t last = 0; last < shots.size(); ++last) {
@@ -81,7 +81,7 @@ TEST_F(ShotRendering, IsTheSameWithEveryPairOfShotsPrepared) {
 }
 
 TEST_F(ShotRendering, IgnoresWrongPredictions) {
-    ShotRenderer renderer(*context, true);
+    ShotRenderer renderer(*context);
     for (std::size_t i = 0; i < 3 * shots.size(); ++i) {
         const std::size_t next = (i * 5 + 2) % shots.size();
         expectAsAlone(renderer, i % shots.size(), {next, (i * 3 + 1) % shots.size()});
@@ -92,7 +92,7 @@ TEST_F(ShotRendering, IgnoresWrongPredictions) {
 
 TEST_F(ShotRendering, EndsInTheMiddleOfAPreparation) {
     for (int i = 0; i < 5; ++i) {
-        ShotRenderer renderer(*context, true);
+        ShotRenderer renderer(*context);
         expectAsAlone(renderer, 0, {2, 4});
     }
 }

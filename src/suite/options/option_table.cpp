@@ -62,20 +62,31 @@ constexpr OptionRow withSuite(OptionRow row) {
     return row;
 }
 
+/// The row as one that a loaded scene keeps.
+constexpr OptionRow kept(OptionRow row) {
+    row.isKept = true;
+    return row;
+}
+/// The row as one that the window has.
+constexpr OptionRow inWindow(OptionRow row) {
+    row.inWindow = true;
+    return row;
+}
+
 constexpr OptionRow kRows[] = {
     {"size", "size", SizeValue{kTo<&Options::width>, kTo<&Options::height>, kLargestPictureSide},
      "size of the picture in pixels instead of the scene's WindowSize"},
     {"time", "time", TimeValue{{kTo<&Options::time>, -1e9, 1e9}}, "seconds since the start of the scene"},
-    rare({"steps", "steps", WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
-          "steps of Step blocks that one picture may need"}),
-    {"set", "set", UniformsValue{kTo<&Options::set>},
-     "give a uniform variable or a variable of the scene a value, as uKd=.5 or uColor=1,.5,0; may be "
-     "repeated"},
-    {.name = "eye",
-     .key = "eye",
-     .value = oneOf<&Options::view>(kViewWords),
-     .help = "auto moves the eye out of the objects of the scene, glman leaves it where it is",
-     .former = "view"},
+    rare(kept({"steps", "steps", WholeValue{kTo<&Options::steps>, 0, 1'000'000'000},
+               "steps of Step blocks that one picture may need"})),
+    kept({"set", "set", UniformsValue{kTo<&Options::set>},
+          "give a uniform variable or a variable of the scene a value, as uKd=.5 or uColor=1,.5,0; may be "
+          "repeated"}),
+    inWindow(kept({.name = "eye",
+                   .key = "eye",
+                   .value = oneOf<&Options::view>(kViewWords),
+                   .help = "auto moves the eye out of the objects of the scene, glman leaves it where it is",
+                   .former = "view"})),
     {"samples", "samples", WholeValue{kTo<&Options::samples>, 1, kMostSamples}, "samples per pixel"},
     rare({"max-error", "max-error",
           NumberValue{kTo<&Options::maxError>, kLeastMaxError, kLargestMaxError, "px"},
@@ -84,18 +95,19 @@ constexpr OptionRow kRows[] = {
     rare({"override-counts", "override-counts", FlagValue{kTo<&Options::overrideCounts>},
           "with --max-error: choose also the counts and tessellation levels that the scene states",
           "max-error"}),
-    {"axes", "axes", FlagValue{kTo<&Options::axes>}, "draw the axes of world space, 1.5 units long"},
+    inWindow(
+        {"axes", "axes", FlagValue{kTo<&Options::axes>}, "draw the axes of world space, 1.5 units long"}),
     {"labels", "labels", oneOf<&Options::labels>(kCornerWords),
      "write the values of the uniform variables over the picture, as 'Dots : uKd = 0.5000', in this corner"},
     {"alpha", "alpha", FlagValue{kTo<&Options::alpha>}, "keep the window's alpha in the picture"},
     {"", "float", FlagValue{kTo<&Options::floatPixels>},
      "32-bit float pixels, not limited to 0..1, in an .exr file"},
-    {"strict", "strict", FlagValue{kTo<&Options::strict>}, "treat warnings as errors"},
+    kept({"strict", "strict", FlagValue{kTo<&Options::strict>}, "treat warnings as errors"}),
     {"incomplete", "", FlagValue{kTo<&Options::incomplete>},
      "draw what does not need the files that are missing or wrong, with a striped border; the exit "
      "status is 3 all the same"},
-    rare({"no-shim", "shim", FlagValue{kTo<&Options::shim>, false},
-          "compile the shaders as they are, without translating their dialect"}),
+    rare(kept({"no-shim", "shim", FlagValue{kTo<&Options::shim>, false},
+               "compile the shaders as they are, without translating their dialect"})),
     rare({"scene-transform", "scene-transform", MatrixValue{kTo<&ViewState::scene>},
           "Projection becomes Projection * M"}),
     rare({"eye-transform", "eye-transform", MatrixValue{kTo<&ViewState::eye>},
@@ -110,8 +122,8 @@ constexpr OptionRow kRows[] = {
      "background color instead of the scene's"},
     rare({"tile", "tile", WholeValue{kTo<&Options::tileSize>, 16, 16384},
           "side of the tiles of large pictures in pixels"}),
-    {"library", "library", FoldersValue{kTo<&Options::libraryRoots>},
-     "folder to search for the files of the scene, before those of GLIBRA_PATH; may be repeated"},
+    kept({"library", "library", FoldersValue{kTo<&Options::libraryRoots>},
+          "folder to search for the files of the scene, before those of GLIBRA_PATH; may be repeated"}),
     withSuite({"timeout", "timeout", NumberValue{kTo<&Shot::timeout>, 0, 1e6},
                "seconds that one picture may take; 0 means no limit"}),
     rare(withSuite(
@@ -120,11 +132,12 @@ constexpr OptionRow kRows[] = {
          "default half of the machine's, divided by the processes, but at least 2G"})),
     {"check-nan", "", FlagValue{kTo<&Options::checkNan>},
      "name the draws that put NaN or infinity into the picture, or lose vertices by it"},
-    {"check-undefined", "", FlagValue{kTo<&Options::checkUndefined>},
-     "find subscripts outside of arrays, fetches outside of textures, vertices beyond max_vertices and "
-     "divisions by uniforms that are 0"},
-    rare(withSuite({"no-skip", "", FlagValue{kTo<&Options::skip>, false},
-                    "read, make and draw also what the picture does not need; the picture stays the same"})),
+    withSuite({"check-undefined", "", FlagValue{kTo<&Options::checkUndefined>},
+               "find subscripts outside of arrays, fetches outside of textures, vertices beyond max_vertices "
+               "and divisions by uniforms that are 0"}),
+    rare(kept(
+        withSuite({"no-skip", "", FlagValue{kTo<&Options::skip>, false},
+                   "read, make and draw also what the picture does not need; the picture stays the same"}))),
 };
 
 template <class... Fs>
@@ -170,6 +183,19 @@ bool isDefault(const OptionRow& row, const Shot& shot) {
             [&](const WordValue& word) { return word.get(shot) == word.get(kDefault); },
             [&](const auto& value) { return value.member.get(shot) == value.member.get(kDefault); }},
         row.value);
+}
+
+void giveToAll(const Shot& stated, Shot& shot) {
+    for (const OptionRow& row : kRows)
+        if (row.withSuite && !isDefault(row, stated))
+            std::visit(
+                Overloaded{[&](const SizeValue& size) {
+                               size.width.edit(shot) = size.width.get(stated);
+                               size.height.edit(shot) = size.height.get(stated);
+                           },
+                           [&](const WordValue& word) { word.set(shot, word.get(stated)); },
+                           [&](const auto& value) { value.member.edit(shot) = value.member.get(stated); }},
+                row.value);
 }
 
 std::string placeholder(const OptionRow& row) {

@@ -4,9 +4,9 @@
 // rows. To add an option, add its member to RenderOptions (or Shot) and its row here.
 //
 // Three things cannot be read from a row. The members are declared by hand, because include/glibra/render.h
-// describes them to users of the library. What an option means for a single frame, for load() and for small
-// pictures of probes depends on what it does: src/library/renderer.cpp and src/render/probe/probe_options.cpp
-// say it. docs/suites.md explains keys in the words of suites, and a test compares which keys it has.
+// describes them to users of the library. What an option means for a single frame and for small pictures of
+// probes depends on what it does: src/library/renderer.cpp and src/render/probe/probe_options.cpp say it.
+// docs/suites.md explains keys in the words of suites, and a test compares which keys it has.
 
 #include <glibra/render.h>
 
@@ -98,10 +98,12 @@ struct OptionRow {
     OptionValue value;
     std::string_view help;
     std::string_view needs{};  ///< name of an option without which this one has no effect
-    /// May be given together with --suite, for all its shots. The others are stated by the suite.
+    /// May be given together with a suite, for all its shots. The others are stated by the suite.
     bool withSuite = false;
     std::string_view former{};  ///< an earlier name and key, which still works
     bool isRare = false;        ///< --help leaves it out, --help-all lists it
+    bool isKept = false;        ///< a loaded scene keeps it: load() takes it, and what draws for the window
+    bool inWindow = false;      ///< `glibra view` has it
 };
 
 /// All rows, in the order in which commands and suites are written.
@@ -115,6 +117,8 @@ const OptionRow& optionNamed(std::string_view name);
 
 /// True if the shot has the value that a new Shot has.
 bool isDefault(const OptionRow& row, const Shot& shot);
+/// Gives a shot of a suite what is stated for all of them, if it is not the default.
+void giveToAll(const Shot& stated, Shot& shot);
 /// The form of the value on the command line, as "WxH"; empty for flags.
 std::string placeholder(const OptionRow& row);
 /// Which values are allowed, as "1 to 64"; empty if the form says it all.

@@ -93,7 +93,7 @@ Diagnostics checkExercise(gpu::Context& context, const fs::path& scene, const Re
     common.time = 0;
     Result<std::vector<Moment>> moments = momentsOf(*exercise, file, common);
     if (!moments) return std::move(moments.diagnostics);
-    ShotRenderer ofSolution(context, true), ofOwn(context, true);
+    ShotRenderer ofSolution(context), ofOwn(context);
     for (Moment& each : *moments) {
         Rendering solution = ofSolution.render(each.shot);
         drawn();

@@ -56,7 +56,7 @@ std::string portableSettingsOf(const Shot& shot) {
 std::string planDigest(std::span<const Suite> suites, std::span<const ShotReference> undivided,
                        const RunOptions& options) {
     std::string text =
-        fmt::format("{} {} {} {} {} {}\n{} {}", options.skip + 2 * options.checkUndefined, options.update,
+        fmt::format("{} {} {} {} {} {}\n{} {}", optionArguments(options.ofAll), options.update,
                     options.force + 2 * options.also + 4 * options.onlyMissing +
                         8 * options.replaceUnreadable + 16 * options.anyDriver,
                     options.variant, options.allowOutside, options.sandbox != nullptr,
@@ -283,7 +283,7 @@ std::map<ShotReference, std::string> fingerprints(std::span<const Suite> suites,
                                                   const ShotInputs& inputs, const RunOptions& options) {
     const std::string ofRun = fmt::format(
         "{}\n{}\n{} {} {} {} {} {}\n{} {}", contentOf(system::pathOfThisProgram()),
-        static_cast<int>(options.driver), options.skip + 2 * options.checkUndefined, options.update,
+        static_cast<int>(options.driver), optionArguments(options.ofAll), options.update,
         options.force + 2 * options.also + 4 * options.onlyMissing + 8 * options.replaceUnreadable +
             16 * options.anyDriver,
         options.variant + 2 * options.strictFlaky, options.allowOutside, options.sandbox != nullptr,

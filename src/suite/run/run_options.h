@@ -76,8 +76,7 @@ struct RunOptions {
     std::optional<std::uint64_t> memory;  ///< bytes for every shot, instead of its own; 0: no limit
     bool update = false;                  ///< pictures that differ replace their goldens
     bool force = false;                   ///< ... even pictures of one colour or with NaN
-    bool checkUndefined = false;          ///< RenderOptions::checkUndefined of all shots
-    bool skip = true;                     ///< false: also makes and draws what the pictures do not need
+    Shot ofAll;                           ///< options of all shots, as giveToAll() takes them
     bool onlyMissing = false;             ///< ... only where there is no golden
     bool variant = false;                 ///< ... for this family of drivers alone
     bool also = false;                    ///< ... and are accepted beside them instead

@@ -62,9 +62,7 @@ std::string ShotWorker::openContext() {
     Result<gpu::Context> opened = gpu::openContext({.driver = plan_.options.driver});
     if (!opened) return opened.diagnostics.empty() ? "no driver" : opened.diagnostics.front().text;
     context_.emplace(std::move(*opened));
-    renderer_.emplace(
-        *context_, plan_.options.skip, [this](const Shot* shot) { awaits_(shot); },
-        plan_.options.checkUndefined);
+    renderer_.emplace(*context_, plan_.options.ofAll, [this](const Shot* shot) { awaits_(shot); });
     const gpu::Capabilities& driver = context_->capabilities();
     driver_ = driver.renderer + ", " + driver.version;
     driverKey_ = driverKey(driver);

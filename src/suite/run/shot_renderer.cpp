@@ -9,14 +9,15 @@
 #include "render/consequences.h"
 #include "render/file/job.h"
 #include "suite/file/unknown_uniforms.h"
+#include "suite/options/option_table.h"
 
 namespace glibra::suite {
 
 ShotRenderer::Source ShotRenderer::sourceOf(const Shot& shot) const {
-    Source source{shot.script, shot.options};
+    Shot stated = shot;
+    giveToAll(ofAll_, stated);
+    Source source{shot.script, std::move(stated.options)};
     source.options.time = 0;
-    source.options.skip = skip_;
-    source.options.checkUndefined = checksUndefined_;
     source.options.checks = true;
     return source;
 }
@@ -118,7 +119,8 @@ Rendering ShotRenderer::tryRender(const Shot& shot, std::span<const Shot* const>
 
 /// Draws the loaded scene, or returns its last picture again.
 Result<image::Image> ShotRenderer::draw(double time) {
-    const std::optional<render::Moment> moment = skip_ ? loaded_->renderer.momentOf(time) : std::nullopt;
+    const std::optional<render::Moment> moment =
+        loaded_->source.options.skip ? loaded_->renderer.momentOf(time) : std::nullopt;
     if (moment && loaded_->picture && loaded_->moment == *moment) return *loaded_->picture;
     Result<image::Image> picture = loaded_->renderer.draw(time, *loaded_->stats);
     loaded_->picture.reset();

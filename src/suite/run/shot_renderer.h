@@ -27,15 +27,11 @@ inline constexpr std::size_t kShotsAhead = 2;
 
 class ShotRenderer {
   public:
-    /// The context must outlive the object. `skip` and `checksUndefined` are those of RunOptions. `awaits` is
-    /// called before the renderer waits for another shot that is being prepared, and with null after it.
-    ShotRenderer(gpu::Context& context, bool skip, std::function<void(const Shot*)> awaits = {},
-                 bool checksUndefined = false)
-        : context_(context),
-          skip_(skip),
-          checksUndefined_(checksUndefined),
-          awaits_(std::move(awaits)),
-          shared_(std::in_place) {}
+    /// The context must outlive the object. `ofAll` is that of RunOptions. `awaits` is called before the
+    /// renderer waits for another shot that is being prepared, and with null after it.
+    explicit ShotRenderer(gpu::Context& context, Shot ofAll = {},
+                          std::function<void(const Shot*)> awaits = {})
+        : context_(context), ofAll_(std::move(ofAll)), awaits_(std::move(awaits)), shared_(std::in_place) {}
 
     /// Errors are in the result, including draw-E05 if memory runs out. `coming`, at most kShotsAhead shots,
     /// are prepared meanwhile for the calls that render them. The picture does not depend on them.
@@ -76,7 +72,7 @@ class ShotRenderer {
     Result<image::Image> draw(double time);
 
     gpu::Context& context_;
-    bool skip_, checksUndefined_;
+    Shot ofAll_;
     std::function<void(const Shot*)> awaits_;
     std::optional<render::SharedParts> shared_;
     std::optional<Loaded> loaded_;

@@ -12,6 +12,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/readback.h"
+#include "suite/options/option_words.h"
 #include "system/memory.h"
 #include "view/scene/window_target.h"
 
@@ -178,11 +179,27 @@ ViewState viewOf(const Order& json) {
     return view;
 }
 
+/// Name and text of each option that a loaded scene keeps. Values of variables are those of the knobs.
+Order wordsOf(const RenderOptions& options) {
+    suite::Shot shot;
+    shot.options = options;
+    Order words = Order::array();
+    for (const suite::OptionRow& row : suite::optionTable()) {
+        if (!row.isKept || std::holds_alternative<suite::UniformsValue>(row.value)) continue;
+        const bool isFlag = std::holds_alternative<suite::FlagValue>(row.value);
+        const std::vector<std::string> given = suite::optionWords(row, shot);
+        for (std::size_t i = 0; i < given.size(); i += isFlag ? 1 : 2)
+            words.push_back({row.name, isFlag ? std::string() : given[i + 1]});
+    }
+    return words;
+}
+
 RenderOptions optionsOf(const Order& json) {
-    RenderOptions options;
-    options.view = json.at("glman").get<bool>() ? ViewPolicy::glman : ViewPolicy::automatic;
-    options.shim = json.at("shim").get<bool>();
-    for (const Order& each : json.at("roots")) options.libraryRoots.emplace_back(each.get<std::string>());
+    suite::Shot shot;
+    for (const Order& each : json.at("words"))
+        suite::readOptionText(suite::optionNamed(each[0].get<std::string>()), each[1].get<std::string>(),
+                              shot);
+    RenderOptions options = std::move(shot.options);
     for (const Order& each : json.at("texts"))
         options.texts[each[0].get<std::string>()] = each[1].get<std::string>();
     if (json.contains("text")) options.sceneText = json["text"].get<std::string>();
@@ -265,15 +282,10 @@ class Drawing {
 }  // namespace
 
 std::string orderText(const DrawnState& state) {
-    Order texts = Order::array(), knobs = Order::array(), roots = Order::array();
+    Order texts = Order::array(), knobs = Order::array();
     for (const auto& [path, text] : state.options.texts) texts.push_back({path.generic_string(), text});
-    for (const std::filesystem::path& each : state.options.libraryRoots)
-        roots.push_back(each.generic_string());
     for (const render::Knob& each : state.knobs) knobs.push_back({each.title, each.tag, each.current});
-    Order options{{"glman", state.options.view == ViewPolicy::glman},
-                  {"shim", state.options.shim},
-                  {"roots", roots},
-                  {"texts", texts}};
+    Order options{{"words", wordsOf(state.options)}, {"texts", texts}};
     if (state.options.sceneText) options["text"] = *state.options.sceneText;
     const Order order{{"path", state.scene.generic_string()},
                       {"loading", state.loading},

@@ -9,7 +9,9 @@
 #include "base/files.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/picture_options.h"
 #include "cli/written_files.h"
+#include "suite/options/option_table.h"
 #include "system/terminal.h"
 #include "view/browse/thumbnails.h"
 #include "view/session/drawing_service.h"
@@ -83,13 +85,11 @@ int start(int argc, char** argv) {
     line.option("--samples", samples,
                 "smooth edges on the screen: samples per pixel (the setting, at first 4; 0 or 1: none)")
         .within(0, 32);
-    line.option("--time", arguments.options.time, "time at the start, in seconds").within(0.0, 1e9);
+    glibra::suite::Shot given;
+    line.option("--time", given.options.time, "time at the start, in seconds").within(0.0, 1e9);
     line.flag("--paused", arguments.paused, "start with the time paused");
-    line.flag("--axes", arguments.options.axes, "draw axes 1.5 units long");
-    line.choice("--eye,--view", arguments.options.view,
-                std::vector<std::pair<const char*, glibra::ViewPolicy>>{
-                    {"auto", glibra::ViewPolicy::automatic}, {"glman", glibra::ViewPolicy::glman}},
-                "auto: move the eye back if the scene surrounds it; glman: never");
+    for (const glibra::suite::OptionRow& row : glibra::suite::optionTable())
+        if (row.inWindow) glibra::cli::addPictureOption(line, row.name, given);
     line.option("--state", arguments.stateFile,
                 "write the window's state to this file as JSON whenever it changes")
         .written();
@@ -98,6 +98,7 @@ int start(int argc, char** argv) {
         .existingFile();
     if (const std::optional<int> status = program.parse(argc, argv)) return *status;
     if (drawsForWindow) return glibra::view::serveDrawing();
+    arguments.options = given.options;
     if (samples >= 0) arguments.samples = samples;
     arguments.scenes.assign(scenes.begin(), scenes.end());
     if (!thumbnails.empty())

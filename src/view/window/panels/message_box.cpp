@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/format.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 
@@ -65,16 +66,16 @@ void askForMissingFile(Ui& ui, MessageBox& box) {
     const std::vector<scene::MissingFile>& all = ui.session.live().scene().missingFiles;
     if (all.empty()) return;
     const scene::MissingFile& missing = all.front();
-    // Any picture or raw texture, or a model.
-    const char* endings =
-        missing.isModel ? ".obj" : ".png .bmp .jpg .jpeg .tif .tiff .exr .hdr .tga .gif .webp .ppm .tex";
+    std::string endings = missing.isModel ? ".obj" : "";
+    if (!missing.isModel)
+        for (const image::FormatRow& each : image::formats()) endings += each.suffixes;
     askForFile(ui,
                {.title = fmt::format("A file for {} in line {}", missing.word, missing.place.line),
                 .button = "Use",
                 .hint = fmt::format(
                     "Line {} of {} does not name a file. 'Save values' writes your choice into the scene.",
                     missing.place.line, ui.session.path().filename().generic_string()),
-                .endings = endings,
+                .endings = std::move(endings),
                 .chosen = [place = missing.place](Ui& in, const std::filesystem::path& file) {
                     std::string problem = in.session.chooseFile(place, file);
                     in.requests.reload = problem.empty();
