@@ -384,6 +384,9 @@ bool showsNothing(const image::Image& picture) {
 }
 
 double likeness(const image::Image& expected, const image::Image& got) {
+    if (expected.width == got.width && expected.height == got.height &&
+        expected.components == got.components && expected.data == got.data)
+        return 1;
     const bool nothing = showsNothing(expected);
     if (nothing || showsNothing(got)) return nothing && showsNothing(got) ? 1 : 0;
     const Colors colorsA = colorsOf(expected), colorsB = colorsOf(got);

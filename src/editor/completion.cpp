@@ -256,8 +256,26 @@ bool takesNumbersOnly(std::string_view name) {
     return command && formOf(*command) == glib::ArgumentForm::numbers && !glib::modernFormOf(name);
 }
 
+/// What may follow the word of a statement outside of expressions.
+struct Nameable {
+    std::string_view statement;
+    bool isFirst = false;  ///< what is typed follows the word itself
+
+    /// `kind`: the statement that declares the name, or the type of a uniform.
+    [[nodiscard]] bool takes(std::string_view kind) const {
+        if (is("Include") || is("Let")) return false;
+        if (is("Draw") && isFirst) return kind == "Group";
+        return !(is("Program") || is("Set")) || (kind != "Program" && kind != "Group");
+    }
+    [[nodiscard]] bool takesStageVariables() const { return is("Attribute"); }
+
+  private:
+    [[nodiscard]] bool is(std::string_view word) const { return glib::sameWord(statement, word); }
+};
+
 /// The names that statements of the text declare: `Texture2D glow`, `Let size`.
-void addDeclaredNames(Collector& words, std::string_view text, std::size_t cursor) {
+void addDeclaredNames(Collector& words, std::string_view text, std::size_t cursor,
+                      const std::optional<Nameable>& nameable) {
     int line = 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -271,7 +289,8 @@ void addDeclaredNames(Collector& words, std::string_view text, std::size_t curso
                                           glib::sameWord(word, "Group"));
             const std::string_view name =
                 firstWord(whole.substr(static_cast<std::size_t>(word.data() + word.size() - whole.data())));
-            if (declares && !name.empty() && !base::isDigit(name.front()))
+            if (declares && !name.empty() && !base::isDigit(name.front()) &&
+                (!nameable || nameable->takes(row->name)))
                 words.add(name, std::string(row->name), "line " + std::to_string(line));
         }
         begin = end + 1;
@@ -369,9 +388,15 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed, co
         words.nextGroup();
     }
     if (!isExpression && takesNumbersOnly(statement)) return;
-    addDeclaredNames(words, text, typed.begin);
+    std::optional<Nameable> nameable;
+    if (!isExpression)
+        nameable = {statement, before.substr(0, before.find_last_not_of(" \t") + 1).ends_with(statement)};
+    addDeclaredNames(words, text, typed.begin, nameable);
     for (const KnownName& each : names)
-        if (each.in == CodeLanguage::glib) words.add(each.name, each.type, each.what);
+        if (each.in == CodeLanguage::glib &&
+            (!nameable ||
+             (nameable->takes(each.type) && (!each.isStageVariable || nameable->takesStageVariables()))))
+            words.add(each.name, each.type, each.what);
     words.nextGroup();
     if (!isExpression) return;
     for (const expression::NameRow& each : expression::sceneNames())
@@ -494,7 +519,8 @@ std::vector<Completion> wordsAt(std::string_view text, std::size_t cursor, const
         // Names that other files declare are declared here.
         std::string whole;
         for (const KnownName& each : context.names)
-            if (each.in == CodeLanguage::glsl && glsl::isTypeWord(each.type))
+            if (each.in == CodeLanguage::glsl && glsl::isTypeWord(each.type) &&
+                std::ranges::all_of(each.name, isOfName))
                 whole += each.type + " " + each.name + ";";
         const std::size_t before = whole.size();
         whole += part;

@@ -23,6 +23,7 @@ struct KnownName {
     std::string value;  ///< its current value; empty: it has none
     /// Which text reads it: a shader or a scene.
     CodeLanguage in = CodeLanguage::glsl;
+    bool isStageVariable = false;  ///< an input or an output of a stage
 };
 
 /// What an editor knows about the text besides the text itself.

@@ -10,6 +10,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <span>
 #include <sstream>
@@ -262,6 +263,19 @@ SceneNames namesOf(const scene::Scene& scene) {
     return names;
 }
 
+namespace {
+
+/// True for `out vec4 fColor`, which is no uniform and no block.
+bool isStageVariable(std::string_view declaration) {
+    static constexpr std::string_view kWords[] = {"in", "out", "attribute", "varying"};
+    for (const auto& each : std::views::split(declaration, ' '))
+        if (std::ranges::find(kWords, std::string_view(each.begin(), each.end())) != std::end(kWords))
+            return true;
+    return false;
+}
+
+}  // namespace
+
 void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& programs,
                      const std::filesystem::path& file,
                      const std::function<std::string(const std::filesystem::path&)>& textOf) {
@@ -283,7 +297,8 @@ void addProgramNames(CodeContext& context, const std::vector<SceneProgram>& prog
                          name.type,
                          fmt::format("{} in {}", name.declaration, each.file.filename().generic_string()),
                          {},
-                         context.language});
+                         context.language,
+                         isStageVariable(name.declaration)});
         }
     }
 }

@@ -177,6 +177,10 @@ TEST(Likeness, OrdersVariantsOfSeveralAssignmentsAsAPersonDoes) {
 TEST(Likeness, OfAPictureToItselfIsOneAndItDoesNotDependOnTheOrder) {
     const image::Image dots = draw({.pattern = dotsOf(kPeriod)}), checker = draw({.pattern = checkerOf(.3)});
     EXPECT_DOUBLE_EQ(likeness(dots, dots), 1);
+    // Colours that go on over the whole picture have no object that could be found again.
+    image::Image ramp{64, 48, 3, image::Component::u8, {}};
+    for (int i = 0; i < 64 * 48 * 3; ++i) ramp.data.push_back(static_cast<std::byte>(i % 192 + i / 768));
+    EXPECT_DOUBLE_EQ(likeness(ramp, ramp), 1);
     EXPECT_NEAR(likeness(dots, checker), likeness(checker, dots), .02);
     const image::Image small = draw({.pattern = dotsOf(kPeriod), .radius = 30});
     EXPECT_NEAR(likeness(dots, small), likeness(small, dots), .02);

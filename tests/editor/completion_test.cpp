@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 #include <string>
 
 #include "editor/declared_names.h"
@@ -266,6 +267,34 @@ TEST(Completion, ProposesMembersAndSwizzlesAfterAPoint) {
     EXPECT_EQ(labels("gl_in[0].gl_Po|"), "gl_Position gl_PointSize ");
     EXPECT_EQ(labels("1.|"), "");
     EXPECT_EQ(labels("noSuch.|"), "");
+    // What a scene that uses the shader sets does not hide it.
+    CodeContext used;
+    used.names = {{"uSun.color", "vec3", "a uniform of P", "1 0 0", CodeLanguage::glsl},
+                  {"uLights[0].power", "float", "a uniform of P", "1", CodeLanguage::glsl}};
+    EXPECT_TRUE(find(at(shader + "uSun.|\n}\n", used), "color"));
+    EXPECT_TRUE(find(at(shader + "uSun.po|\n}\n", used), "power"));
+}
+
+TEST(Completion, OffersTheNamesThatMayStandThere) {
+    CodeContext context = scene();
+    context.names = {{"uAmbient", "float", "", "", CodeLanguage::glib},
+                     {"aNormal", "vec3", "", "", CodeLanguage::glib, true},
+                     {"fColor", "vec4", "", "", CodeLanguage::glib, true}};
+    const std::string before = "Texture2D glow 8 8\nProgram Lit\nGroup ball\nSphere 1\nEndGroup\n";
+    const auto labels = [&](const std::string& line) {
+        std::set<std::string> all;
+        for (const Completion& each : at(before + line + "\n", context)) all.insert(each.word);
+        return all;
+    };
+    const auto program = labels("Program Other uAmbient .5 |");
+    EXPECT_TRUE(program.contains("uAmbient") && program.contains("glow"));
+    for (const char* each : {"aNormal", "fColor", "Lit", "ball"})
+        EXPECT_FALSE(program.contains(each) || labels("Set |").contains(each)) << each;
+    EXPECT_EQ(labels("Draw |"), std::set<std::string>{"ball"});
+    EXPECT_TRUE(labels("Attribute |").contains("aNormal"));
+    EXPECT_TRUE(labels("Include |").empty());
+    EXPECT_FALSE(labels("Let a <0 |").contains("uAmbient"));
+    EXPECT_TRUE(labels("Let a (|").contains("uAmbient"));
 }
 
 TEST(Completion, ShowsTheNamesOfTheScopeAlone) {

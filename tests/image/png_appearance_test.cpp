@@ -31,9 +31,10 @@ Bytes numbers(const std::vector<std::uint32_t>& values) {
 }
 
 /// The picture with a chunk before its pixels, or after them.
-Bytes with(std::string_view type, const Bytes& content, bool isAfter = false, int times = 1) {
+Bytes with(std::string_view type, const Bytes& content, bool isAfter = false, int times = 1,
+           const Image& picture = red()) {
     constexpr std::size_t kHead = 8 + 25, kEnd = 12;
-    const Bytes plain = encodePng(red());
+    const Bytes plain = encodePng(picture);
     Bytes file(plain.begin(), isAfter ? plain.end() - kEnd : plain.begin() + kHead);
     for (int i = 0; i < times; ++i) putPngChunk(file, type, content);
     file.insert(file.end(), isAfter ? plain.end() - kEnd : plain.begin() + kHead, plain.end());
@@ -59,6 +60,7 @@ TEST(PngAppearance, ChunksThatChangeNothingPass) {
         {"cHRM", numbers({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000})},
         {"sBIT", Bytes(3, std::byte{8})},
         {"pHYs", square},
+        {"bKGD", Bytes(6)},  // of opaque pixels
     };
     for (const auto& [type, content] : harmless) EXPECT_EQ(shownOtherwise(with(type, content)), "") << type;
     EXPECT_EQ(shownOtherwise(with("tEXt", Bytes(5, std::byte{'a'}), true)), "") << "also after the pixels";
@@ -73,13 +75,19 @@ TEST(PngAppearance, WhateverElseThereIsIsNamed) {
         {"cICP", Bytes(4)},  {"gAMA", numbers({100000})},
         {"gAMA", {}},        {"cHRM", numbers({31270, 32900, 30000, 60000, 64000, 33000, 15000, 6000})},
         {"mDCv", Bytes(24)}, {"cLLi", Bytes(8)},
-        {"eXIf", Bytes(8)},  {"bKGD", Bytes(6)},
-        {"pHYs", tall},      {"pHYs", Bytes(1)},
-        {"hiDe", Bytes(1)},
+        {"eXIf", Bytes(8)},  {"pHYs", tall},
+        {"pHYs", Bytes(1)},  {"hiDe", Bytes(1)},
     };
     for (const auto& [type, content] : harmful)
         for (const bool isAfter : {false, true})
             EXPECT_NE(shownOtherwise(with(type, content, isAfter)).find(type), std::string::npos) << type;
+}
+
+TEST(PngAppearance, ABackgroundShowsBehindTransparentPixelsAlone) {
+    const Image clear{2, 2, 4, Component::u8, Bytes(16)};
+    EXPECT_NE(shownOtherwise(with("bKGD", Bytes(6), false, 1, clear)).find("bKGD"), std::string::npos);
+    EXPECT_NE(shownOtherwise(with("bKGD", Bytes(6), false, 2)).find("bKGD"), std::string::npos) << "twice";
+    EXPECT_NE(shownOtherwise(with("bKGD", Bytes(6), true)).find("bKGD"), std::string::npos) << "too late";
 }
 
 TEST(PngAppearance, AnimationsAreNamedAsSuch) {

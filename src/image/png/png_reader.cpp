@@ -266,6 +266,9 @@ bool areSquare(Content content) {
 bool always(Content) {
     return true;
 }
+bool ifOpaque(Content) {
+    return false;
+}
 
 /// Chunks that change nothing, if their content is as it should be.
 struct HarmlessRow {
@@ -274,12 +277,13 @@ struct HarmlessRow {
     bool isOnce = false;  ///< there is one of them, before the pixels
 };
 constexpr std::array kHarmless{
-    HarmlessRow{"PLTE", always, true},  HarmlessRow{"tRNS", always, true},
-    HarmlessRow{"tEXt", always},        HarmlessRow{"zTXt", always},
-    HarmlessRow{"iTXt", always},        HarmlessRow{"tIME", always},
-    HarmlessRow{"sBIT", always},        HarmlessRow{"sRGB", always},
-    HarmlessRow{"gAMA", isGammaOfSrgb}, HarmlessRow{"cHRM", arePrimariesOfSrgb},
-    HarmlessRow{"pHYs", areSquare},     HarmlessRow{"hIST", always},
+    HarmlessRow{"PLTE", always, true},   HarmlessRow{"tRNS", always, true},
+    HarmlessRow{"tEXt", always},         HarmlessRow{"zTXt", always},
+    HarmlessRow{"iTXt", always},         HarmlessRow{"tIME", always},
+    HarmlessRow{"sBIT", always},         HarmlessRow{"sRGB", always},
+    HarmlessRow{"gAMA", isGammaOfSrgb},  HarmlessRow{"cHRM", arePrimariesOfSrgb},
+    HarmlessRow{"pHYs", areSquare},      HarmlessRow{"hIST", always},
+    HarmlessRow{"bKGD", ifOpaque, true},
 };
 
 /// What the others do.
@@ -307,9 +311,12 @@ std::string shownOtherwise(std::span<const std::byte> file) {
         return "it is not one whole PNG picture: a checksum is wrong, its chunks are out of order, or "
                "something follows its end";
     std::vector<std::string_view> before;
+    constexpr int kHasAlpha = 4;  // of the colour type
+    const bool isOpaque = (chunks->colorType & kHasAlpha) == 0 && !chunks->transparentColor;
     for (const PngChunk& each : chunks->others) {
         const auto* const row = std::ranges::find(kHarmless, each.type, &HarmlessRow::type);
-        if (row == kHarmless.end() || !row->isHarmless(each.content)) {
+        const bool isSeen = each.type != "bKGD" || !isOpaque;
+        if (row == kHarmless.end() || (isSeen && !row->isHarmless(each.content))) {
             const auto* const known = std::ranges::find(kMeanings, each.type, &Meaning::first);
             return fmt::format("{} (chunk {})",
                                known == kMeanings.end() ? "it has data of an unknown meaning" : known->second,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -337,23 +339,25 @@ void doCamera(Interpreter& in, const Command& command) {
     addCameraDepends(in, headOf(target), own.depends());
 }
 
-bool holdsWord(std::string_view text, std::string_view word) {
-    const auto isPart = [&](std::size_t at) { return at < text.size() && base::isOfName(text[at]); };
-    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
-        if (!(at > 0 && isPart(at - 1)) && !isPart(at + word.size())) return true;
-    return false;
-}
-
-/// True if the statement names the camera and does not declare it.
-bool mentions(const Command& command, std::string_view camera) {
-    // This runs for every frame, and most statements of a long script are vertices of lists.
-    if (command.values.empty() && command.keys.empty() && command.tags.empty()) return false;
-    Command rest;
-    rest.keys = command.keys;
-    rest.tags = command.tags;
-    rest.values = command.values;
-    if (command.id == CommandId::camera && !rest.values.empty()) rest.values.erase(rest.values.begin());
-    return holdsWord(glib::written(rest), camera);
+/// All words of the statements but the names that Camera declares.
+std::set<std::string, std::less<>> wordsIn(std::span<const Command> commands) {
+    std::set<std::string, std::less<>> words;
+    for (const Command& each : commands) {
+        // This runs for every frame, and most statements of a long script are vertices of lists.
+        if (each.values.empty() && each.keys.empty() && each.tags.empty()) continue;
+        Command rest;
+        rest.keys = each.keys;
+        rest.tags = each.tags;
+        rest.values = each.values;
+        if (each.id == CommandId::camera && !rest.values.empty()) rest.values.erase(rest.values.begin());
+        const std::string text = glib::written(rest);
+        for (auto end = text.begin(); end != text.end();) {
+            const auto begin = std::find_if(end, text.end(), base::isOfName);
+            end = std::find_if_not(begin, text.end(), base::isOfName);
+            if (begin != end) words.emplace(begin, end);
+        }
+    }
+    return words;
 }
 
 }  // namespace
@@ -365,13 +369,12 @@ std::span<const CommandAction> cameraActions() {
 
 void reportUnusedCameras(Interpreter& in) {
     const auto& commands = in.script->commands;
-    if (findCamera(in, {"eye", 0}) != nullptr ||
+    if (in.modern.cameras.empty() || findCamera(in, {"eye", 0}) != nullptr ||
         std::ranges::any_of(commands, [](const Command& each) { return each.id == CommandId::include; }))
         return;
+    const std::set<std::string, std::less<>> words = wordsIn(commands);
     for (const auto& [name, camera] : in.modern.cameras) {
-        if (name.second > 0 ||
-            std::ranges::any_of(commands, [&](const Command& each) { return mentions(each, name.first); }))
-            continue;
+        if (name.second > 0 || words.contains(name.first)) continue;
         in.report(diagnose(
             "glib-W38", fmt::format("camera '{}' is not used; the camera 'eye' sees the window", name.first),
             in.modern.names.at(name.first).place));
