@@ -10,6 +10,7 @@
 
 #include "base/contained.h"
 #include "base/files.h"
+#include "base/lines.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "classroom/review.h"
@@ -72,12 +73,8 @@ std::optional<std::vector<std::string>> SourceLines::lines(const Submission& sub
     std::vector<std::string> found;
     std::string_view rest = *known->second;
     for (int line = 1; line <= to && !rest.empty(); ++line) {
-        const std::size_t end = rest.find('\n');
-        std::string_view one = rest.substr(0, end);
-        if (one.ends_with('\r')) one.remove_suffix(1);
+        const std::string_view one = base::nextLine(rest);
         if (line >= from) found.emplace_back(one.substr(0, kLongestLine));
-        if (end == std::string_view::npos) break;
-        rest.remove_prefix(end + 1);
     }
     return found;
 }

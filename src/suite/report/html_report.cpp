@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/lines.h"
 #include "base/page_template.h"
 #include "base/text.h"
 #include "embedded/report_page.h"
@@ -25,12 +26,10 @@ base::Fields fieldsOf(const Source& source, const Diagnostics& diagnostics) {
     std::vector<base::Fields> lines;
     for (std::string_view rest = source.text; !rest.empty();) {
         const int line = static_cast<int>(lines.size()) + 1;
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
         std::vector<base::Fields> remarks;
         for (const Diagnostic& each : diagnostics)
             if (each.place.file == source.file && each.place.line == line) remarks.push_back(fieldsOf(each));
-        lines.push_back({{"line", line}, {"text", rest.substr(0, end)}, {"remarks", std::move(remarks)}});
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+        lines.push_back({{"line", line}, {"text", base::nextLine(rest)}, {"remarks", std::move(remarks)}});
     }
     return {{"file", source.file}, {"lines", std::move(lines)}};
 }
