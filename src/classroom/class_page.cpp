@@ -6,10 +6,10 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,6 +35,14 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
         text.replace(at, from.size(), to);
 }
 
+std::string styleOfPages() {
+    return std::string(report_page::report_css()) + std::string(class_page::class_css());
+}
+
+std::string withParts(std::string_view page) {
+    return std::string(class_page::parts_html()) + std::string(page);
+}
+
 }  // namespace
 
 std::vector<std::string> studentFiles(const Classroom& room) {
@@ -46,21 +54,11 @@ std::vector<std::string> studentFiles(const Classroom& room) {
 }
 
 std::string studentPage(const Classroom& room, std::size_t index, const std::filesystem::path& site) {
-    const Entry& entry = room.entries[index];
     const PictureSource source{site, kMostStudentPictures};
     SourceLines sources;
-    std::string body = "<p>" + stateHtml(entry) + "</p>" + marksHtml(room, entry, "");
-    const std::string reason = reasonOf(entry);
-    if (!reason.empty() && (entry.diagnostics.empty() || entry.drawsNothing))
-        body += "<p class=\"reason\">" + base::escapeXml(base::printableText(reason)) + "</p>";
-    body += messagesHtml(entry, sources) + picturesHtml(source, room, entry) + programsHtml(entry);
-    const base::Slot slots[] = {
-        {"title", base::escapeXml(base::printableText(entry.submission.name))},
-        {"headline", nameHtml(entry.submission.name)},
-        {"style", std::string(report_page::report_css()) + std::string(class_page::class_css())},
-        {"body", body},
-    };
-    return base::filled(class_page::student_html(), slots);
+    base::Fields fields = entryFields(source, room, room.entries[index], sources);
+    fields.emplace_back("style", styleOfPages());
+    return base::filled(withParts(class_page::student_html()), fields);
 }
 
 Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
@@ -129,18 +127,17 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
 namespace {
 
 namespace fs = std::filesystem;
-using base::escapeXml;
 
 constexpr std::size_t kMostPassages = 30;  // of a pair
 constexpr int kMostLines = 400;            // of a file beside another one
 
-std::string anchor(std::size_t entry) {
+std::string anchorOf(std::size_t entry) {
     return fmt::format("s{:04}", entry + 1);
 }
 
-std::string link(const Classroom& room, std::size_t entry) {
-    const std::string name = nameHtml(comparedEntry(room, entry).submission.name);
-    return entry < room.entries.size() ? fmt::format("<a href=\"#{}\">{}</a>", anchor(entry), name) : name;
+base::Fields linkFields(const Classroom& room, std::size_t entry) {
+    return {{"name", base::printableText(comparedEntry(room, entry).submission.name)},
+            {"anchor", entry < room.entries.size() ? anchorOf(entry) : ""}};
 }
 
 std::set<DeclaredUniform> uniformsOf(const Entry& entry) {
@@ -150,57 +147,55 @@ std::set<DeclaredUniform> uniformsOf(const Entry& entry) {
     return uniforms;
 }
 
-std::string factsHtml(const Classroom& room, const Entry& entry) {
+/// The uniforms of the reference that a submission does not have.
+std::vector<std::string> missingUniforms(const Classroom& room, const Entry& entry) {
     const std::set<DeclaredUniform> own = uniformsOf(entry);
-    std::string missing;
-    if (!entry.programs.empty())
-        for (const DeclaredUniform& each : uniformsOf(room.reference))
-            if (std::ranges::find(own, each.name, &DeclaredUniform::name) == own.end())
-                missing +=
-                    fmt::format("{}<code>{}</code>", missing.empty() ? "" : ", ", escapeXml(each.name));
-    std::string html = programsHtml(entry);
-    if (!missing.empty()) html += "<p>Only in the reference: " + missing + "</p>";
-    if (!entry.submission.scene.empty())
-        html += fmt::format(
-            "<p>Scene: <code>{}</code></p>",
-            escapeXml(entry.submission.scene.lexically_relative(entry.submission.folder).generic_string()));
-    if (!entry.reproduce.empty())
-        html += fmt::format("<div class=\"command\"><code>{}</code></div>", escapeXml(entry.reproduce));
-    if (html.empty()) return html;
-    return fmt::format("<details><summary>{}, {}</summary>{}</details>",
-                       base::counted(entry.programs.size(), "program"), base::counted(own.size(), "uniform"),
-                       html);
+    std::vector<std::string> missing;
+    if (entry.programs.empty()) return missing;
+    for (const DeclaredUniform& each : uniformsOf(room.reference))
+        if (std::ranges::find(own, each.name, &DeclaredUniform::name) == own.end())
+            missing.push_back(each.name);
+    return missing;
 }
 
-std::string cardHtml(const Classroom& room, std::size_t index, SourceLines& sources) {
+/// A submission's card, and its row of the table.
+base::Fields cardFields(const Classroom& room, std::size_t index, SourceLines& sources) {
     const Entry& entry = room.entries[index];
-    std::string html =
-        fmt::format("<article class=\"card\" id=\"{}\" data-name=\"{}\"><h3>{} {}</h3>", anchor(index),
-                    escapeXml(entry.submission.name), nameHtml(entry.submission.name), stateHtml(entry));
-    const std::string reason = reasonOf(entry);
-    // The reason is one of the messages, unless the process ended or there is no scene.
-    if (!reason.empty() && (entry.diagnostics.empty() || entry.drawsNothing))
-        html += "<p class=\"reason\">" + escapeXml(reason) + "</p>";
-    // What keeps a scene from being drawn comes before what is left of its pictures.
-    const bool isDrawnWell = isDrawn(entry);
-    const std::string messages = messagesHtml(entry, sources);
-    if (!isDrawnWell) html += messages;
-    html += picturesHtml({}, room, entry);
-    if (isDrawnWell) html += messages;
-    html += "<div class=\"grading\">" + marksHtml(room, entry, "pictures/") + "</div>";
-    if (const std::string reactions = reactionsHtml(room, entry); !reactions.empty())
-        html += "<p class=\"near\">Reacts: " + reactions + "</p>";
-    if (const std::vector<std::string> alike = lookalikesOf(room, entry); !alike.empty())
-        html += fmt::format("<p class=\"reason\">It reads a picture that looks like the reference's: {}</p>",
-                            escapeXml(base::printableText(fmt::format("{}", fmt::join(alike, ", ")))));
-    if (const std::optional<Nearest> nearest = nearestOf(room, index))
-        html += fmt::format("<p class=\"near\">{} of its shader code is like that of {}</p>",
-                            percentText(nearest->share), link(room, nearest->entry));
-    if (!entry.notCompared.empty())
-        html += fmt::format(
-            "<p class=\"near\">Not compared with other submissions: {}</p>",
-            escapeXml(base::printableText(fmt::format("{}", fmt::join(entry.notCompared, "; ")))));
-    return html + factsHtml(room, entry) + "</article>\n";
+    const std::optional<Scores> scores = scoresOf(entry);
+    const std::vector<std::string> missing = missingUniforms(room, entry);
+    const auto nearestFields = [&](const Nearest& each) {
+        base::Fields fields = linkFields(room, each.entry);
+        fields.emplace_back("share", percentText(each.share));
+        return fields;
+    };
+    const fs::path& scene = entry.submission.scene;
+    base::Fields fields = entryFields({}, room, entry, sources);
+    base::append(
+        fields,
+        {
+            {"anchor", anchorOf(index)},
+            {"key", entry.submission.name},
+            {"isDrawn", isDrawn(entry)},
+            {"lookalikes",
+             base::printableText(fmt::format("{}", fmt::join(lookalikesOf(room, entry), ", ")))},
+            {"nearest", base::rowsOf(nearestOf(room, index), nearestFields)},
+            {"notCompared", base::printableText(fmt::format("{}", fmt::join(entry.notCompared, "; ")))},
+            {"hasFacts",
+             !entry.programs.empty() || !missing.empty() || !scene.empty() || !entry.reproduce.empty()},
+            {"programCount", base::counted(entry.programs.size(), "program")},
+            {"uniformCount", base::counted(uniformsOf(entry).size(), "uniform")},
+            {"missing", missing},
+            {"scene",
+             scene.empty() ? "" : scene.lexically_relative(entry.submission.folder).generic_string()},
+            {"reproduce", entry.reproduce},
+            {"open", openCount(entry) == 0 ? "" : std::to_string(openCount(entry))},
+            {"likeness", scores ? figureText(scores->likeness) : ""},
+            {"flip", scores ? figureText(scores->flip) : ""},
+            {"structure", scores ? figureText(scores->structure) : ""},
+            {"errorCount", countOf(entry, Severity::error)},
+            {"warningCount", countOf(entry, Severity::warning)},
+        });
+    return fields;
 }
 
 /// False for places that the tokens do not have: a worker may have sent anything.
@@ -223,43 +218,31 @@ void markLines(const Entry& entry, const TokenPlace& place, std::size_t tokens, 
 }
 
 /// The files of one side that have passages, with these marked.
-std::string sideHtml(const Entry& entry, const MarkedLines& marked, SourceLines& sources) {
-    std::string html = "<div>";
-    for (const auto& [file, lines] : marked) {
+base::Fields sideFields(const Entry& entry, const MarkedLines& marked, SourceLines& sources) {
+    std::vector<base::Fields> files;
+    for (const auto& [file, passages] : marked) {
         const std::string path = fs::path(file).lexically_relative(entry.submission.folder).generic_string();
-        html += fmt::format("<h4>{}, {}</h4>", nameHtml(entry.submission.name),
-                            escapeXml(path.empty() ? file : path));
-        const int last = std::max(kMostLines, lines.rbegin()->first);
+        const int last = std::max(kMostLines, passages.rbegin()->first);
         const auto text = sources.lines(entry.submission, file, 1, std::min(last, 3 * kMostLines));
-        if (!text) {
-            html += "<p>the file cannot be read</p>";
-            continue;
-        }
-        html += "<div class=\"source\"><ol>";
-        for (std::size_t i = 0; i < text->size(); ++i) {
-            const auto mark = lines.find(static_cast<int>(i) + 1);
-            html += fmt::format("<li data-line=\"{}\"{}>{}</li>", i + 1,
-                                mark == lines.end() ? "" : fmt::format(" class=\"p{}\"", mark->second % 6),
-                                escapeXml((*text)[i]));
-        }
-        html += "</ol></div>";
+        const auto lookOf = [&](int line) {
+            const auto mark = passages.find(line);
+            return mark == passages.end() ? "" : fmt::format("p{}", mark->second % 6);
+        };
+        files.push_back({{"owner", base::printableText(entry.submission.name)},
+                         {"file", path.empty() ? file : path},
+                         {"isRead", text.has_value()},
+                         {"lines", text ? lineRows(*text, 1, lookOf) : std::vector<base::Fields>()}});
     }
-    return html + "</div>";
+    return {{"files", std::move(files)}};
 }
 
-std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines& sources) {
+base::Fields pairFields(const Classroom& room, const SimilarPair& pair, SourceLines& sources) {
     const Entry& a = comparedEntry(room, pair.a);
     const Entry& b = comparedEntry(room, pair.b);
     const std::vector<SharedPassage> passages = sharedPassages(a.files, room.fingerprints[pair.a], b.files,
                                                                room.fingerprints[pair.b], kMostPassages + 1);
     std::size_t tokens = 0;
     for (const SharedPassage& each : passages) tokens += each.tokens;
-    std::string html =
-        fmt::format("<details class=\"similar\"><summary>{} of {}, {} of {} <small>{}{}</small></summary>",
-                    percentText(pair.ofA), nameHtml(a.submission.name), percentText(pair.ofB),
-                    nameHtml(b.submission.name), passages.size() > kMostPassages ? "more than " : "",
-                    base::counted(tokens, "equal token"));
-    html += fmt::format("<p>{} and {}</p>", link(room, pair.a), link(room, pair.b));
     MarkedLines ofA, ofB;
     for (std::size_t i = 0; i < std::min(passages.size(), kMostPassages); ++i) {
         const SharedPassage& each = passages[i];
@@ -267,129 +250,47 @@ std::string pairHtml(const Classroom& room, const SimilarPair& pair, SourceLines
         markLines(a, each.a, each.tokens, i, ofA);
         markLines(b, each.b, each.tokens, i, ofB);
     }
-    if (!ofA.empty())
-        html += "<div class=\"sides\">" + sideHtml(a, ofA, sources) + sideHtml(b, ofB, sources) + "</div>";
-    if (passages.size() > kMostPassages) html += "<p>Shorter passages are not marked.</p>";
-    return html + "</details>\n";
+    std::vector<base::Fields> sides;
+    if (!ofA.empty()) sides = {sideFields(a, ofA, sources), sideFields(b, ofB, sources)};
+    return {{"ofA", percentText(pair.ofA)},
+            {"nameA", base::printableText(a.submission.name)},
+            {"ofB", percentText(pair.ofB)},
+            {"nameB", base::printableText(b.submission.name)},
+            {"isCut", passages.size() > kMostPassages},
+            {"tokens", base::counted(tokens, "equal token")},
+            {"ends", std::vector{linkFields(room, pair.a), linkFields(room, pair.b)}},
+            {"sides", std::move(sides)}};
 }
 
-std::string similarHtml(const Classroom& room) {
-    if (room.pairs.empty()) return "<p>No two submissions share much code.</p>";
-    SourceLines sources;
-    std::string html;
-    for (std::size_t i = 0; i < std::min(room.pairs.size(), kMostListedPairs); ++i)
-        html += pairHtml(room, room.pairs[i], sources);
-    if (room.pairs.size() > kMostListedPairs)
-        html += fmt::format("<p>{} more pairs are less similar.</p>", room.pairs.size() - kMostListedPairs);
-    return html;
-}
-
-std::string openText(std::size_t count) {
-    return count == 0 ? std::string() : fmt::format("{}", count);
-}
-
-/// "12 fields are not yet marked by hand", or nothing.
-std::string openHtml(const Classroom& room) {
-    std::size_t fields = 0, submissions = 0;
-    for (const Entry& each : room.entries) {
-        fields += openCount(each);
-        submissions += openCount(each) > 0 ? 1 : 0;
-    }
-    return fmt::format("<p class=\"unmarked\" data-all=\"{}\">{}</p>", room.entries.size(),
-                       fields == 0
-                           ? std::string()
-                           : fmt::format("Not yet marked by hand: {} of {}.", base::counted(fields, "field"),
-                                         base::counted(submissions, "submission")));
-}
-
-std::string overviewHtml(const Classroom& room) {
-    const bool scored = hasReference(room), marked = mostPoints(room) > 0, varied = !room.sliders.empty();
-    const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
-    std::string rows;
-    for (std::size_t i = 0; i < room.entries.size(); ++i) {
-        const Entry& entry = room.entries[i];
-        const std::optional<Scores> scores = scoresOf(entry);
-        const std::optional<Nearest> nearest = nearestOf(room, i);
-        rows += "<tr><th>" + link(room, i) + "</th>" + cell(stateHtml(entry));
-        if (marked)
-            rows += fmt::format("<td class=\"points\">{:g}</td><td class=\"open\">{}</td>",
-                                pointsOf(entry).value_or(0), openText(openCount(entry)));
-        if (scored) rows += cell(scores ? figureText(scores->likeness) : "");
-        if (varied) rows += cell(reactionsHtml(room, entry));
-        if (scored)
-            rows += cell(scores ? figureText(scores->flip) : "") +
-                    cell(scores ? figureText(scores->structure) : "");
-        rows += cell(fmt::format("{}", countOf(entry, Severity::error))) +
-                cell(fmt::format("{}", countOf(entry, Severity::warning))) +
-                cell(nearest ? percentText(nearest->share) + " like " +
-                                   nameHtml(comparedEntry(room, nearest->entry).submission.name)
-                             : "") +
-                "</tr>\n";
-    }
-    return std::string("<table class=\"overview\"><thead><tr><th>submission</th><th>state</th>") +
-           (marked ? "<th>points</th><th>to mark</th>" : "") + (scored ? "<th>likeness</th>" : "") +
-           (varied ? "<th>reacts</th>" : "") + (scored ? "<th>FLIP</th><th>structure</th>" : "") +
-           "<th>errors</th><th>warnings</th><th>most similar</th></tr></thead><tbody>\n" + rows +
-           "</tbody></table>";
-}
-
-std::string referenceHtml(const Classroom& room, SourceLines& sources) {
-    std::string html = "<div class=\"strip\">";
+std::vector<base::Fields> referenceRow(const Classroom& room, SourceLines& sources) {
+    if (!hasReference(room)) return {};
+    std::vector<base::Fields> figures;
     for (std::size_t i = 0; i < room.reference.pictures.size(); ++i) {
         const Picture& picture = room.reference.pictures[i];
-        html += pictureHtml({}, picture, picture, "the reference",
-                            escapeXml(room.moments[i].label.empty()
-                                          ? fmt::format("{} x {} pixels", picture.width, picture.height)
-                                          : room.moments[i].label));
+        const std::string& label = room.moments[i].label;
+        figures.push_back(figureFields(
+            {}, picture, picture, "the reference",
+            label.empty() ? fmt::format("{} x {} pixels", picture.width, picture.height) : label));
     }
-    return html + "</div>" + messagesHtml(room.reference, sources) + programsHtml(room.reference);
+    base::Fields fields = entryFields({}, room, room.reference, sources);
+    fields.emplace_back("figures", std::move(figures));
+    return {std::move(fields)};
 }
 
-/// The cards of all entries that are drawn, or of all others.
-std::string cardsHtml(const Classroom& room, bool drawn, SourceLines& sources) {
-    std::string html;
-    for (std::size_t i = 0; i < room.entries.size(); ++i)
-        if ((stateOf(room.entries[i]) == "drawn") == drawn) html += cardHtml(room, i, sources);
-    return html;
-}
-
-std::string section(const char* id, const char* title, const std::string& content) {
-    if (content.empty()) return {};
-    return fmt::format("<section id=\"{}\"><h2>{}</h2>{}</section>\n", id, title, content);
-}
-
-std::string leftOutHtml(const Classroom& room) {
-    const auto list = [](const char* title, const std::vector<std::string>& names) {
-        std::string items;
-        for (const std::string& each : names) items += "<li>" + nameHtml(each) + "</li>";
-        return items.empty() ? items : fmt::format("<p>{}</p><ul>{}</ul>", title, items);
-    };
+std::vector<base::Fields> leftOutRows(const Classroom& room) {
     std::vector<std::string> earlier;
     for (const Entry& each : room.earlier)
         if (each.submission.scene.empty()) earlier.push_back(each.submission.name);
-    return list("These files are no scenes, zip files or folders.", room.leftOut) +
-           list("These earlier submissions are not compared, because they have no scene.", earlier) +
-           list("These students of the roster handed in nothing that was found.", room.absent) +
-           list("These points and comments of marks.json belong to no submission or check.", room.unplaced);
-}
-
-std::string detailsHtml(const Classroom& room) {
-    std::string html = "<dl>";
-    const auto add = [&](std::string_view title, const std::string& value) {
-        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, escapeXml(value));
+    std::vector<base::Fields> rows;
+    const auto add = [&](const char* title, std::vector<std::string> names) {
+        for (std::string& each : names) each = base::printableText(each);
+        if (!names.empty()) rows.push_back({{"title", title}, {"names", names}});
     };
-    if (!room.isAnonymous) add("Submissions", room.folder);
-    add("Reference", room.reference.submission.scene.generic_string());
-    add("Driver", room.driver);
-    add("Machine", room.machine);
-    add("Command", room.command);
-    add("Began", room.began);
-    add("Time", suite::readableTime(room.seconds));
-    return html + "</dl>";
-}
-
-std::string grid(const std::string& cards) {
-    return cards.empty() ? cards : "<div class=\"cards\">" + cards + "</div>";
+    add("These files are no scenes, zip files or folders.", room.leftOut);
+    add("These earlier submissions are not compared, because they have no scene.", earlier);
+    add("These students of the roster handed in nothing that was found.", room.absent);
+    add("These points and comments of marks.json belong to no submission or check.", room.unplaced);
+    return rows;
 }
 
 }  // namespace
@@ -403,36 +304,44 @@ std::string_view gradeScript() {
 }
 
 std::string classPage(const Classroom& room, bool serves) {
-    SourceLines sources;
-    const std::string failed =
-        section("failed", "Not drawn, or nothing to see", grid(cardsHtml(room, false, sources)));
-    const std::string drawn = section("drawn", "Drawn", grid(cardsHtml(room, true, sources)));
-    const std::string leftOut = section("leftout", "Left out", leftOutHtml(room));
-    std::string parts;
-    for (const auto& [id, title, content] : {std::tuple{"failed", "Not drawn", &failed},
-                                             {"drawn", "Drawn", &drawn},
-                                             {"leftout", "Left out", &leftOut}})
-        if (!content->empty()) parts += fmt::format("<a href=\"#{}\">{}</a> ", id, title);
-    const base::Slot slots[] = {
-        {"title", escapeXml(summary(room) + " - glibra")},
-        {"headline", escapeXml(summary(room))},
-        {"runDetails", detailsHtml(room)},
-        {"style", std::string(report_page::report_css()) + std::string(class_page::class_css())},
-        {"parts", parts},
-        {"connect", serves ? "; connect-src 'self'" : ""},
-        {"scripts", serves ? "\n<script src=\"grade.js\" defer></script>" : ""},
-        {"reference",
-         hasReference(room) ? section("reference", "Reference", referenceHtml(room, sources)) : ""},
-        {"referenceLink", hasReference(room) ? "<a href=\"#reference\">Reference</a> " : ""},
-        {"overview", (mostPoints(room) > 0 ? openHtml(room) : "") + overviewHtml(room)},
-        {"failed", failed},
-        {"drawn", drawn},
-        {"similar", similarHtml(room)},
-        {"common", fmt::format("{}", room.common)},
-        {"leftOut", leftOut},
-        {"gram", fmt::format("{}", kLongestUnseen + 1)},
+    SourceLines sources, sourcesOfPairs;
+    std::vector<base::Fields> entries, failed, drawn;
+    std::size_t openFields = 0, openEntries = 0;
+    for (std::size_t i = 0; i < room.entries.size(); ++i) {
+        entries.push_back(cardFields(room, i, sources));
+        (stateOf(room.entries[i]) == "drawn" ? drawn : failed).push_back(entries.back());
+        openFields += openCount(room.entries[i]);
+        openEntries += openCount(room.entries[i]) > 0 ? 1 : 0;
+    }
+    const auto pair = [&](const SimilarPair& each) { return pairFields(room, each, sourcesOfPairs); };
+    const base::Fields fields = {
+        {"headline", summary(room)},
+        {"style", styleOfPages()},
+        {"serves", serves},
+        {"details", base::titledRows({{"Submissions", room.isAnonymous ? "" : room.folder},
+                                      {"Reference", room.reference.submission.scene.generic_string()},
+                                      {"Driver", room.driver},
+                                      {"Machine", room.machine},
+                                      {"Command", room.command},
+                                      {"Began", room.began},
+                                      {"Time", suite::readableTime(room.seconds)}})},
+        {"reference", referenceRow(room, sources)},
+        {"count", room.entries.size()},
+        {"openFields", openFields == 0 ? "" : base::counted(openFields, "field")},
+        {"openEntries", base::counted(openEntries, "submission")},
+        {"isScored", hasReference(room)},
+        {"isMarked", mostPoints(room) > 0},
+        {"isVaried", !room.sliders.empty()},
+        {"entries", std::move(entries)},
+        {"failed", std::move(failed)},
+        {"drawn", std::move(drawn)},
+        {"pairs", base::rowsOf(room.pairs | std::views::take(kMostListedPairs), pair)},
+        {"morePairs", base::leftOut(room.pairs.size(), kMostListedPairs)},
+        {"common", room.common},
+        {"gram", kLongestUnseen + 1},
+        {"leftOut", leftOutRows(room)},
     };
-    return suite::loadingFirstScreen(base::filled(class_page::class_html(), slots));
+    return suite::loadingFirstScreen(base::filled(withParts(class_page::class_html()), fields));
 }
 
 Diagnostics writeSite(const Classroom& room, const fs::path& site, const SiteFiles& files) {

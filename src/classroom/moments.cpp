@@ -8,26 +8,20 @@
 #include <set>
 #include <utility>
 
+#include "base/lines.h"
 #include "glib/number.h"
 #include "suite/file/exercise_file.h"
 #include "suite/file/suite_file.h"
 
 namespace glibra::classroom {
-namespace {
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Slider> slidersOf(std::span<const Moment> moments) {
     const auto valuesOf = [](const Moment& moment) {
         std::map<std::string, std::string> values;
         for (const std::string& each : moment.shot.options.set) {
             const std::size_t equals = std::min(each.find('='), each.size());
-            values[trimmed(each.substr(0, equals))] = each.substr(equals);
+            values[std::string(base::trimmed(each.substr(0, equals)))] = each.substr(equals);
         }
         values["time"] = glib::numberText(moment.shot.options.time);
         return values;

@@ -13,6 +13,7 @@
 
 #include "base/contained.h"
 #include "base/files.h"
+#include "base/lines.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "image/file.h"
@@ -86,9 +87,7 @@ constexpr std::size_t kLongestName = 300;  // bytes; std::regex recurses once pe
 constexpr std::uint64_t kLargestMetadata = 16u << 20u;
 
 std::string_view unquoted(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    text = text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    text = base::trimmed(text, " \t\r");
     if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front())
         text = text.substr(1, text.size() - 2);
     return text;
@@ -117,9 +116,7 @@ std::map<std::string, Person> readMetadata(std::string_view text) {
     Person* person = nullptr;
     std::string_view section;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view line = base::nextLine(text);
         if (line.starts_with("submission_")) {
             person = &people[std::string(line.substr(0, line.find(':')))];
             section = {};

@@ -1,22 +1,20 @@
 #pragma once
-// The pieces that the page of a class and the page of one student have in common, as HTML.
+// What the page of a class and the page of one student have in common.
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/page_template.h"
 #include "classroom/classroom.h"
 
 namespace glibra::classroom {
 
-/// A name that a stranger chose. <bdi> keeps its direction to itself.
-std::string nameHtml(std::string_view name);
 std::string figureText(double value);
 std::string percentText(double share);
-/// The words of a state, and its class in report.css.
-std::string stateHtml(const Entry& entry);
 
 /// The lines of files of submissions, each read once. No link is followed.
 class SourceLines {
@@ -36,18 +34,16 @@ struct PictureSource {
     std::size_t most = 100;  ///< moments that are shown
 };
 
-/// `shape` has the width and height of the place of a picture that is missing.
-std::string pictureHtml(const PictureSource& source, const Picture& picture, const Picture& shape,
-                        const std::string& alternative, const std::string& caption);
-/// Each picture beside the reference's. Nothing for a submission without any picture: the reference is on the
-/// page once.
-std::string picturesHtml(const PictureSource& source, const Classroom& room, const Entry& entry);
-/// The errors with the lines that they name, then the warnings, one line for each kind.
-std::string messagesHtml(const Entry& entry, SourceLines& sources);
-/// The points by check, with reasons; `picturePrefix` begins the link to the picture that shows one.
-std::string marksHtml(const Classroom& room, const Entry& entry, std::string_view picturePrefix);
-/// "uTol yes, uAd no", with the figures of both as a title.
-std::string reactionsHtml(const Classroom& room, const Entry& entry);
-std::string programsHtml(const Entry& entry);
+// Fields of the templates in page/parts.html.
+
+/// `lookOf` gives the class of a line by its number; `first` is that of the first line.
+std::vector<base::Fields> lineRows(const std::vector<std::string>& lines, int first,
+                                   const std::function<std::string(int)>& lookOf);
+/// A picture with its caption. `shape` has the width and height of the place of a picture that is missing.
+base::Fields figureFields(const PictureSource& source, const Picture& picture, const Picture& shape,
+                          const std::string& alternative, const std::string& caption);
+/// Name, state, messages, pictures beside the reference's, points and programs of a submission.
+base::Fields entryFields(const PictureSource& source, const Classroom& room, const Entry& entry,
+                         SourceLines& sources);
 
 }  // namespace glibra::classroom

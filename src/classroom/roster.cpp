@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "base/files.h"
+#include "base/lines.h"
 #include "classroom/hand_in_time.h"
 #include "classroom/names.h"
 #include "glib/text.h"
@@ -17,11 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string withoutBlanks(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
-}
+constexpr std::string_view kBlanks = " \t\r\n";
 
 /// "Participant 1234567", as Moodle's table has it, is 1234567.
 std::string numberOf(const std::string& text) {
@@ -104,7 +101,7 @@ std::optional<std::size_t> columnOf(const Roster& roster, std::string_view name)
     if (roster.records.empty()) return std::nullopt;
     const std::vector<std::string>& head = roster.records.front();
     for (std::size_t i = 0; i < head.size(); ++i)
-        if (glib::sameWord(withoutBlanks(head[i]), name)) return i;
+        if (glib::sameWord(base::trimmed(head[i], kBlanks), name)) return i;
     return std::nullopt;
 }
 
@@ -133,11 +130,12 @@ Result<Roster> readRoster(const fs::path& file) {
     Diagnostics problems;
     for (std::size_t i = 1; i < roster.records.size(); ++i) {
         const auto field = [&](const std::optional<std::size_t>& column) {
-            return column && *column < roster.records[i].size() ? withoutBlanks(roster.records[i][*column])
-                                                                : std::string();
+            return column && *column < roster.records[i].size()
+                       ? std::string(base::trimmed(roster.records[i][*column], kBlanks))
+                       : std::string();
         };
         Student student{field(name), numberOf(field(number)), field(email), field(scene), {}, {}, i};
-        if (student.name.empty()) student.name = withoutBlanks(field(first) + " " + field(last));
+        if (student.name.empty()) student.name = base::trimmed(field(first) + " " + field(last), kBlanks);
         if (student.name.empty() && student.number.empty()) continue;
         // The second line of Canvas's table has the most points.
         if (student.number.empty() && glib::sameWord(student.name, "points possible")) continue;

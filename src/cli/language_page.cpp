@@ -4,14 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/page_template.h"
 #include "base/text.h"
+#include "embedded/command_pages.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
 #include "glib/diagnostic_catalogue.h"
@@ -28,9 +29,6 @@
 namespace glibra::cli {
 namespace {
 
-using scene::ShaderName;
-using scene::shaderNames;
-
 /// Text as it stands in a cell of a table.
 std::string cell(std::string_view text) {
     std::string escaped;
@@ -41,10 +39,6 @@ std::string cell(std::string_view text) {
     return escaped;
 }
 
-std::string joined(const std::vector<std::string>& parts, std::string_view between = ", ") {
-    return fmt::format("{}", fmt::join(parts, between));
-}
-
 /// "1,048,576" for whole numbers, otherwise as a scene states it.
 std::string numberCell(double value) {
     constexpr double kExact = 1e15;
@@ -53,8 +47,6 @@ std::string numberCell(double value) {
         return base::groupedText(static_cast<long long>(value));
     return glib::numberText(value);
 }
-
-// ---- Commands
 
 /// "1 to 16,384", "above 0"; empty if every number is taken.
 std::string limitsOf(const glib::SyntaxNode& argument) {
@@ -86,38 +78,25 @@ std::string argumentCell(const glib::SyntaxNode& argument) {
     std::vector<std::string> remarks;
     if (const std::string limits = limitsOf(argument); !limits.empty()) remarks.push_back(limits);
     if (!argument.measure.empty()) remarks.push_back(argument.measure);
-    return remarks.empty() ? text : text + ": " + joined(remarks);
+    return remarks.empty() ? text : fmt::format("{}: {}", text, fmt::join(remarks, ", "));
 }
 
-std::string commandSection() {
-    std::string text =
-        "A value after `=` is the default. A value in parentheses replaces a missing number, with the "
-        "warning glib-W06. An argument in brackets may be left out.\n\n"
-        "| Command | Arguments | Meaning |\n|---|---|---|\n";
-    for (const glib::StatementRow& row : glib::commandTable()) {
-        std::vector<std::string> names, arguments;
-        for (const std::string_view each : row.names())
-            if (!each.empty()) names.push_back(fmt::format("`{}`", each));
-        for (const glib::SyntaxNode* each : glib::argumentsOf(row)) arguments.push_back(argumentCell(*each));
-        if (const std::vector<std::string> known = glib::wordsOf(row); !known.empty()) {
-            std::vector<std::string> words;
-            for (const std::string& each : known) words.push_back(fmt::format("`{}`", each));
-            arguments.push_back("one of " + joined(words));
-        }
-        text += fmt::format("| {} | {} | {} |\n", joined(names), cell(joined(arguments, "<br>")),
-                            cell(row.summary));
-    }
-    for (std::size_t at = 0; (at = text.find("\\<br>", at)) != std::string::npos;) text.erase(at, 1);
-    return text;
+base::Fields commands() {
+    return {{"rows", base::rowsOf(glib::commandTable(), [](const glib::StatementRow& row) -> base::Fields {
+                 std::vector<std::string> names, arguments;
+                 for (const std::string_view each : row.names())
+                     if (!each.empty()) names.emplace_back(each);
+                 for (const glib::SyntaxNode* each : glib::argumentsOf(row))
+                     arguments.push_back(argumentCell(*each));
+                 if (const std::vector<std::string> known = glib::wordsOf(row); !known.empty())
+                     arguments.push_back(fmt::format("one of `{}`", fmt::join(known, "`, `")));
+                 return {{"names", names}, {"arguments", arguments}, {"meaning", row.summary}};
+             })}};
 }
-
-// ---- Primitives
 
 /// Every command that draws something by itself, without a file or points, with the mesh of its defaults.
-std::string primitiveSection() {
-    std::string text =
-        "The counts are those of the default arguments.\n\n"
-        "| Command | Drawn as | Vertices | Attributes besides the position |\n|---|---|---|---|\n";
+base::Fields primitives() {
+    std::vector<base::Fields> rows;
     for (const glib::StatementRow& row : glib::commandTable()) {
         if (glib::formOf(row) != glib::ArgumentForm::numbers) continue;
         const scene::Scene scene = scene::interpret(glib::parse(std::string(row.name) + "\n", "table"));
@@ -127,135 +106,116 @@ std::string primitiveSection() {
         std::vector<std::string> attributes;
         for (const geometry::Attribute& each : mesh->attributes)
             if (each.name != geometry::kPosition) attributes.push_back(each.name);
-        text += fmt::format("| `{}` | {} | {} | {} |\n", row.name, geometry::wordsOf(mesh->topology),
-                            base::groupedText(static_cast<long long>(mesh->vertexCount())),
-                            attributes.empty() ? "none" : joined(attributes));
+        rows.push_back({{"name", row.name},
+                        {"topology", geometry::wordsOf(mesh->topology)},
+                        {"vertices", base::groupedText(static_cast<long long>(mesh->vertexCount()))},
+                        {"attributes", attributes}});
     }
-    return text;
+    return {{"rows", rows}};
 }
 
-// ---- Formats
-
-std::string formatSection() {
-    std::string text =
-        "Formats of empty textures; the first is the default:\n\n| Format | Bytes per texel |\n|---|---|\n";
-    for (const glib::TextureFormat& each : glib::textureFormats())
-        text += fmt::format("| `{}` | {} |\n", each.name, each.bytes);
-    text += "\nKinds of picture files:\n\n| Kind | Endings |\n|---|---|\n";
+base::Fields formats() {
+    std::vector<base::Fields> pictures;
     for (const image::FormatRow& each : image::formats()) {
         if (each.suffixes.empty()) continue;
-        std::string kind(each.description);
-        kind.erase(0, kind.find(' ') + 1);  // the article
         std::vector<std::string> endings;
         for (std::size_t at = 0; at < each.suffixes.size();) {
             const std::size_t end = each.suffixes.find(' ', at);
-            endings.push_back(fmt::format("`{}`", each.suffixes.substr(at, end - at)));
+            endings.emplace_back(each.suffixes.substr(at, end - at));
             at = end + 1;
         }
-        text += fmt::format("| {} | {} |\n", kind, joined(endings));
+        const std::string_view kind = each.description;
+        pictures.push_back({{"kind", kind.substr(kind.find(' ') + 1)}, {"endings", endings}});  // no article
     }
-    return text;
+    const auto texture = [](const glib::TextureFormat& each) {
+        return base::Fields{{"name", each.name}, {"bytes", each.bytes}};
+    };
+    return {{"textures", base::rowsOf(glib::textureFormats(), texture)}, {"pictures", pictures}};
 }
 
-// ---- Names that shaders are given
-
-std::string suppliedSection() {
-    const auto cells = [](const ShaderName& each) {
+/// Names that shaders are given.
+base::Fields supplied() {
+    std::vector<base::Fields> uniforms, inputs;
+    for (const scene::ShaderName& each : scene::shaderNames()) {
         std::vector<std::string> names;
         for (const std::string& name : each.names)
             names.push_back(
                 fmt::format("`{}`{}", name, name == "gl_Color" && !each.isInput ? " (fragment stage)" : ""));
-        return joined(names);
-    };
-    const std::vector<ShaderName> all = shaderNames();
-    std::string text = "Uniform variables:\n\n| Names | Type |\n|---|---|\n";
-    for (const ShaderName& each : all)
-        if (!each.isInput) text += fmt::format("| {} | `{}` |\n", cells(each), each.type);
-    text += "\nVertex inputs:\n\n| Names | Type | Attribute of the mesh |\n|---|---|---|\n";
-    for (const ShaderName& each : all)
-        if (each.isInput)
-            text += fmt::format("| {} | `{}` | {} |\n", cells(each), each.type,
-                                each.attribute.empty() ? std::string("none: always (0, 0, 0, 1)")
-                                                       : std::string(each.attribute));
-    return text;
-}
-
-// ---- Diagnostics
-
-std::string diagnosticSection() {
-    std::string text = "| Id | Severity | Meaning | Example |\n|---|---|---|---|\n";
-    for (const glib::CatalogueRow& each : glib::diagnosticCatalogue())
-        text += fmt::format("| {} | {} | {} | {} |\n", each.id, name(severityOf(each.id)), cell(each.meaning),
-                            cell(each.example));
-    return text;
-}
-
-// ---- Options of a picture
-
-std::string optionSection() {
-    std::string text = "| Command line | In suites | Meaning | Allowed | Default |\n|---|---|---|---|---|\n";
-    for (const suite::OptionRow& row : suite::optionTable()) {
-        const std::string form = suite::placeholder(row);
-        const std::string option =
-            row.name.empty() ? "" : fmt::format("`--{}{}{}`", row.name, form.empty() ? "" : " ", form);
-        const std::string key = row.key.empty() ? "" : fmt::format("`{}`", row.key);
-        text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(option), key, cell(row.help),
-                            cell(suite::limits(row)), suite::defaultText(row));
+        (each.isInput ? inputs : uniforms)
+            .push_back({{"names", names}, {"type", each.type}, {"attribute", each.attribute}});
     }
-    return text;
+    return {{"uniforms", uniforms}, {"inputs", inputs}};
 }
-
-// ---- Expressions
 
 /// A table for each group; the forms of one function share a row.
-std::string functionSection() {
-    std::string text;
+base::Fields functions() {
+    std::vector<base::Fields> groups, all;
     std::span<const expression::FunctionRow> rows = expression::functionTable();
-    std::optional<expression::FunctionGroup> group;
     while (!rows.empty()) {
-        if (group != rows.front().group) {
-            text += fmt::format("{}**{}**\n\n| Forms | Value |\n|---|---|\n", group ? "\n" : "",
-                                expression::title(rows.front().group));
-            group = rows.front().group;
-        }
+        const expression::FunctionGroup group = rows.front().group;
         // A row without a summary is another form of the row before.
         std::size_t forms = 1;
         while (forms < rows.size() && rows[forms].summary.empty()) ++forms;
         std::vector<std::string> prototypes;
-        for (const expression::FunctionRow& each : rows.first(forms))
-            prototypes.push_back(fmt::format("`{}`", each.prototype));
-        text += fmt::format("| {} | {} |\n", joined(prototypes, "<br>"), cell(rows.front().summary));
+        for (const expression::FunctionRow& each : rows.first(forms)) prototypes.emplace_back(each.prototype);
+        all.push_back({{"forms", prototypes}, {"meaning", rows.front().summary}});
         rows = rows.subspan(forms);
+        if (rows.empty() || rows.front().group != group)
+            groups.push_back({{"title", expression::title(group)}, {"rows", std::exchange(all, {})}});
     }
-    return text;
+    return {{"groups", groups}};
 }
 
-std::string nameSection() {
-    std::string text = "| Name | Type | Value |\n|---|---|---|\n";
-    for (const expression::NameRow& each : expression::sceneNames())
-        text +=
-            fmt::format("| `{}` | {} | {} |\n", each.path, expression::name(each.type), cell(each.summary));
-    for (const expression::NameRow& each : expression::cameraFields())
-        text += fmt::format("| `camera.{}` | {} | {} |\n", each.path, expression::name(each.type),
-                            cell(each.summary));
-    return text;
+base::Fields names() {
+    std::vector<base::Fields> rows;
+    const auto add = [&](const char* owner, std::span<const expression::NameRow> known) {
+        for (const expression::NameRow& each : known)
+            rows.push_back({{"name", fmt::format("{}{}", owner, each.path)},
+                            {"type", expression::name(each.type)},
+                            {"meaning", each.summary}});
+    };
+    add("", expression::sceneNames());
+    add("camera.", expression::cameraFields());
+    return {{"rows", rows}};
 }
 
+base::Fields diagnostics() {
+    return {{"rows", base::rowsOf(glib::diagnosticCatalogue(), [](const glib::CatalogueRow& each) {
+                 return base::Fields{{"id", each.id},
+                                     {"severity", name(severityOf(each.id))},
+                                     {"meaning", each.meaning},
+                                     {"example", each.example}};
+             })}};
+}
+
+/// The options of a picture.
+base::Fields options() {
+    return {{"rows", base::rowsOf(suite::optionTable(), [](const suite::OptionRow& row) {
+                 return base::Fields{{"name", row.name},
+                                     {"form", suite::placeholder(row)},
+                                     {"key", row.key},
+                                     {"meaning", row.help},
+                                     {"limits", suite::limits(row)},
+                                     {"default", suite::defaultText(row)}};
+             })}};
+}
+
+/// The sections, which have their names in the template.
 struct Section {
     std::string_view name;
-    std::string (*make)();
+    base::Fields (*fields)();
 };
 
-constexpr std::array<Section, 8> kSections{{
-    {"commands", commandSection},
-    {"primitives", primitiveSection},
-    {"formats", formatSection},
-    {"supplied", suppliedSection},
-    {"functions", functionSection},
-    {"names", nameSection},
-    {"diagnostics", diagnosticSection},
-    {"options", optionSection},
-}};
+constexpr Section kSections[] = {
+    {"commands", commands},       {"primitives", primitives}, {"formats", formats},
+    {"supplied", supplied},       {"functions", functions},   {"names", names},
+    {"diagnostics", diagnostics}, {"options", options},
+};
+
+std::string textOf(const Section& section) {
+    return base::filled(fmt::format("{}{{{{>{}}}}}", command_pages::language_txt(), section.name),
+                        section.fields(), cell);
+}
 
 constexpr std::string_view kBegin = "<!-- generated: ";
 constexpr std::string_view kBeginEnd = " -->";
@@ -268,16 +228,14 @@ std::string withMarkers(std::string_view name, std::string_view content) {
 }  // namespace
 
 std::optional<std::string> generatedSection(std::string_view name) {
-    const auto* const found = std::find_if(kSections.begin(), kSections.end(),
-                                           [&](const Section& each) { return each.name == name; });
-    if (found == kSections.end()) return std::nullopt;
-    return found->make();
+    const auto* const found = std::ranges::find(kSections, name, &Section::name);
+    return found != std::end(kSections) ? std::optional(textOf(*found)) : std::nullopt;
 }
 
 std::string generatedSections() {
     std::string text;
     for (const Section& each : kSections)
-        text += (text.empty() ? "" : "\n") + withMarkers(each.name, each.make());
+        text += (text.empty() ? "" : "\n") + withMarkers(each.name, textOf(each));
     return text;
 }
 

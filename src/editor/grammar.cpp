@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
+#include "base/page_template.h"
 #include "base/texel_format.h"
+#include "embedded/editor_grammars.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
 #include "glib/statement_table.h"
@@ -20,7 +21,6 @@
 namespace glibra::editor {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 /// The words of the language by what they are.
@@ -72,50 +72,6 @@ std::string alternatives(Words words) {
     return fmt::format("{}", fmt::join(words, "|"));
 }
 
-// ---- Visual Studio Code
-
-constexpr const char* kNumber = R"((?<![\w.])[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)";
-
-Json named(const char* name, const std::string& pattern) {
-    return {{"name", name}, {"match", pattern}};
-}
-
-std::string textMateGrammar(const LanguageWords& words) {
-    Json patterns = Json::array();
-    for (const std::string& each : words.stages)
-        patterns.push_back(
-            {{"begin", fmt::format(R"((?i)^\s*({})\s+(inline)\b)", each)},
-             {"end", fmt::format(R"((?i)^\s*(End{})\s*$)", each)},
-             {"beginCaptures",
-              {{"1", {{"name", "keyword.control.glib"}}}, {"2", {{"name", "storage.modifier.glib"}}}}},
-             {"endCaptures", {{"1", {{"name", "keyword.control.glib"}}}}},
-             {"contentName", "meta.embedded.block.glsl"},
-             {"patterns", Json::array({{{"include", "source.glsl"}}})}});
-    patterns.push_back(
-        {{"match", R"((?i)^\s*(MessageBox)\b(.*)$)"},
-         {"captures",
-          {{"1", {{"name", "keyword.control.glib"}}}, {"2", {{"name", "string.unquoted.glib"}}}}}});
-    patterns.push_back(named("comment.line.glib", R"((?:#|//|(?<!\S)/).*$)"));
-    patterns.push_back(named("string.quoted.double.glib", R"("[^"]*"?)"));
-    patterns.push_back({{"match", fmt::format(R"((?i)^\s*({})(?![\w.]))", alternatives(words.statements))},
-                        {"captures", {{"1", {{"name", "keyword.control.glib"}}}}}});
-    patterns.push_back(named("support.function.glib",
-                             fmt::format(R"((?<![\w.])({})(?=\s*\())", alternatives(words.functions))));
-    patterns.push_back(
-        named("variable.language.glib", fmt::format(R"((?<![\w.])({})(?!\w))", alternatives(words.names))));
-    patterns.push_back(
-        named("storage.modifier.glib", fmt::format(R"((?i)(?<![\w.])({})(?!\w))", alternatives(words.keys))));
-    patterns.push_back(named("constant.numeric.glib", kNumber));
-    patterns.push_back(named("constant.character.escape.glib", R"(\\\s*$)"));
-    const Json grammar = {
-        {"$schema", "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json"},
-        {"name", "GLIB scene"},
-        {"scopeName", "source.glib"},
-        {"fileTypes", {"glib"}},
-        {"patterns", patterns}};
-    return grammar.dump(2) + "\n";
-}
-
 std::vector<GrammarFile> forVscode(const LanguageWords& words, std::string_view version) {
     Words openers, closers;
     for (const glib::StatementRow& row : glib::statementTable()) {
@@ -123,44 +79,20 @@ std::vector<GrammarFile> forVscode(const LanguageWords& words, std::string_view 
         if (row.role == glib::BlockRole::closes || row.role == glib::BlockRole::divides)
             closers.emplace_back(row.name);
     }
-    for (const char* each : {"glBegin", "PushMatrix", "TransformBegin"}) openers.emplace_back(each);
+    for (const char* each : {"glBegin", "PushMatrix", "TransformBegin", "Else"}) openers.emplace_back(each);
     for (const char* each : {"glEnd", "PopMatrix", "TransformEnd"}) closers.emplace_back(each);
-    Words divided = openers;
-    divided.emplace_back("Else");
-    Json brackets = Json::array();
-    for (const auto& [open, close] : {std::pair{"{", "}"}, {"[", "]"}, {"(", ")"}})
-        brackets.push_back(Json::array({open, close}));
-    Json pairList = brackets;
-    pairList.push_back(Json::array({"\"", "\""}));
-    const Json configuration = {
-        {"comments", {{"lineComment", "#"}}},
-        {"brackets", brackets},
-        {"autoClosingPairs", pairList},
-        {"surroundingPairs", pairList},
-        {"indentationRules",
-         {{"increaseIndentPattern", fmt::format(R"(^\s*({})\b)", alternatives(divided))},
-          {"decreaseIndentPattern", fmt::format(R"(^\s*({})\b)", alternatives(closers))}}}};
-    const Json package = {
-        {"name", "glibra"},
-        {"displayName", "GLIB scenes"},
-        {"description", "Syntax colours for GLIB shader scenes"},
-        {"version", version},
-        {"publisher", "glibra"},
-        {"license", "MIT"},
-        {"engines", {{"vscode", "^1.75.0"}}},
-        {"categories", Json::array({"Programming Languages"})},
-        {"contributes",
-         {{"languages", Json::array({{{"id", "glib"},
-                                      {"aliases", Json::array({"GLIB scene", "glib"})},
-                                      {"extensions", Json::array({".glib"})},
-                                      {"configuration", "./language-configuration.json"}}})},
-          {"grammars", Json::array({{{"language", "glib"},
-                                     {"scopeName", "source.glib"},
-                                     {"path", "./syntaxes/glib.tmLanguage.json"},
-                                     {"embeddedLanguages", {{"meta.embedded.block.glsl", "glsl"}}}}})}}}};
-    return {{"syntaxes/glib.tmLanguage.json", textMateGrammar(words)},
-            {"language-configuration.json", configuration.dump(2) + "\n"},
-            {"package.json", package.dump(2) + "\n"}};
+    const base::Fields fields = {{"stages", words.stages},
+                                 {"statements", alternatives(words.statements)},
+                                 {"keys", alternatives(words.keys)},
+                                 {"functions", alternatives(words.functions)},
+                                 {"names", alternatives(words.names)},
+                                 {"openers", alternatives(openers)},
+                                 {"closers", alternatives(closers)},
+                                 {"version", version}};
+    return {
+        {"syntaxes/glib.tmLanguage.json", base::filled(editor_grammars::glib_tmLanguage_json(), fields)},
+        {"language-configuration.json", base::filled(editor_grammars::language_configuration_json(), fields)},
+        {"package.json", base::filled(editor_grammars::package_json(), fields)}};
 }
 
 // ---- Vim
@@ -190,117 +122,31 @@ std::string vimKeywords(const char* group, const Words& words, const char* optio
 }
 
 std::vector<GrammarFile> forVim(const LanguageWords& words) {
-    std::string text =
-        "\" Vim syntax file: GLIB shader scenes. Made by `glibra language --grammar vim`.\n"
-        "if exists('b:current_syntax')\n  finish\nendif\n"
-        "try\n  syntax include @glibGlsl syntax/glsl.vim\ncatch\nendtry\nunlet! b:current_syntax\n"
-        "syntax case ignore\n"
-        "syntax match glibNumber /\\%(\\w\\|\\.\\)\\@<![+-]\\=\\%(\\d\\+\\.\\=\\d*\\|\\.\\d\\+\\)"
-        "\\%(e[+-]\\=\\d\\+\\)\\=/\n"
-        "syntax match glibLine /^\\s*\\h\\w*/ contains=glibStatement\n"
-        "syntax match glibContinued /\\\\\\s*$/\n"
-        "syntax region glibString start=/\"/ end=/\"/ oneline\n"
-        "syntax match glibComment /#.*$/\n"
-        "syntax match glibComment /\\/\\/.*$/\n"
-        "syntax match glibComment /\\S\\@1<!\\/.*$/\n"
-        "syntax match glibMessage /\\%(^\\s*MessageBox\\)\\@<=\\s.*$/\n";
     // A keyword of Vim counts anywhere: a word that also begins statements would hide them.
     Words keys = words.keys;
     std::erase_if(keys, [&](const std::string& key) {
         return std::ranges::any_of(words.statements,
                                    [&](const std::string& each) { return glib::sameWord(each, key); });
     });
-    text += vimKeywords("glibKey", keys);
-    text += vimKeywords("glibStatement", words.statements, " contained");
-    text += "syntax case match\n";
-    text += vimKeywords("glibFunction", words.functions);
-    text += vimKeywords("glibName", words.names);
-    text += "syntax case ignore\n";
-    for (const std::string& each : words.stages)
-        text += fmt::format(
-            "syntax region glibShader matchgroup=glibStatement start=/^\\s*{0}\\s\\+inline\\>.*$/ "
-            "end=/^\\s*End{0}\\s*$/ contains=@glibGlsl keepend\n",
-            each);
-    text +=
-        "syntax sync fromstart\n"
-        "highlight default link glibComment Comment\nhighlight default link glibStatement Statement\n"
-        "highlight default link glibKey Type\nhighlight default link glibFunction Function\n"
-        "highlight default link glibName Identifier\nhighlight default link glibNumber Number\n"
-        "highlight default link glibString String\nhighlight default link glibMessage String\n"
-        "highlight default link glibContinued Special\n"
-        "let b:current_syntax = 'glib'\n";
-    return {{"syntax/glib.vim", text},
-            {"ftdetect/glib.vim", "autocmd BufRead,BufNewFile *.glib setfiletype glib\n"},
-            {"ftplugin/glib.vim",
-             "setlocal commentstring=#\\ %s comments=:#,:// shiftwidth=4 expandtab\n"
-             "let b:undo_ftplugin = 'setlocal commentstring< comments< shiftwidth< expandtab<'\n"}};
+    const base::Fields fields = {{"stages", words.stages},
+                                 {"keys", vimKeywords("glibKey", keys)},
+                                 {"statements", vimKeywords("glibStatement", words.statements, " contained")},
+                                 {"functions", vimKeywords("glibFunction", words.functions)},
+                                 {"names", vimKeywords("glibName", words.names)}};
+    return {{"syntax/glib.vim", base::filled(editor_grammars::glib_vim(), fields)},
+            {"ftdetect/glib.vim", std::string(editor_grammars::ftdetect_vim())},
+            {"ftplugin/glib.vim", std::string(editor_grammars::ftplugin_vim())}};
 }
 
 // ---- Kate
 
 std::vector<GrammarFile> forKate(const LanguageWords& words) {
-    const auto list = [](const char* name, const Words& all) {
-        std::string text = fmt::format("    <list name=\"{}\">\n", name);
-        for (const std::string& each : all) text += fmt::format("      <item>{}</item>\n", each);
-        return text + "    </list>\n";
-    };
-    std::string text =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE language>\n"
-        "<!-- Made by the program glibra from its tables. -->\n"
-        "<language name=\"GLIB\" version=\"1\" kateversion=\"5.0\" section=\"3D\" extensions=\"*.glib\" "
-        "casesensitive=\"0\" license=\"MIT\">\n  <highlighting>\n";
-    text += list("statements", words.statements) + list("keys", words.keys) +
-            list("functions", words.functions) + list("names", words.names);
-    text +=
-        "    <contexts>\n      <context name=\"Scene\" attribute=\"Normal Text\" lineEndContext=\"#stay\">\n"
-        "        <DetectSpaces/>\n";
-    for (const std::string& each : words.stages)
-        text += fmt::format(
-            "        <RegExpr attribute=\"Statement\" context=\"{0} Shader\" String=\"\\b{0}\\s+inline\\b\" "
-            "firstNonSpace=\"1\" insensitive=\"1\" beginRegion=\"Shader\"/>\n",
-            each);
-    text +=
-        "        <WordDetect attribute=\"Statement\" context=\"Message\" String=\"MessageBox\" "
-        "firstNonSpace=\"1\" insensitive=\"1\"/>\n"
-        "        <keyword attribute=\"Statement\" context=\"#stay\" String=\"statements\" "
-        "firstNonSpace=\"1\"/>\n"
-        "        <DetectChar attribute=\"Comment\" context=\"Comment\" char=\"#\"/>\n"
-        "        <Detect2Chars attribute=\"Comment\" context=\"Comment\" char=\"/\" char1=\"/\"/>\n"
-        "        <DetectChar attribute=\"String\" context=\"String\" char=\"&quot;\"/>\n"
-        "        <keyword attribute=\"Function\" context=\"#stay\" String=\"functions\"/>\n"
-        "        <keyword attribute=\"Name\" context=\"#stay\" String=\"names\"/>\n"
-        "        <keyword attribute=\"Key\" context=\"#stay\" String=\"keys\"/>\n"
-        "        <DetectIdentifier/>\n"
-        "        <Float attribute=\"Number\" context=\"#stay\"/>\n"
-        "        <Int attribute=\"Number\" context=\"#stay\"/>\n"
-        "      </context>\n"
-        "      <context name=\"Comment\" attribute=\"Comment\" lineEndContext=\"#pop\"/>\n"
-        "      <context name=\"Message\" attribute=\"String\" lineEndContext=\"#pop\"/>\n"
-        "      <context name=\"String\" attribute=\"String\" lineEndContext=\"#pop\">\n"
-        "        <DetectChar attribute=\"String\" context=\"#pop\" char=\"&quot;\"/>\n"
-        "      </context>\n";
-    for (const std::string& each : words.stages)
-        text += fmt::format(
-            "      <context name=\"{0} Shader\" attribute=\"Normal Text\" lineEndContext=\"#stay\">\n"
-            "        <RegExpr attribute=\"Statement\" context=\"#pop\" String=\"\\bEnd{0}\\s*$\" "
-            "firstNonSpace=\"1\" insensitive=\"1\" endRegion=\"Shader\"/>\n"
-            "        <IncludeRules context=\"##GLSL\" includeAttrib=\"1\"/>\n"
-            "      </context>\n",
-            each);
-    text +=
-        "    </contexts>\n    <itemDatas>\n"
-        "      <itemData name=\"Normal Text\" defStyleNum=\"dsNormal\"/>\n"
-        "      <itemData name=\"Statement\" defStyleNum=\"dsKeyword\"/>\n"
-        "      <itemData name=\"Key\" defStyleNum=\"dsDataType\"/>\n"
-        "      <itemData name=\"Function\" defStyleNum=\"dsFunction\"/>\n"
-        "      <itemData name=\"Name\" defStyleNum=\"dsVariable\"/>\n"
-        "      <itemData name=\"Number\" defStyleNum=\"dsFloat\"/>\n"
-        "      <itemData name=\"String\" defStyleNum=\"dsString\"/>\n"
-        "      <itemData name=\"Comment\" defStyleNum=\"dsComment\"/>\n"
-        "    </itemDatas>\n  </highlighting>\n  <general>\n"
-        "    <comments><comment name=\"singleLine\" start=\"#\"/></comments>\n"
-        "    <keywords casesensitive=\"0\"/>\n  </general>\n</language>\n";
-    return {{"glib.xml", text}};
+    const base::Fields fields = {{"stages", words.stages},
+                                 {"statements", words.statements},
+                                 {"keys", words.keys},
+                                 {"functions", words.functions},
+                                 {"names", words.names}};
+    return {{"glib.xml", base::filled(editor_grammars::glib_xml(), fields)}};
 }
 
 }  // namespace

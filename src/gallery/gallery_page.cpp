@@ -1,9 +1,11 @@
 #include "gallery/gallery_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -11,7 +13,6 @@
 #include "base/page_template.h"
 #include "base/text.h"
 #include "base/utf8.h"
-#include "classroom/page_parts.h"
 #include "embedded/gallery_page.h"
 #include "embedded/report_page.h"
 #include "glib/number.h"
@@ -25,9 +26,7 @@ namespace glibra::gallery {
 namespace {
 
 namespace fs = std::filesystem;
-using base::escapeXml;
 using base::printableText;
-using classroom::nameHtml;
 
 constexpr std::size_t kMostMessages = 50;  // of a scene
 constexpr std::size_t kLongestSearch = 4'000;
@@ -63,45 +62,31 @@ std::string shownReason(const GalleryScene& scene) {
     return at == std::string::npos ? scene.reason : scene.reason.substr(at + 1);
 }
 
-std::string tileHtml(const GalleryScene& scene) {
-    const std::string film = scene.film.empty() ? "" : fmt::format(" data-film=\"{}\"", scene.film);
-    const std::string frame =
-        scene.picture.empty()
-            ? fmt::format("<span class=\"none\">{}</span>", escapeXml(printableText(shownReason(scene))))
-            : fmt::format("<img src=\"{}\"{} alt=\"\" loading=\"lazy\">", scene.picture, film);
-    return fmt::format(
-        "<a class=\"tile\" href=\"{}\" data-text=\"{}\"><span class=\"frame{}\">{}</span><b>{}</b>"
-        "<small>{}</small></a>\n",
-        pageOf(scene), escapeXml(searchText(scene)), scene.film.empty() ? "" : " moves", frame,
-        nameHtml(fs::path(scene.path).stem().generic_string()), nameHtml(scene.description.head.summary));
+base::Fields tileFields(const GalleryScene& scene) {
+    return {{"page", pageOf(scene)},
+            {"words", searchText(scene)},
+            {"picture", scene.picture},
+            {"film", scene.film},
+            {"reason", printableText(shownReason(scene))},
+            {"name", printableText(fs::path(scene.path).stem().generic_string())},
+            {"summary", printableText(scene.description.head.summary)}};
 }
 
 using Sections = std::vector<std::pair<std::string, std::vector<const GalleryScene*>>>;
 
-std::string listPage(const Gallery& gallery, const Sections& sections, bool hasChapters, bool isChapters) {
-    std::string content, parts;
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        const auto& [title, scenes] = sections[i];
-        const std::string heading = title == "." ? "Scenes" : title;
-        content +=
-            fmt::format("<section id=\"p{}\"><h2>{}</h2><div class=\"grid\">\n", i + 1, nameHtml(heading));
-        for (const GalleryScene* each : scenes) content += tileHtml(*each);
-        content += "</div></section>\n";
-        parts += fmt::format("<a href=\"#p{}\">{}</a> ", i + 1, nameHtml(heading));
-    }
-    const std::string pages = !hasChapters ? ""
-                              : isChapters ? "<a href=\"index.html\">By topic</a> <b>By chapter</b>"
-                                           : "<b>By topic</b> <a href=\"chapters.html\">By chapter</a>";
-    const base::Slot slots[] = {
-        {"title", escapeXml(printableText(gallery.title))},
-        {"headline", nameHtml(gallery.title)},
-        {"pages", pages},
-        {"count", base::counted(gallery.scenes.size(), "scene")},
-        {"partsTitle", isChapters ? "Chapters" : "Topics"},
-        {"parts", parts},
-        {"content", content},
-    };
-    return suite::loadingFirstScreen(base::filled(gallery_page::index_html(), slots));
+std::string listPage(const Gallery& gallery, const Sections& sections, bool hasChapters, bool isByChapter) {
+    std::vector<base::Fields> rows;
+    for (const auto& [title, scenes] : sections)
+        rows.push_back(
+            {{"id", fmt::format("p{}", rows.size() + 1)},
+             {"heading", printableText(title == "." ? "Scenes" : title)},
+             {"scenes", base::rowsOf(scenes, [](const auto* each) { return tileFields(*each); })}});
+    return suite::loadingFirstScreen(
+        base::filled(gallery_page::index_html(), {{"title", printableText(gallery.title)},
+                                                  {"count", base::counted(gallery.scenes.size(), "scene")},
+                                                  {"hasChapters", hasChapters},
+                                                  {"isByChapter", isByChapter},
+                                                  {"sections", std::move(rows)}}));
 }
 
 Sections chaptersOf(const Gallery& gallery) {
@@ -112,56 +97,38 @@ Sections chaptersOf(const Gallery& gallery) {
     return {chapters.begin(), chapters.end()};
 }
 
-std::string numbersText(const std::vector<double>& numbers) {
-    std::string text;
-    for (const double each : numbers) text += (text.empty() ? "" : " ") + glib::numberText(each);
-    return text;
-}
-
-std::string controlRow(const Control& control) {
-    std::string cells;
+/// Of a range its ends; of others which values there are.
+base::Fields controlFields(const Control& control) {
+    std::string values, value;
     switch (control.kind) {
         case Control::Kind::range:
-            for (const std::size_t i : {0U, 2U, 1U})
-                cells += "<td>" + glib::numberText(control.numbers[i]) + "</td>";
+            value = glib::numberText(control.numbers[1]);
             break;
         case Control::Kind::choice: {
-            std::string words;
-            for (const std::string& each : control.words) words += (words.empty() ? "" : ", ") + each;
+            values = fmt::format("one of {}", fmt::join(control.words, ", "));
             const double number = control.numbers.front();
-            const bool isIn = number >= 0 && number < static_cast<double>(control.words.size());
-            cells = fmt::format("<td colspan=\"2\">one of {}</td><td>{}</td>", escapeXml(words),
-                                escapeXml(isIn ? control.words[static_cast<std::size_t>(number)] : ""));
+            if (number >= 0 && number < static_cast<double>(control.words.size()))
+                value = control.words[static_cast<std::size_t>(number)];
             break;
         }
         case Control::Kind::truth:
-            cells = fmt::format("<td colspan=\"2\">true or false</td><td>{}</td>",
-                                control.numbers.front() != 0 ? "true" : "false");
+            values = "true or false";
+            value = control.numbers.front() != 0 ? "true" : "false";
             break;
         case Control::Kind::color:
-            cells = fmt::format("<td colspan=\"2\">a colour</td><td>{}</td>", numbersText(control.numbers));
+            values = "a colour";
+            for (const double each : control.numbers)
+                value += (value.empty() ? "" : " ") + glib::numberText(each);
             break;
     }
-    return fmt::format("<tr><th><code>{}</code></th>{}<td>{}</td></tr>\n", escapeXml(control.name), cells,
-                       nameHtml(control.owner.empty() ? "scene" : control.owner));
-}
-
-std::string controlsHtml(const Description& about) {
-    std::string html;
-    if (!about.controls.empty()) {
-        html =
-            "<h2>Values to change</h2><table "
-            "class=\"controls\"><thead><tr><th>name</th><th>from</th><th>to</th>"
-            "<th>at first</th><th>of</th></tr></thead><tbody>\n";
-        for (const Control& each : about.controls) html += controlRow(each);
-        html += "</tbody></table>\n";
-    }
-    if (!about.keys.empty()) {
-        html += "<p>Keys:";
-        for (const std::string& each : about.keys) html += " <kbd>" + escapeXml(each) + "</kbd>";
-        html += "</p>\n";
-    }
-    return html;
+    const bool isRange = control.kind == Control::Kind::range;
+    return {{"name", control.name},
+            {"range", isRange},
+            {"least", isRange ? glib::numberText(control.numbers[0]) : ""},
+            {"most", isRange ? glib::numberText(control.numbers[2]) : ""},
+            {"values", values},
+            {"value", value},
+            {"owner", printableText(control.owner.empty() ? "scene" : control.owner)}};
 }
 
 std::string textHtml(const GalleryScene& scene) {
@@ -171,68 +138,26 @@ std::string textHtml(const GalleryScene& scene) {
     return page::textHtml(scene.description.head, facts);
 }
 
-std::string picturesHtml(const GalleryScene& scene) {
-    if (scene.picture.empty()) return {};
-    if (scene.isLive)
-        return page::liveHtml("../live", scene.name + ".js", "../" + scene.picture, scene.width, scene.height,
-                              scene.whyFilm);
-    std::string html = fmt::format(
-        "<div class=\"shown\"><figure><img src=\"../{}\" width=\"{}\" height=\"{}\" alt=\"the "
-        "picture\"></figure>",
-        scene.picture, scene.width, scene.height);
-    if (!scene.film.empty())
-        html += fmt::format(
-            "<figure><picture><source media=\"(prefers-reduced-motion: reduce)\" srcset=\"../{}\">"
-            "<img src=\"../{}\" width=\"{}\" height=\"{}\" alt=\"a film of it\"></picture></figure>",
-            scene.picture, scene.film, scene.width / 2, scene.height / 2);
-    return html + "</div>";
-}
-
-std::string messagesHtml(const GalleryScene& scene) {
-    std::string items;
+std::vector<base::Fields> messageRows(const GalleryScene& scene) {
     if (scene.diagnostics.empty() && !scene.reason.empty())
-        items = "<li class=\"remark error\">" + escapeXml(printableText(shownReason(scene))) + "</li>";
-    for (std::size_t i = 0; i < std::min(scene.diagnostics.size(), kMostMessages); ++i) {
-        const Diagnostic& each = scene.diagnostics[i];
-        items += fmt::format("<li class=\"remark {}\">{}</li>\n", name(each.severity),
-                             escapeXml(printableText(toString(asShown(scene, each)), true)));
-    }
-    if (scene.diagnostics.size() > kMostMessages)
-        items += fmt::format("<li>{} more</li>", scene.diagnostics.size() - kMostMessages);
-    return items.empty() ? items : "<h2>Messages</h2><ul class=\"messages\">" + items + "</ul>";
+        return {{{"severity", "error"}, {"text", printableText(shownReason(scene))}}};
+    return base::rowsOf(scene.diagnostics | std::views::take(kMostMessages), [&](const Diagnostic& each) {
+        return base::Fields{{"severity", name(each.severity)},
+                            {"text", printableText(toString(asShown(scene, each)), true)}};
+    });
 }
 
-std::string sourcesHtml(const Description& about) {
-    std::string html;
-    for (const SourceText& each : about.sources) {
-        const bool isScene = each.role == "scene";
-        html += fmt::format(
-            "<details{}><summary><strong>{}</strong> <small>{}</small></summary><div class=\"source\">{}"
-            "</div></details>\n",
-            each.role == "included" ? "" : " open", nameHtml(each.name), escapeXml(each.role),
-            source::codeHtml(each.text, isScene ? source::CodeLanguage::glib : source::CodeLanguage::glsl));
-    }
-    return html.empty() ? html : "<h2>Sources</h2>" + html;
+base::Fields sourceFields(const SourceText& source) {
+    const bool isScene = source.role == "scene";
+    return {{"name", printableText(source.name)},
+            {"role", source.role},
+            {"isIncluded", source.role == "included"},
+            {"code", source::codeHtml(source.text,
+                                      isScene ? source::CodeLanguage::glib : source::CodeLanguage::glsl)}};
 }
 
-std::string sceneLink(const GalleryScene& scene) {
-    return fmt::format("<a href=\"{}.html\">{}</a>", scene.name,
-                       nameHtml(fs::path(scene.path).replace_extension().generic_string()));
-}
-
-std::string linksHtml(const Gallery& gallery, std::size_t index) {
-    const GalleryScene& scene = gallery.scenes[index];
-    std::string html;
-    if (scene.solution)
-        html +=
-            "<span class=\"solution\">Solution: " + sceneLink(gallery.scenes[*scene.solution]) + "</span> ";
-    for (const std::size_t each : scene.tasks)
-        html += "<span class=\"task\">Exercise: " + sceneLink(gallery.scenes[each]) + "</span> ";
-    if (index > 0)
-        html += fmt::format("<a rel=\"prev\" href=\"{}.html\">Previous</a> ", gallery.scenes[index - 1].name);
-    if (index + 1 < gallery.scenes.size())
-        html += fmt::format("<a rel=\"next\" href=\"{}.html\">Next</a>", gallery.scenes[index + 1].name);
-    return html;
+std::string nameOf(const GalleryScene& scene) {
+    return printableText(fs::path(scene.path).replace_extension().generic_string());
 }
 
 }  // namespace
@@ -258,24 +183,45 @@ std::string chaptersPage(const Gallery& gallery) {
 
 std::string scenePage(const Gallery& gallery, std::size_t index) {
     const GalleryScene& scene = gallery.scenes[index];
-    const std::string path = fs::path(scene.path).replace_extension().generic_string();
-    const bool isEmbedded = gallery.isEmbedded && scene.isLive;
-    const std::string header =
-        fmt::format("<header>\n<h1>{}</h1>\n<nav><a href=\"../index.html\">{}</a> {}</nav>\n</header>",
-                    nameHtml(path), nameHtml(gallery.title), linksHtml(gallery, index));
-    const base::Slot slots[] = {
-        {"title", escapeXml(printableText(path + " - " + gallery.title))},
-        {"kind", isEmbedded ? "page embedded" : "gallery scene"},
-        {"header", isEmbedded ? std::string() : header},
-        {"policy", std::string(scene.isLive ? page::kSitePolicy : kPlainPolicy)},
-        {"pictures", picturesHtml(scene)},
-        {"text", isEmbedded ? std::string() : textHtml(scene)},
-        {"messages", messagesHtml(scene)},
-        // A live scene has its own.
-        {"controls", scene.isLive ? std::string() : controlsHtml(scene.description)},
-        {"sources", scene.isLive ? std::string() : sourcesHtml(scene.description)},
+    const Description& about = scene.description;
+    const auto link = [&](std::size_t other) {
+        return base::Fields{{"page", gallery.scenes[other].name + ".html"},
+                            {"name", nameOf(gallery.scenes[other])}};
     };
-    return base::filled(gallery_page::scene_html(), slots);
+    const auto pageAt = [&](std::size_t other) {
+        return other < gallery.scenes.size() ? gallery.scenes[other].name + ".html" : std::string();
+    };
+    const std::string title =
+        fs::path(scene.path).replace_extension().generic_string() + " - " + gallery.title;
+    const base::Fields fields = {
+        {"title", printableText(title)},
+        {"name", nameOf(scene)},
+        {"gallery", printableText(gallery.title)},
+        {"isEmbedded", gallery.isEmbedded && scene.isLive},
+        {"solution", base::rowsOf(scene.solution, link)},
+        {"tasks", base::rowsOf(scene.tasks, link)},
+        {"previous", pageAt(index - 1)},
+        {"next", pageAt(index + 1)},
+        {"policy", scene.isLive ? page::kSitePolicy : kPlainPolicy},
+        {"isLive", scene.isLive},  // then the page has controls and sources of its own
+        {"live", !scene.isLive || scene.picture.empty()
+                     ? std::string()
+                     : page::liveHtml("../live", scene.name + ".js", "../" + scene.picture, scene.width,
+                                      scene.height, scene.whyFilm)},
+        {"picture", scene.picture},
+        {"film", scene.film},
+        {"width", scene.width},
+        {"height", scene.height},
+        {"filmWidth", scene.width / 2},
+        {"filmHeight", scene.height / 2},
+        {"text", textHtml(scene)},
+        {"messages", messageRows(scene)},
+        {"more", base::leftOut(scene.diagnostics.size(), kMostMessages)},
+        {"controls", base::rowsOf(about.controls, controlFields)},
+        {"keys", about.keys},
+        {"sources", base::rowsOf(about.sources, sourceFields)},
+    };
+    return base::filled(gallery_page::scene_html(), fields);
 }
 
 Diagnostics writePages(const Gallery& gallery, const fs::path& site) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/lines.h"
 #include "embedded/messages.h"
 
 namespace glibra::glib {
@@ -12,8 +13,7 @@ std::vector<CatalogueRow> rowsOf(std::string_view text) {
     constexpr std::string_view kBeforeExample = "    ";
     std::vector<CatalogueRow> rows;
     while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        const std::string_view line = base::nextLine(text);
         if (line.starts_with(kBeforeExample))
             rows.back().example = line.substr(kBeforeExample.size());
         else if (!line.empty() && line.front() != '#')

@@ -186,18 +186,18 @@ std::string wholePage(const PageScene& scene, const PageOptions& options, const 
     }
     std::string facts;
     for (const std::string& each : scene.head.rows) facts += (facts.empty() ? "" : " ") + each;
-    const base::Slot slots[] = {
+    const base::Fields fields = {
         {"policy", scene.isLive ? fmt::format(kLivePolicy, hashOf(style), hashOf(script))
                    : hasScript  ? fmt::format(kFilmPolicy, hashOf(style), hashOf(script))
                                 : fmt::format(kPlainPolicy, hashOf(style))},
-        {"title", escapeXml(printableText(title))},
-        {"style", std::string(style)},
+        {"title", printableText(title)},
+        {"style", style},
         {"kind", options.isEmbedded ? "page embedded" : "page"},
         {"content", std::move(content)},
         {"text", options.isEmbedded ? std::string() : textHtml(scene.head, facts)},
         {"scripts", std::move(scripts)},
     };
-    return base::filled(live_page::page_html(), slots);
+    return base::filled(live_page::page_html(), fields);
 }
 
 std::vector<SiteFile> runtimeFiles(std::string_view runtime) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/lines.h"
 #include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
@@ -17,13 +18,6 @@ namespace glibra::plan {
 namespace {
 
 constexpr std::size_t kMostValues = 4096;  // as in a bracket of the language
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t";
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 /// Adds the numbers, which blanks or single commas separate. Returns what is wrong; nothing if all is right.
 std::string readNumbers(std::string_view text, std::vector<double>& values) {
@@ -35,9 +29,9 @@ std::string readNumbers(std::string_view text, std::vector<double>& values) {
         if (!number->finite) return fmt::format("'{}' is too large for a 32-bit float", token);
         if (values.size() == kMostValues) return fmt::format("more than {} values", kMostValues);
         values.push_back(number->value);
-        text = trimmed(text.substr(token.size()));
+        text = base::trimmed(text.substr(token.size()));
         if (!text.starts_with(',')) continue;
-        text = trimmed(text.substr(1));
+        text = base::trimmed(text.substr(1));
         if (text.empty()) return "a number is missing after the last ','";
     }
     return values.empty() ? "the value is missing" : "";
@@ -64,7 +58,7 @@ std::optional<glib::UniformForm> takeBrackets(std::string_view& value) {
     for (const Bracket& each : kBrackets) {
         if (!value.starts_with(each.open)) continue;
         if (value.size() < 2 || !value.ends_with(each.close)) return {};
-        value = trimmed(value.substr(1, value.size() - 2));
+        value = base::trimmed(value.substr(1, value.size() - 2));
         return each.form;
     }
     return glib::UniformForm::number;
@@ -87,14 +81,14 @@ Result<Override> parseOverride(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return bad("expected NAME=VALUE");
     Override result;
-    result.name = trimmed(text.substr(0, equals));
+    result.name = base::trimmed(text.substr(0, equals));
     if (const std::size_t colon = result.name.rfind(':'); colon != std::string::npos) {
-        result.program = trimmed(std::string_view(result.name).substr(0, colon));
-        result.name = trimmed(std::string(result.name.substr(colon + 1)));
+        result.program = base::trimmed(std::string_view(result.name).substr(0, colon));
+        result.name = base::trimmed(std::string(result.name.substr(colon + 1)));
     }
     if (result.name.empty()) return bad("the name is missing");
 
-    std::string_view value = trimmed(text.substr(equals + 1));
+    std::string_view value = base::trimmed(text.substr(equals + 1));
     result.written = value;
     const std::optional<glib::UniformForm> form = takeBrackets(value);
     if (!form) return bad("a bracket is not closed");

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/lines.h"
 #include "base/text.h"
 
 namespace glibra::source {
@@ -30,10 +31,7 @@ std::string codeHtml(std::string_view text, CodeLanguage language) {
     SyntaxReader reader(language);
     std::string html = "<ol>";
     for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = text.find('\n');
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        if (line.ends_with('\r')) line.remove_suffix(1);
+        const std::string_view line = base::nextLine(text);
         html += fmt::format("<li data-line=\"{}\">{}</li>", number,
                             lineHtml(line.substr(0, kLongestLine), reader));
     }

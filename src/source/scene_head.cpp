@@ -4,33 +4,13 @@
 #include <charconv>
 #include <cstdint>
 
+#include "base/lines.h"
 #include "glib/text.h"
 
 namespace glibra::source {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
-}
-
-/// Takes the first line from the text.
-std::string_view nextLine(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    return line;
-}
-
-/// Takes the first word.
-std::string_view nextWord(std::string_view& text) {
-    text = trimmed(text);
-    const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
-    text.remove_prefix(word.size());
-    return word;
-}
 
 /// True for the id of a row: "SH030", "D09", "G14.7a", "Gx9.4", with or without a comma after it.
 bool isRow(std::string_view word) {
@@ -52,7 +32,8 @@ std::string_view firstSentence(std::string_view text) {
 }
 
 void addChapters(std::string_view source, std::string_view numbers, std::vector<std::string>& to) {
-    for (std::string_view word = nextWord(numbers); !word.empty(); word = nextWord(numbers)) {
+    for (std::string_view word = base::nextWord(numbers, kBlanks); !word.empty();
+         word = base::nextWord(numbers, kBlanks)) {
         if (word.ends_with(',')) word.remove_suffix(1);
         if (word != "and") to.push_back(std::string(source) + ", chapter " + std::string(word));
     }
@@ -65,12 +46,13 @@ SceneHead headOf(std::string_view scene) {
     std::string joined;  // the first paragraph
     bool hasParagraph = false;
     while (!scene.empty()) {
-        std::string_view line = nextLine(scene);
+        std::string_view line = base::nextLine(scene);
         if (!line.starts_with('#')) break;
         line.remove_prefix(std::min(line.find_first_not_of('#'), line.size()));
-        line = trimmed(line);
+        line = base::trimmed(line, kBlanks);
         if (head.text.empty())
-            for (std::string_view rest = line; isRow(nextWord(rest)); line = trimmed(rest)) {
+            for (std::string_view rest = line; isRow(base::nextWord(rest, kBlanks));
+                 line = base::trimmed(rest, kBlanks)) {
                 std::string_view row = line.substr(0, line.find_first_of(kBlanks));
                 if (row.ends_with(',')) row.remove_suffix(1);
                 head.rows.emplace_back(row);
@@ -89,7 +71,7 @@ SceneHead headOf(std::string_view scene) {
 std::map<std::string, std::string> chapterColumn(std::string_view table) {
     std::map<std::string, std::string> chapters;
     while (!table.empty()) {
-        const std::string_view line = trimmed(nextLine(table));
+        const std::string_view line = base::trimmed(base::nextLine(table), kBlanks);
         const std::size_t link = line.find("](");
         const std::size_t end = line.find(')', link);
         const std::size_t last =
@@ -97,7 +79,8 @@ std::map<std::string, std::string> chapterColumn(std::string_view table) {
         if (!line.starts_with("| [") || end == std::string_view::npos || last == std::string_view::npos ||
             last < end)
             continue;
-        const std::string_view chapter = trimmed(line.substr(last + 3, line.size() - last - 4));
+        const std::string_view chapter =
+            base::trimmed(line.substr(last + 3, line.size() - last - 4), kBlanks);
         if (!chapter.empty() && chapter != "-")
             chapters.emplace(line.substr(link + 2, end - link - 2), chapter);
     }
@@ -108,7 +91,7 @@ std::vector<std::string> chaptersIn(std::string_view column) {
     std::vector<std::string> all;
     while (!column.empty()) {
         const std::size_t end = column.find(';');
-        const std::string_view part = trimmed(column.substr(0, end));
+        const std::string_view part = base::trimmed(column.substr(0, end), kBlanks);
         column.remove_prefix(end == std::string_view::npos ? column.size() : end + 1);
         const std::size_t one = part.find(", chapter "), several = part.find(", chapters ");
         if (several != std::string_view::npos)

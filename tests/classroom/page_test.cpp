@@ -7,7 +7,6 @@
 #include "../suite/folder.h"
 #include "classroom/grades.h"
 #include "classroom/moments.h"
-#include "classroom/page_parts.h"
 #include "classroom/review.h"
 
 namespace glibra::classroom {
@@ -101,7 +100,9 @@ TEST(ClassPage, EachPictureIsBesideTheReferencesAlsoOfWhatFailed) {
         failed.pictures.back().isIncomplete = true;
     }
     failed.pictures[5] = Picture{};
-    const std::string html = picturesHtml({}, room, failed);
+    const std::string page = classPage(room);
+    const std::size_t card = page.find("id=\"s0002\"");
+    const std::string html = page.substr(card, page.find("</article>", card) - card);
     std::size_t pairs = 0;
     for (std::size_t at = html.find("class=\"pair compared\""); at != std::string::npos;
          at = html.find("class=\"pair compared\"", at + 1)) {

@@ -11,6 +11,8 @@ target_compile_definitions(glibra_cli PUBLIC GLIBRA_VERSION="${PROJECT_VERSION}"
                                       PRIVATE GLIBRA_PROGRAMS_DIR="${CMAKE_INSTALL_LIBDIR}/glibra")
 target_link_libraries(glibra_cli PUBLIC glibra_editor glibra_gallery glibra_page glibra_classroom glibra_suite glibra_render PRIVATE glibra_expression CLI11::CLI11)
 glibra_precompile(glibra_cli ${GLIBRA_QUICK_OWNER})
+file(GLOB command_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/cli/pages/*)
+glibra_embed(glibra_cli command_pages ${command_pages})
 
 add_executable(glibra_program ${PROJECT_SOURCE_DIR}/src/cli/main.cpp)
 set_target_properties(glibra_program PROPERTIES OUTPUT_NAME glibra RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -203,24 +203,19 @@ std::string legendSign(const Figure& figure, std::size_t index) {
         isTheory ? std::string() : sign(index, 13, 6, " class=\"point on\""));
 }
 
-std::string machineDetails(const Report& report) {
+std::vector<base::Fields> machineRows(const Report& report) {
     const Machine& machine = report.machine;
-    std::string html = "<dl class=\"machine\">";
-    const auto add = [&](std::string_view title, const std::string& value) {
-        if (!value.empty())
-            html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", title, base::escapeXml(value));
-    };
-    add("Processor", machine.processor);
-    if (machine.cores > 0) add("Cores", std::to_string(machine.cores));
-    if (machine.memory > 0) add("Memory", bytesText(machine.memory));
-    add("System", machine.system);
-    add("Compiler", machine.compiler);
-    add("OpenGL", machine.driver.empty() ? "no driver" : machine.renderer + ", " + machine.version);
-    add("Opened by", machine.driver);
-    add("glibra", report.glibra);
-    add("Date", report.date);
-    if (report.quick) add("Extent", "quick: fewer settings and measurements");
-    return html + "</dl>\n";
+    return base::titledRows(
+        {{"Processor", machine.processor},
+         {"Cores", machine.cores > 0 ? std::to_string(machine.cores) : ""},
+         {"Memory", machine.memory > 0 ? bytesText(machine.memory) : ""},
+         {"System", machine.system},
+         {"Compiler", machine.compiler},
+         {"OpenGL", machine.driver.empty() ? "no driver" : machine.renderer + ", " + machine.version},
+         {"Opened by", machine.driver},
+         {"glibra", report.glibra},
+         {"Date", report.date},
+         {"Extent", report.quick ? "quick: fewer settings and measurements" : ""}});
 }
 
 /// Escapes the text and raises exponents such as "^-2.00".
@@ -241,59 +236,24 @@ std::string withPowers(std::string_view text) {
     return html;
 }
 
-std::string list(const std::vector<std::string>& items, std::string_view style) {
-    if (items.empty()) return {};
-    std::string html = fmt::format("<ul class=\"{}\">", style);
-    for (const std::string& each : items) html += fmt::format("<li>{}</li>", withPowers(each));
-    return html + "</ul>\n";
+std::vector<std::string> withPowers(const std::vector<std::string>& texts) {
+    std::vector<std::string> html;
+    for (const std::string& each : texts) html.push_back(withPowers(each));
+    return html;
 }
 
-std::string legend(const Figure& figure) {
-    std::string html = "<ul class=\"legend\">";
-    for (std::size_t i = 0; i < figure.curves.size(); ++i)
-        html += fmt::format("<li data-curve=\"{}\">{}{}</li>", i, legendSign(figure, i),
-                            base::escapeXml(figure.curves[i].name));
-    return html + "</ul>\n";
-}
-
-/// A time for a table: the median; the tooltip shows the spread.
-std::string timeCell(const Timing& time) {
-    return fmt::format("<td title=\"{} to {}, {} measurements\">{}</td>", secondsText(time.low, true),
-                       secondsText(time.high, true), time.repeats, secondsText(time.median, true));
-}
-
-std::string table(const Figure& figure) {
-    std::size_t count = 0;
-    bool hasTime = false, hasMemory = false, hasGpuTime = false;
-    std::string rows;
-    for (const Curve& curve : figure.curves)
-        for (const Point& point : curve.points) {
-            ++count;
-            hasTime |= point.time.has_value();
-            hasMemory |= point.memory.has_value();
-            hasGpuTime |= point.gpuTime.has_value();
-        }
-    for (const Curve& curve : figure.curves)
-        for (const Point& point : curve.points) {
-            rows += fmt::format("<tr{}><th scope=\"row\">{}</th><td class=\"label\">{}</td><td>{}</td>",
-                                point.isOnFront ? " class=\"on\"" : "", base::escapeXml(curve.name),
-                                base::escapeXml(point.label), numberText(point.error));
-            if (hasTime) rows += point.time ? timeCell(*point.time) : "<td></td>";
-            if (hasGpuTime)
-                rows += fmt::format("<td>{}</td>", point.gpuTime ? secondsText(*point.gpuTime, true) : "");
-            if (hasMemory) rows += fmt::format("<td>{}</td>", point.memory ? bytesText(*point.memory) : "");
-            rows += fmt::format("<td class=\"mark\">{}</td></tr>\n", point.isOnFront ? "front" : "");
-        }
-    const std::string unit =
-        figure.errorUnit.empty() ? "" : fmt::format(" ({})", base::escapeXml(figure.errorUnit));
-    return fmt::format(
-        "<details><summary>{} points</summary><div class=\"table\"><table><thead><tr><th>curve</th>"
-        "<th>{}</th><th class=\"number\">{}{}</th>{}{}{}<th></th></tr></thead><tbody>\n{}</tbody></table>"
-        "</div></details>\n",
-        count, base::escapeXml(figure.settingName), base::escapeXml(figure.errorName), unit,
-        hasTime ? "<th class=\"number\">median time</th>" : "",
-        hasGpuTime ? "<th class=\"number\">GPU time</th>" : "",
-        hasMemory ? "<th class=\"number\">memory</th>" : "", rows);
+base::Fields pointFields(const Curve& curve, const Point& point) {
+    const auto& time = point.time;
+    return {{"isOnFront", point.isOnFront},
+            {"curve", curve.name},
+            {"label", point.label},
+            {"error", numberText(point.error)},
+            {"spread", time ? fmt::format("{} to {}, {} measurements", secondsText(time->low, true),
+                                          secondsText(time->high, true), time->repeats)
+                            : ""},
+            {"time", time ? secondsText(time->median, true) : ""},
+            {"gpuTime", point.gpuTime ? secondsText(*point.gpuTime, true) : ""},
+            {"memory", point.memory ? bytesText(*point.memory) : ""}};
 }
 
 /// In the order of Alternatives.
@@ -302,46 +262,45 @@ constexpr std::string_view kFrontNotes[] = {
     " Each setting has a front of its own: it is a difficulty, not a cost.",
     " There is no front, because nothing of it is to be chosen."};
 
-std::string section(const Figure& figure, const std::string& subject) {
-    std::string html = fmt::format("<article id=\"{0}.{1}\"><h3>{2}</h3>\n", base::escapeXml(subject),
-                                   base::escapeXml(figure.name), base::escapeXml(figure.title));
-    html += list(figure.findings, "findings");
-    html += "<div class=\"plots\">" + plot(figure, Abscissa::setting) + plot(figure, Abscissa::time) +
-            "</div>\n" + legend(figure);
-    if (!figure.reference.empty())
-        html +=
-            fmt::format("<p class=\"reference\">Reference: {}.{}</p>\n", base::escapeXml(figure.reference),
-                        kFrontNotes[static_cast<std::size_t>(figure.alternatives)]);
-    return html + table(figure) + "</article>\n";
+base::Fields figureFields(const Figure& figure, const std::string& subject) {
+    std::vector<base::Fields> curves, points;
+    bool hasTime = false, hasMemory = false, hasGpuTime = false;
+    for (const Curve& curve : figure.curves) {
+        curves.push_back(
+            {{"index", curves.size()}, {"sign", legendSign(figure, curves.size())}, {"curve", curve.name}});
+        for (const Point& point : curve.points) {
+            points.push_back(pointFields(curve, point));
+            hasTime |= point.time.has_value();
+            hasMemory |= point.memory.has_value();
+            hasGpuTime |= point.gpuTime.has_value();
+        }
+    }
+    return {{"id", subject + "." + figure.name},
+            {"title", figure.title},
+            {"findings", withPowers(figure.findings)},
+            {"plots", plot(figure, Abscissa::setting) + plot(figure, Abscissa::time)},
+            {"curves", std::move(curves)},
+            {"reference", figure.reference},
+            {"frontNote", kFrontNotes[static_cast<std::size_t>(figure.alternatives)]},
+            {"count", points.size()},
+            {"setting", figure.settingName},
+            {"errorName", figure.errorName},
+            {"unit", figure.errorUnit},
+            {"hasTime", hasTime},
+            {"hasGpuTime", hasGpuTime},
+            {"hasMemory", hasMemory},
+            {"points", std::move(points)}};
 }
 
-std::string section(const SubjectRun& subject) {
-    std::string html = fmt::format("<section id=\"{}\"><h2>{}</h2>\n", base::escapeXml(subject.name),
-                                   base::escapeXml(subject.title));
+base::Fields subjectFields(const SubjectRun& subject) {
     std::vector<std::string> problems;
     for (const Diagnostic& each : subject.diagnostics) problems.push_back(toString(each));
-    html += list(problems, "problems");
-    for (const Figure& figure : subject.figures) html += section(figure, subject.name);
-    return html + "</section>\n";
-}
-
-std::string contents(const Report& report) {
-    std::string html;
-    for (const SubjectRun& subject : report.subjects) {
-        html += fmt::format("<li><a href=\"#{}\">{}</a><ul>", base::escapeXml(subject.name),
-                            base::escapeXml(subject.title.substr(0, subject.title.find(':'))));
-        for (const Figure& figure : subject.figures)
-            html += fmt::format("<li><a href=\"#{}.{}\">{}</a></li>", base::escapeXml(subject.name),
-                                base::escapeXml(figure.name), base::escapeXml(figure.title));
-        html += "</ul></li>\n";
-    }
-    return html;
-}
-
-std::string comparisonSection(const RunComparison& comparison) {
-    return fmt::format(
-        "<section id=\"comparison\"><h2>Against the earlier run: {}</h2><pre>{}</pre></section>\n",
-        isWorse(comparison) ? "worse" : "nothing is worse", base::escapeXml(comparisonText(comparison)));
+    const auto figure = [&](const Figure& each) { return figureFields(each, subject.name); };
+    return {{"name", subject.name},
+            {"subject", subject.title},
+            {"shortTitle", subject.title.substr(0, subject.title.find(':'))},
+            {"problems", withPowers(problems)},
+            {"figures", base::rowsOf(subject.figures, figure)}};
 }
 
 }  // namespace
@@ -407,24 +366,23 @@ std::string tickLabel(double value) {
 }
 
 std::string htmlReport(const Report& report, const RunComparison* comparison) {
-    std::string body = comparison ? comparisonSection(*comparison) : std::string();
     std::size_t figures = 0, points = 0;
     for (const SubjectRun& subject : report.subjects) {
-        body += section(subject);
         figures += subject.figures.size();
         for (const Figure& figure : subject.figures)
             for (const Curve& curve : figure.curves) points += curve.points.size();
     }
-    const base::Slot slots[] = {
-        {"style", std::string(bench_page::bench_css())},
-        {"script", std::string(bench_page::bench_js())},
+    const base::Fields fields = {
+        {"style", bench_page::bench_css()},
+        {"script", bench_page::bench_js()},
         {"extent", base::counted(report.subjects.size(), "subject") + ", " +
                        base::counted(figures, "diagram") + ", " + base::counted(points, "measured point")},
-        {"machine", machineDetails(report)},
-        {"contents", contents(report)},
-        {"body", std::move(body)},
+        {"machine", machineRows(report)},
+        {"comparison", comparison ? comparisonText(*comparison) : ""},
+        {"isWorse", comparison && isWorse(*comparison)},
+        {"subjects", base::rowsOf(report.subjects, subjectFields)},
     };
-    return base::filled(bench_page::page_html(), slots);
+    return base::filled(bench_page::page_html(), fields);
 }
 
 }  // namespace glibra::bench

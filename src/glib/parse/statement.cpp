@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/lines.h"
 #include "base/suggest.h"
 #include "glib/lexer.h"
 #include "glib/limits.h"
@@ -84,13 +85,6 @@ bool isUnknownInline(const Statement& statement) {
 constexpr std::string_view kBlanks = " \t\v\f";
 constexpr std::string_view kEndPrefix = "End";
 
-/// What the line says, without blanks at either end.
-std::string_view trimmed(std::string_view line) {
-    const std::size_t begin = line.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return {};
-    return line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
-}
-
 /// Where a shader ends that begins at the next line of a splitter.
 struct ShaderBody {
     enum class End {
@@ -120,11 +114,9 @@ std::vector<std::string_view> wordsOfLine(std::string_view line) {
     std::vector<std::string_view> words;
     constexpr std::size_t kMostWords = 4;
     while (words.size() < kMostWords) {
-        line = trimmed(line);
-        if (line.empty()) break;
-        const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());
-        words.push_back(line.substr(0, end));
-        line.remove_prefix(end);
+        const std::string_view word = base::nextWord(line, kBlanks);
+        if (word.empty()) break;
+        words.push_back(word);
     }
     return words;
 }
@@ -212,7 +204,7 @@ ShaderBody readShaderBody(std::string_view text, LineSplitter& lines, std::strin
         body.before = before;
         body.last = line->begin;
         const std::string_view whole = text.substr(line->begin, line->end - line->begin);
-        body.words = trimmed(whole);
+        body.words = base::trimmed(whole, kBlanks);
         if (sameWord(body.words, endWord)) {
             body.end = ShaderBody::End::itsWord;
             return body;
@@ -400,7 +392,8 @@ bool StatementReader::refuseShader(Statement& statement) {
     if (!isStage || !statement.arguments.empty()) return false;
     LineSplitter after = lines_;
     const std::optional<LineRange> line = after.next();
-    if (!line || !trimmed(text_.substr(line->begin, line->end - line->begin)).starts_with("#version"))
+    if (!line ||
+        !base::trimmed(text_.substr(line->begin, line->end - line->begin), kBlanks).starts_with("#version"))
         return false;
     log_.report("glib-E17", fmt::format("{0}: a shader follows; write '{0} inline'", statement.word.text),
                 statement.word.position);
@@ -412,7 +405,8 @@ bool StatementReader::refuseShader(Statement& statement) {
 /// Skips the lines of a shader, up to the next statement about shaders or the end of the file.
 void StatementReader::skipShader() {
     for (LineSplitter here = lines_; const std::optional<LineRange> line = lines_.next(); here = lines_) {
-        const std::string_view words = trimmed(text_.substr(line->begin, line->end - line->begin));
+        const std::string_view words =
+            base::trimmed(text_.substr(line->begin, line->end - line->begin), kBlanks);
         if (!endsShader(words)) continue;
         if (!words.starts_with("End")) lines_ = here;
         return;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/lines.h"
 #include "image/bytes.h"
 #include "image/convert.h"
 #include "image/formats/readers.h"
@@ -42,15 +43,8 @@ std::optional<std::string_view> lineAt(std::string_view file, std::size_t& at) {
     return line;
 }
 
-std::string_view wordOf(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-    line.remove_prefix(word.size());
-    return word;
-}
-
 std::optional<HdrAxis> axisOf(std::string_view& line) {
-    const std::string_view name = wordOf(line), size = wordOf(line);
+    const std::string_view name = base::nextWord(line), size = base::nextWord(line);
     if (name.size() != 2 || (name[0] != '-' && name[0] != '+') || (name[1] != 'X' && name[1] != 'Y'))
         return std::nullopt;
     HdrAxis axis{.isX = name[1] == 'X', .fromMost = name[0] == '-'};
@@ -65,7 +59,7 @@ Result<HdrHeader> readHdrHeader(std::string_view file, const FileLabel& label) {
     while ((line = lineAt(file, at)) && !line->empty()) {
         if (!line->starts_with("FORMAT=")) continue;
         std::string_view value = line->substr(line->find('=') + 1);
-        const std::string_view format = wordOf(value);
+        const std::string_view format = base::nextWord(value);
         if (format == "32-bit_rle_xyze")
             return damaged(label, "its colours are XYZ, not RGB; 'ra_xyze -r' of Radiance converts them");
         if (format != "32-bit_rle_rgbe")
@@ -74,7 +68,7 @@ Result<HdrHeader> readHdrHeader(std::string_view file, const FileLabel& label) {
     if (line) line = lineAt(file, at);
     if (!line) return damaged(label, "the file ends within the HDR header");
     const auto slow = axisOf(*line), fast = axisOf(*line);
-    if (!slow || !fast || slow->isX == fast->isX || !wordOf(*line).empty())
+    if (!slow || !fast || slow->isX == fast->isX || !base::nextWord(*line).empty())
         return damaged(label, "its resolution line is not like '-Y 480 +X 640'");
     return HdrHeader{*slow, *fast, at};
 }

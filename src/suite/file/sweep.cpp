@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/lines.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "plan/overrides.h"
@@ -252,11 +253,6 @@ std::string asToml(std::string_view sweep) {
     return text;
 }
 
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 }  // namespace
 
 Diagnostic tooManyMoments(std::uint64_t count) {
@@ -281,7 +277,8 @@ Result<std::vector<Moment>> momentsOf(const Shot& picture, std::span<const doubl
     std::vector<PlacedUniform> named;
     for (std::size_t i = 0; i < picture.options.set.size(); ++i) {
         const std::string& each = picture.options.set[i];
-        named.push_back({trimmed(each.substr(0, each.find('='))), {"--set", static_cast<int>(i) + 1, 1}});
+        named.push_back({std::string(base::trimmed(each.substr(0, each.find('=')))),
+                         {"--set", static_cast<int>(i) + 1, 1}});
     }
     for (const UniformValues& each : values) named.push_back({each.name, each.place});
     std::vector<Moment> moments;

@@ -13,6 +13,7 @@
 
 #include "base/contained.h"
 #include "base/files.h"
+#include "base/lines.h"
 #include "image/file.h"
 #include "suite/write_below.h"
 #include "system/file.h"
@@ -142,9 +143,7 @@ Result<HashList> HashList::read(const fs::path& file) {
     }
     std::string_view rest = base::asText(*bytes);
     for (int number = 1; !rest.empty(); ++number) {
-        std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (line.ends_with('\r')) line.remove_suffix(1);
+        std::string_view line = base::nextLine(rest);
         if (line.empty() || line.front() == '#') continue;
         Result<AcceptedHash> parsed = parseLine(line, {file.generic_string(), number, 1});
         append(list.diagnostics, std::move(parsed.diagnostics));

@@ -13,6 +13,7 @@
 
 #include "base/contained.h"
 #include "base/files.h"
+#include "base/lines.h"
 #include "base/sha256.h"
 #include "base/text.h"
 #include "base/utf8.h"
@@ -59,9 +60,7 @@ std::optional<Pointer> parsePointer(std::span<const std::byte> file) {
     Pointer pointer;
     bool hasSize = false;
     while (!rest.empty()) {
-        std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-        if (line.ends_with('\r')) line.remove_suffix(1);
+        std::string_view line = base::nextLine(rest);
         if (line.starts_with(kOid)) pointer.sha256 = line.substr(kOid.size());
         if (!line.starts_with(kSize)) continue;
         line.remove_prefix(kSize.size());

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/lines.h"
 #include "base/page_template.h"
 #include "base/text.h"
 #include "embedded/report_page.h"
@@ -16,92 +17,71 @@
 namespace glibra::suite {
 namespace {
 
-std::string remarkLine(const Diagnostic& each) {
-    return fmt::format("<li class=\"remark {}\">{}</li>", name(each.severity),
-                       base::escapeXml(toString(each)));
+base::Fields fieldsOf(const Diagnostic& remark) {
+    return {{"severity", name(remark.severity)}, {"text", toString(remark)}};
 }
 
-std::string picture(std::string_view title, const std::string& file) {
-    if (file.empty()) return fmt::format("<figure><figcaption>{}: no picture</figcaption></figure>", title);
-    return fmt::format(
-        "<figure><figcaption>{0}</figcaption><a href=\"{1}\"><img src=\"{1}\" alt=\"{0}\" "
-        "loading=\"lazy\"></a></figure>",
-        title, file);
-}
-
-/// The lines of a file, each with its diagnostics below it.
-std::string listing(const Source& source, const Diagnostics& diagnostics) {
-    std::string html =
-        fmt::format("<details><summary>{}</summary><div class=\"source\"><ol>", base::escapeXml(source.file));
-    std::string_view rest = source.text;
-    for (int line = 1; !rest.empty(); ++line) {
-        const std::size_t end = rest.find('\n');
-        std::string remarks;
+/// The lines of a file, each with its diagnostics.
+base::Fields fieldsOf(const Source& source, const Diagnostics& diagnostics) {
+    std::vector<base::Fields> lines;
+    for (std::string_view rest = source.text; !rest.empty();) {
+        const int line = static_cast<int>(lines.size()) + 1;
+        std::vector<base::Fields> remarks;
         for (const Diagnostic& each : diagnostics)
-            if (each.place.file == source.file && each.place.line == line) remarks += remarkLine(each);
-        html +=
-            fmt::format("<li data-line=\"{}\"{}>{}</li>{}", line, remarks.empty() ? "" : " class=\"told\"",
-                        base::escapeXml(rest.substr(0, end)), remarks);
-        if (end == std::string_view::npos) break;
-        rest.remove_prefix(end + 1);
+            if (each.place.file == source.file && each.place.line == line) remarks.push_back(fieldsOf(each));
+        lines.push_back({{"line", line}, {"text", base::nextLine(rest)}, {"remarks", std::move(remarks)}});
     }
-    return html + "</ol></div></details>";
+    return {{"file", source.file}, {"lines", std::move(lines)}};
 }
 
-std::string article(const ShotResult& shot, const ShownShot& shown, std::span<const Source> sources) {
-    std::string html = fmt::format("<article><h2><span class=\"verdict {0}\">{0}</span> {1}</h2><p>{2}</p>",
-                                   name(shot.verdict), base::escapeXml(shot.suite + "/" + shot.shot),
-                                   base::escapeXml(reasonOf(shot)));
+std::string labelOf(const ShotResult& shot) {
+    return shot.suite + "/" + shot.shot;
+}
+
+base::Fields fieldsOf(const ShotResult& shot, const ShownShot& shown, std::span<const Source> sources) {
+    std::vector<base::Fields> pictures;
     if (!shown.expected.empty() || !shown.got.empty())
-        html += "<div class=\"trio\">" + picture(titlesOf(shot).expected, shown.expected) +
-                picture(titlesOf(shot).got, shown.got) + picture("difference", shown.difference) + "</div>";
-    std::string rows;
-    for (const Figure& each : figures(shot))
-        rows += fmt::format("<tr><th>{}</th><td{}>{}</td><td>{}</td></tr>", each.name,
-                            each.beyond ? " class=\"beyond\"" : "", each.value,
-                            each.limit.empty() ? "" : "limit " + each.limit);
-    if (!rows.empty()) html += "<table>" + rows + "</table>";
-    for (const auto& [title, command] :
-         {std::pair<const char*, const std::string&>{"Reproduce", shot.reproduce},
-          {"Accept", shot.accept},
-          {"Would pass, in the [[shot]] of the suite", shot.toPass},
-          {"No tolerance is sensible", shot.noTolerance}})
-        if (!command.empty())
-            html += fmt::format("<h3>{}</h3><div class=\"command\"><code>{}</code></div>", title,
-                                base::escapeXml(command));
-    std::string told;
-    for (const Diagnostic& each : shot.diagnostics) told += remarkLine(each);
-    if (!told.empty()) html += "<ul>" + told + "</ul>";
-    for (const std::size_t source : shown.sources) html += listing(sources[source], shot.diagnostics);
-    return html + "</article>\n";
+        pictures = {{{"title", titlesOf(shot).expected}, {"file", shown.expected}},
+                    {{"title", titlesOf(shot).got}, {"file", shown.got}},
+                    {{"title", "difference"}, {"file", shown.difference}}};
+    const auto figure = [](const Figure& each) {
+        return base::Fields{
+            {"name", each.name}, {"value", each.value}, {"limit", each.limit}, {"beyond", each.beyond}};
+    };
+    const auto listing = [&](std::size_t source) { return fieldsOf(sources[source], shot.diagnostics); };
+    return {
+        {"verdict", name(shot.verdict)},
+        {"label", labelOf(shot)},
+        {"reason", reasonOf(shot)},
+        {"pictures", std::move(pictures)},
+        {"figures", base::rowsOf(figures(shot), figure)},
+        {"commands", base::titledRows({{"Reproduce", shot.reproduce},
+                                       {"Accept", shot.accept},
+                                       {"Would pass, in the [[shot]] of the suite", shot.toPass},
+                                       {"No tolerance is sensible", shot.noTolerance}})},
+        {"remarks", base::rowsOf(shot.diagnostics, [](const Diagnostic& each) { return fieldsOf(each); })},
+        {"sources", base::rowsOf(shown.sources, listing)}};
 }
 
 }  // namespace
 
 std::string plainPage(const RunResult& run, std::span<const ShownShot> shown,
                       std::span<const Source> sources) {
-    std::string html = fmt::format("<div class=\"plain\">\n<p>{}</p>\n", counts(run));
+    std::vector<base::Fields> articles, lists;
     for (const Verdict verdict : kVerdictsByConcern)
         for (std::size_t i = 0; i < run.shots.size(); ++i)
             if (run.shots[i].verdict == verdict && !isPlain(run.shots[i]))
-                html += article(run.shots[i], shown[i], sources);
+                articles.push_back(fieldsOf(run.shots[i], shown[i], sources));
     for (const Verdict verdict : {Verdict::skipped, Verdict::passed}) {
-        std::string names;
-        int count = 0;
-        for (std::size_t i = 0; i < run.shots.size(); ++i) {
-            const ShotResult& shot = run.shots[i];
-            if (shot.verdict != verdict || !isPlain(shot)) continue;
-            ++count;
-            const std::string label = base::escapeXml(shot.suite + "/" + shot.shot);
-            names += shown[i].got.empty()
-                         ? fmt::format("<li>{}</li>\n", label)
-                         : fmt::format("<li><a href=\"{}\">{}</a></li>\n", shown[i].got, label);
-        }
-        if (count > 0)
-            html += fmt::format("<details><summary>{} {}</summary><ul>\n{}</ul></details>\n", count,
-                                name(verdict), names);
+        std::vector<base::Fields> shots;
+        for (std::size_t i = 0; i < run.shots.size(); ++i)
+            if (run.shots[i].verdict == verdict && isPlain(run.shots[i]))
+                shots.push_back({{"label", labelOf(run.shots[i])}, {"file", shown[i].got}});
+        if (!shots.empty())
+            lists.push_back({{"count", shots.size()}, {"verdict", name(verdict)}, {"shots", shots}});
     }
-    return loadingFirstScreen(html + "</div>");
+    return loadingFirstScreen(base::filled(
+        report_page::plain_html(), {{"counts", counts(run)}, {"articles", articles}, {"lists", lists}}));
 }
 
 std::string loadingFirstScreen(std::string html) {
@@ -189,33 +169,10 @@ std::string headline(const RunResult& run) {
     if (drawn > 0) text += fmt::format(", {} drawn without a golden", drawn);
     if (const std::size_t missing = missingShots(run).size(); missing > 0)
         text += fmt::format(", {} of {} planned shots have no verdict", missing, plannedCount(run));
-    if (!run.missingShards.empty()) text += ", " + base::escapeXml(run.missingShards);
+    if (!run.missingShards.empty()) text += ", " + run.missingShards;
     if (!run.orphans.empty())
         text += fmt::format(", {} of no shot", base::counted(run.orphans.size(), "golden"));
     return text;
-}
-
-/// The goldens of no shot, of which no shot of the list speaks.
-std::string orphanList(const RunResult& run) {
-    constexpr std::size_t kMost = 100;
-    std::string html;
-    for (const std::string& line : orphanLines(run, kMost))
-        html += fmt::format("<p class=\"orphans\">{}</p>", base::escapeXml(line));
-    return html;
-}
-
-std::string runDetails(const RunResult& run) {
-    std::string html = "<dl>";
-    const auto add = [&](std::string_view title, const std::string& value) {
-        if (!value.empty()) html += fmt::format("<dt>{}</dt><dd>{}</dd>", title, base::escapeXml(value));
-    };
-    add("Driver", run.driver);
-    add("Machine", run.machine);
-    add("Command", run.command);
-    add("Shard", run.shard);
-    add("Began", run.began);
-    add("Time", readableTime(run.seconds));
-    return html + "</dl>";
 }
 
 }  // namespace
@@ -232,18 +189,24 @@ Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& r
     for (const std::string_view part :
          {report_page::pixels_js(), report_page::viewer_js(), report_page::list_js(), report_page::main_js()})
         script += part;
-    const base::Slot slots[] = {
-        {"title", base::escapeXml(counts(run) + " - glibra")},
+    constexpr std::size_t kMostOrphans = 100;
+    const base::Fields fields = {
+        {"title", counts(run) + " - glibra"},
         {"headline", headline(run)},
         {"run", fmt::format("About this run ({})", readableTime(run.seconds))},
-        {"runDetails", runDetails(run)},
-        {"orphans", orphanList(run)},
-        {"style", std::string(report_page::report_css())},
+        {"details", base::titledRows({{"Driver", run.driver},
+                                      {"Machine", run.machine},
+                                      {"Command", run.command},
+                                      {"Shard", run.shard},
+                                      {"Began", run.began},
+                                      {"Time", readableTime(run.seconds)}})},
+        {"orphans", orphanLines(run, kMostOrphans)},  // no shot of the list speaks of them
+        {"style", report_page::report_css()},
         {"script", std::move(script)},
         {"static", plainPage(run, shown, files.sources())},
         {"data", toJson(run, shown, files)},
     };
-    const std::string page = base::filled(report_page::page_html(), slots);
+    const std::string page = base::filled(report_page::page_html(), fields);
     Diagnostics problems = files.problems();
     static_cast<void>(base::prepareBeneath(reportFolder, "index.html"));  // the write below reports a failure
     append(problems, image::writeFileAtomically(reportFolder / "index.html", std::as_bytes(std::span(page)),

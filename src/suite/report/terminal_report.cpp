@@ -1,14 +1,17 @@
 #include "suite/report/terminal_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
 #include <vector>
 
+#include "base/page_template.h"
 #include "base/text.h"
 #include "base/utf8.h"
+#include "embedded/report_page.h"
 #include "image/read.h"
 #include "suite/report/small_heat_map.h"
 #include "suite/results/figures.h"
@@ -319,40 +322,43 @@ std::string details(const ShotResult& shot) {
     return text;
 }
 
-void putShot(std::string& xml, const ShotResult& shot) {
-    xml += fmt::format("    <testcase name=\"{}\" classname=\"{}\" time=\"{}\"", base::escapeXml(shot.shot),
-                       base::escapeXml(shot.suite), seconds(shot.milliseconds / 1000));
-    std::string inside;
-    if (isSkipped(shot.verdict)) {
-        inside += fmt::format("      <skipped message=\"{}\"/>\n", base::escapeXml(reasonOf(shot)));
-    } else if (isFailure(shot.verdict)) {
-        const char* element = isError(shot) ? "error" : "failure";
-        inside +=
-            fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element,
-                        base::escapeXml(reasonOf(shot)), name(shot.verdict), base::escapeXml(details(shot)));
-    }
+base::Fields fieldsOf(const ShotResult& shot) {
+    const bool isWrong = isFailure(shot.verdict) && !isSkipped(shot.verdict);
     std::string output;
     if (!isFailure(shot.verdict) && !isSkipped(shot.verdict) && !reasonOf(shot).empty())
         output += reasonOf(shot) + '\n';
     for (const Diagnostic& each : shot.diagnostics) output += toString(each) + '\n';
-    if (!output.empty())
-        inside += fmt::format("      <system-out>{}</system-out>\n", base::escapeXml(output));
-    xml += inside.empty() ? "/>\n" : ">\n" + inside + "    </testcase>\n";
+    return {{"shot", shot.shot},
+            {"seconds", seconds(shot.milliseconds / 1000)},
+            {"isEmpty", !isWrong && !isSkipped(shot.verdict) && output.empty()},
+            {"isSkipped", isSkipped(shot.verdict)},
+            {"element", !isWrong        ? ""
+                        : isError(shot) ? "error"
+                                        : "failure"},
+            {"reason", reasonOf(shot)},
+            {"verdict", name(shot.verdict)},
+            {"details", isWrong ? details(shot) : ""},
+            {"output", output}};
 }
 
-/// A suite with one test about the whole run: an error, a failure, or only an output.
-std::string ofRun(std::string_view test, std::string_view element, std::string_view type,
-                  const std::string& text) {
-    const std::string attributes =
-        element == "system-out" ? ""
-                                : fmt::format(" message=\"{}\" type=\"{}\"", base::escapeXml(text), type);
-    return fmt::format(
-        "  <testsuite name=\"glibra\" tests=\"1\" failures=\"{}\" errors=\"{}\" skipped=\"0\" "
-        "time=\"0.000\">\n"
-        "    <testcase name=\"{}\" classname=\"glibra\" time=\"0.000\">\n"
-        "      <{}{}>{}</{}>\n    </testcase>\n  </testsuite>\n",
-        element == "failure" ? 1 : 0, element == "error" ? 1 : 0, test, element, attributes,
-        base::escapeXml(text), element);
+base::Fields fieldsOf(const Sums& sums) {
+    return {{"tests", sums.tests},
+            {"failures", sums.failures},
+            {"errors", sums.errors},
+            {"skipped", sums.skipped},
+            {"seconds", seconds(sums.seconds)}};
+}
+
+/// A suite with one test about the whole run: an error, a failure, or only an output. Adds it to the sums.
+base::Fields ofRun(const char* test, std::string_view element, const char* type, const std::string& text,
+                   Sums& all) {
+    const int failures = element == "failure" ? 1 : 0, errors = element == "error" ? 1 : 0;
+    ++all.tests;
+    all.failures += failures;
+    all.errors += errors;
+    return {{"test", test},         {"element", element},
+            {"text", text},         {"type", element == "system-out" ? "" : type},
+            {"failures", failures}, {"errors", errors}};
 }
 
 }  // namespace
@@ -364,49 +370,35 @@ std::string toJunit(const RunResult& run) {
         if (suite == suites.end()) suite = suites.insert(suite, {shot.suite, {}});
         suite->second.push_back(&shot);
     }
-    std::string inside;
     Sums all;
+    std::vector<base::Fields> rows, rowsOfRun;
     for (const auto& [suite, shots] : suites) {
         const Sums sums = sumsOf(shots);
         all.tests += sums.tests;
         all.failures += sums.failures;
         all.errors += sums.errors;
-        inside += fmt::format(
-            "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{}\"",
-            base::escapeXml(suite), sums.tests, sums.failures, sums.errors, sums.skipped,
-            seconds(sums.seconds));
-        if (!run.began.empty()) inside += fmt::format(" timestamp=\"{}\"", base::escapeXml(run.began));
-        inside += ">\n    <properties>\n";
-        for (const auto& [key, value] : {std::pair<const char*, const std::string&>{"driver", run.driver},
-                                         {"machine", run.machine},
-                                         {"shard", run.shard},
-                                         {"command", run.command}})
-            if (!value.empty())
-                inside +=
-                    fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", key, base::escapeXml(value));
-        inside += "    </properties>\n";
-        for (const ShotResult* shot : shots) putShot(inside, *shot);
-        inside += "  </testsuite>\n";
+        rows.push_back(fieldsOf(sums));
+        base::append(rows.back(),
+                     {{"name", suite},
+                      {"shots", base::rowsOf(shots, [](const auto* each) { return fieldsOf(*each); })}});
     }
-    if (const std::string missing = shortfall(run); !missing.empty()) {
-        ++all.tests;
-        ++all.errors;
-        inside += ofRun("every planned shot has a verdict", "error", "incomplete", missing);
-    }
-    if (!run.orphans.empty()) {
-        ++all.tests;
-        all.failures += run.orphansFail ? 1 : 0;
-        constexpr std::size_t kMost = 100;
-        std::string text;
-        for (const std::string& line : orphanLines(run, kMost)) text += (text.empty() ? "" : "\n") + line;
-        inside += ofRun("every golden belongs to a shot", run.orphansFail ? "failure" : "system-out",
-                        "orphans", text);
-    }
-    return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<testsuites name=\"glibra\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
-        "time=\"{}\">\n{}</testsuites>\n",
-        all.tests, all.failures, all.errors, seconds(run.seconds), inside);
+    if (const std::string missing = shortfall(run); !missing.empty())
+        rowsOfRun.push_back(ofRun("every planned shot has a verdict", "error", "incomplete", missing, all));
+    constexpr std::size_t kMostOrphans = 100;
+    if (!run.orphans.empty())
+        rowsOfRun.push_back(ofRun("every golden belongs to a shot",
+                                  run.orphansFail ? "failure" : "system-out", "orphans",
+                                  fmt::format("{}", fmt::join(orphanLines(run, kMostOrphans), "\n")), all));
+    all.seconds = run.seconds;
+    base::Fields fields = fieldsOf(all);
+    base::append(fields, {{"began", run.began},
+                          {"properties", base::titledRows({{"driver", run.driver},
+                                                           {"machine", run.machine},
+                                                           {"shard", run.shard},
+                                                           {"command", run.command}})},
+                          {"suites", std::move(rows)},
+                          {"ofRun", std::move(rowsOfRun)}});
+    return base::filled(report_page::junit_xml(), fields);
 }
 
 }  // namespace glibra::suite

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/lines.h"
 #include "base/utf8.h"
 #include "image/file.h"
 #include "suite/results/results.h"
@@ -110,11 +111,8 @@ Result<RunResult> readResults(const fs::path& folder) {
     Result<RunResult> result;
     std::map<ShotKey, std::size_t> known;
     for (int number = 1; !rest.empty() && result.diagnostics.size() < kMostMistakes; ++number) {
-        const std::size_t end = rest.find('\n');
-        const bool isTorn = end == std::string_view::npos;
-        std::string_view line = rest.substr(0, end);
-        rest.remove_prefix(isTorn ? rest.size() : end + 1);
-        if (line.ends_with('\r')) line.remove_suffix(1);
+        const bool isTorn = rest.find('\n') == std::string_view::npos;
+        const std::string_view line = base::nextLine(rest);
         const Place place{file, number, 1};
         if (number == 1) {
             Result<RunResult> run = parseRunLine(line, place);

@@ -299,9 +299,8 @@ std::vector<AlikeShots> Review::alikeOf(const std::vector<std::size_t>& shots) c
 }
 
 void Review::serve(LoopbackServer& server) {
-    const base::Slot slots[] = {{"style", std::string(review_page::review_css())},
-                                {"script", std::string(review_page::review_js())}};
-    const std::string page = base::filled(review_page::review_html(), slots);
+    const std::string page = base::filled(review_page::review_html(), {{"style", review_page::review_css()},
+                                                                       {"script", review_page::review_js()}});
     server.get("", [page](const WebRequest&) { return WebReply{200, "text/html; charset=utf-8", page}; });
     server.get("data", [this](const WebRequest&) { return data(); });
     server.get("picture", [this](const WebRequest& request) { return picture(request); });
