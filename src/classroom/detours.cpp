@@ -153,17 +153,9 @@ class Detours {
     Code run() {
         Code made;
         for (std::size_t i = 0; i < items_.size(); ++i) {
-            const auto begin = tokens_.begin() + static_cast<std::ptrdiff_t>(items_[i].begin);
-            const auto end = tokens_.begin() + static_cast<std::ptrdiff_t>(items_[i].end);
-            const std::size_t body = bodyBegin(i);
-            if (body == 0) {
-                made.insert(made.end(), begin, end);
-                continue;
-            }
-            made.insert(made.end(), begin, tokens_.begin() + static_cast<std::ptrdiff_t>(body));
-            read(i, 0);
-            made.insert(made.end(), codes_[i].begin(), codes_[i].end());
-            made.push_back(*(end - 1));
+            if (items_[i].isFunction) read(i, 0);
+            const std::span<const CodeToken> code = items_[i].isFunction ? codes_[i] : codeOf(items_[i]);
+            made.insert(made.end(), code.begin(), code.end());
         }
         return made;
     }
@@ -171,25 +163,15 @@ class Detours {
   private:
     enum class State { unread, isRead, done };
 
-    /// The first token after the "{" of a function; 0 if it has no body that ends.
-    [[nodiscard]] std::size_t bodyBegin(std::size_t item) const {
-        const CodeItem& one = items_[item];
-        if (!one.isFunction) return 0;
-        const auto close =
-            static_cast<std::size_t>(one.parameters.data() - tokens_.data()) + one.parameters.size();
-        const bool isWhole = close + 2 < one.end && tokens_[close].text == ")" &&
-                             tokens_[close + 1].text == "{" && tokens_[one.end - 1].text == "}";
-        return isWhole ? close + 2 : 0;
+    [[nodiscard]] std::span<const CodeToken> codeOf(const CodeItem& item) const {
+        return std::span(tokens_).subspan(item.begin, item.end - item.begin);
     }
 
-    /// Simplifies the body of a function, with the functions that it calls first.
+    /// Simplifies a function, with the functions that it calls first.
     void read(std::size_t item, std::size_t depth) {
         if (states_[item] != State::unread) return;
         states_[item] = State::isRead;
-        const std::size_t begin = bodyBegin(item);
-        const std::span<const CodeToken> body =
-            std::span(tokens_).subspan(begin, items_[item].end - 1 - begin);
-        const Code inlined = withStatements(body, [&](std::vector<Code>& statements) {
+        const Code inlined = withBlocks(codeOf(items_[item]), [&](std::vector<Code>& statements) {
             writeOut(statements, depth);
             declareWhereSet(statements);
         });
@@ -197,7 +179,7 @@ class Detours {
         for (std::size_t i = 0; i < inlined.size(); ++i)
             if (isVariableName(inlined, i)) ++counts[inlined[i].text];
         codes_[item] =
-            withStatements(inlined, [&](std::vector<Code>& statements) { useOnce(statements, counts); });
+            withBlocks(inlined, [&](std::vector<Code>& statements) { useOnce(statements, counts); });
         states_[item] = State::done;
         makeBody(item);
     }
@@ -217,13 +199,11 @@ class Detours {
             made.isOut = std::ranges::any_of(
                 part, [](const CodeToken& each) { return each.text == "out" || each.text == "inout"; });
         }
-        const Brackets brackets(code);
-        for (std::size_t at = 0; at < code.size();) {
-            const std::size_t next =
-                std::clamp(afterStatement(code, brackets, at, code.size()), at + 1, code.size());
-            body.statements.emplace_back(code.begin() + static_cast<std::ptrdiff_t>(at),
-                                         code.begin() + static_cast<std::ptrdiff_t>(next));
-            at = next;
+        const CodeTree tree(code);
+        if (tree.functions().empty()) return;
+        for (const std::uint32_t each : tree.children(tree.functions().front())) {
+            const std::span<const CodeToken> statement = tree.code(each);
+            body.statements.emplace_back(statement.begin(), statement.end());
         }
         const bool returnsNothing =
             one.parameters.data() - tokens_.data() >= 3 && (one.parameters.data() - 3)->text == "void";
@@ -262,8 +242,7 @@ class Detours {
             (code[i - 1].text == "." || (code[i - 1].isWord && !glsl::isStatementWord(code[i - 1].text))))
             return nullptr;
         const auto function = functions_.find(code[i].text);
-        if (function == functions_.end() || depth >= kDeepestCall || bodyBegin(function->second) == 0)
-            return nullptr;
+        if (function == functions_.end() || depth >= kDeepestCall) return nullptr;
         read(function->second, depth + 1);
         const std::optional<Body>& body = bodies_[function->second];
         return states_[function->second] == State::done && body ? &*body : nullptr;
@@ -488,7 +467,7 @@ class Detours {
     std::deque<std::string>& names_;
     std::vector<CodeItem> items_;
     std::map<std::string_view, std::size_t> functions_;  ///< that have no overload
-    std::map<std::size_t, Code> codes_;                  ///< of functions that were read, their bodies
+    std::map<std::size_t, Code> codes_;                  ///< of functions that were read
     std::vector<std::optional<Body>> bodies_;
     std::vector<State> states_;
     std::size_t room_, grown_ = 0;  ///< tokens that may be written out, and those that were

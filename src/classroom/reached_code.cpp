@@ -230,7 +230,7 @@ std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens) {
             break;
         }
         if (close >= open && open > 0) item.parameters = tokens.subspan(open, close - open);
-        item.isFunction = item.isFunction && open > 0;
+        item.isFunction = item.isFunction && item.parameters.data() != nullptr;
         begin = item.end;
         items.push_back(std::move(item));
     }
