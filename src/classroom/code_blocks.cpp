@@ -5,13 +5,12 @@
 #include <cstddef>
 #include <string_view>
 
-#include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
 namespace glibra::classroom {
 namespace {
 
-constexpr int kDeepestBlock = 24, kDeepestStatement = 200;
+constexpr int kDeepestBlock = 24;
 
 std::string_view textOf(std::span<const CodeToken> tokens, std::size_t index) {
     return index < tokens.size() ? tokens[index].text : std::string_view{};
@@ -68,52 +67,7 @@ class Blocks {
     const std::function<void(std::vector<Code>&)>& change_;
 };
 
-std::size_t afterNested(std::span<const CodeToken> tokens, const Brackets& brackets, std::size_t at,
-                        std::size_t end, int nested) {
-    if (at >= end || nested > kDeepestStatement) return end;
-    const std::string_view each = textOf(tokens, at);
-    if (each == "{") return std::min(brackets.after(at), end);
-    if (each == "if" || each == "while" || each == "for" || each == "switch") {
-        const std::size_t after =
-            afterNested(tokens, brackets, std::min(brackets.after(at + 1), end), end, nested + 1);
-        return each == "if" && textOf(tokens, after) == "else"
-                   ? afterNested(tokens, brackets, after + 1, end, nested + 1)
-                   : after;
-    }
-    if (each == "do") at = afterNested(tokens, brackets, at + 1, end, nested + 1);
-    int depth = 0;
-    for (; at < end; ++at) {
-        depth += glsl::opensBracket(tokens[at].text) ? 1 : glsl::closesBracket(tokens[at].text) ? -1 : 0;
-        if (depth < 0) return at;
-        if (depth == 0 && tokens[at].text == ";") return at + 1;
-    }
-    return end;
-}
-
 }  // namespace
-
-Brackets::Brackets(std::span<const CodeToken> tokens) : after_(tokens.size(), tokens.size()) {
-    std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (glsl::opensBracket(tokens[i].text)) {
-            open.push_back(i);
-            continue;
-        }
-        after_[i] = i + 1;
-        if (!glsl::closesBracket(tokens[i].text) || open.empty()) continue;
-        after_[open.back()] = i + 1;
-        open.pop_back();
-    }
-}
-
-std::size_t Brackets::after(std::size_t open) const {
-    return open < after_.size() ? after_[open] : after_.size();
-}
-
-std::size_t afterStatement(std::span<const CodeToken> tokens, const Brackets& brackets, std::size_t at,
-                           std::size_t end) {
-    return afterNested(tokens, brackets, at, end, 0);
-}
 
 bool isVariableName(std::span<const CodeToken> tokens, std::size_t index) {
     return tokens[index].isWord && glsl::keywordSince(tokens[index].text) == 0 &&

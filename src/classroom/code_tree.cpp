@@ -5,7 +5,7 @@
 
 namespace glibra::classroom {
 
-CodeTree::CodeTree(std::span<const CodeToken> code) : code_(code) {
+CodeTree::CodeTree(std::span<const CodeToken> code, Of of) : code_(code) {
     std::vector<glsl::ViewToken> view;
     view.reserve(code.size());
     for (const CodeToken& each : code)
@@ -13,7 +13,13 @@ CodeTree::CodeTree(std::span<const CodeToken> code) : code_(code) {
                         each.isWord     ? glsl::TokenKind::word
                         : each.isNumber ? glsl::TokenKind::number
                                         : glsl::TokenKind::punctuator});
-    syntax_ = glsl::parseSyntax(view);
+    if (of == Of::text) {
+        syntax_ = glsl::parseSyntax(view);
+    } else {
+        glsl::Declaration& around = syntax_.declarations.emplace_back();
+        around.kind = glsl::DeclarationKind::function;
+        around.body = around.tokens = {0, static_cast<std::uint32_t>(view.size())};
+    }
     bodies_ = glsl::parseBodies(view, syntax_);
     for (const glsl::Declaration& each : syntax_.declarations)
         if (each.code != glsl::kNone) functions_.push_back(each.code);

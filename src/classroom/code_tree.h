@@ -18,10 +18,11 @@ using Code = std::vector<CodeToken>;
 /// The tree of glsl/parse/tree.h, whose places are the indices of the tokens.
 class CodeTree {
   public:
-    /// `code` has to outlive the tree.
-    explicit CodeTree(std::span<const CodeToken> code);
+    /// Of a text, or of one statement. `code` has to outlive the tree.
+    enum class Of { text, statement };
+    explicit CodeTree(std::span<const CodeToken> code, Of of = Of::text);
 
-    /// The bodies of the functions, with their braces, in the order of the text.
+    /// The bodies of the functions, with their braces, in the order of the text; the statement.
     [[nodiscard]] const std::vector<std::uint32_t>& functions() const { return functions_; }
     /// The variables with an initialiser, local ones too, by the index of their name: its node.
     [[nodiscard]] std::map<std::uint32_t, std::uint32_t> initializers() const;

@@ -81,37 +81,41 @@ std::size_t onlyAssignment(std::span<const CodeToken> statement) {
 }
 
 /// "if (a) b = c; else b = d;" as "b = a ? c : d;"; nothing if it is another statement.
-std::optional<Code> asConditional(std::span<const CodeToken> statement, int nested = 0) {
+std::optional<Code> asConditional(const CodeTree& tree, std::uint32_t statement, int nested = 0) {
     constexpr int kMostNested = 16;
-    if (nested > kMostNested || statement.size() < 2 || statement[0].text != "if" || statement[1].text != "(")
+    const std::uint32_t otherwise = tree.child(statement, 2);
+    if (nested > kMostNested || !tree.is(statement, glsl::NodeKind::branch) || otherwise == glsl::kNone)
         return std::nullopt;
-    const Brackets brackets(statement);
-    const std::size_t condition = brackets.after(1);
-    const std::size_t other = afterStatement(statement, brackets, condition, statement.size());
-    if (other + 1 >= statement.size() || statement[other].text != "else") return std::nullopt;
-    const auto inner = [](std::span<const CodeToken> part) {
-        const bool isBlock = part.size() > 2 && part.front().text == "{" && part.back().text == "}";
-        return isBlock ? part.subspan(1, part.size() - 2) : part;
+    const auto inner = [&](std::uint32_t side) {
+        const std::span<const CodeToken> code = tree.code(side);
+        const bool isBlock = code.size() > 2 && code.front().text == "{" && code.back().text == "}";
+        return isBlock ? code.subspan(1, code.size() - 2) : code;
     };
-    const std::span<const CodeToken> one = inner(statement.subspan(condition, other - condition));
-    std::span<const CodeToken> two = inner(statement.subspan(other + 1));
-    const std::optional<Code> chain = asConditional(two, nested + 1);
-    if (chain) two = *chain;
+    const std::optional<Code> chain = asConditional(tree, otherwise, nested + 1);
+    const std::span<const CodeToken> one = inner(tree.child(statement, 1));
+    const std::span<const CodeToken> two = chain ? *chain : inner(otherwise);
     const std::size_t signOne = onlyAssignment(one), signTwo = onlyAssignment(two);
     const auto isSame = [](const CodeToken& a, const CodeToken& b) { return a.text == b.text; };
     if (signOne == 0 || signOne != signTwo ||
         !std::ranges::equal(one.first(signOne), two.first(signTwo), isSame))
         return std::nullopt;
+    const CodeLine line = tree.code(statement).front().line;
     Code made(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(signOne) + 1);
     const auto add = [&](std::span<const CodeToken> part) {
         made.insert(made.end(), part.begin(), part.end());
     };
-    add(statement.subspan(2, condition - 3));
-    made.push_back(sign("?", statement[0].line));
+    add(tree.code(tree.child(statement, 0)));
+    made.push_back(sign("?", line));
     add(one.subspan(signOne + 1, one.size() - signOne - 2));
-    made.push_back(sign(":", statement[0].line));
+    made.push_back(sign(":", line));
     add(two.subspan(signTwo + 1));
     return made;
+}
+
+std::optional<Code> asConditional(std::span<const CodeToken> statement) {
+    if (statement.empty() || statement[0].text != "if") return std::nullopt;
+    const CodeTree tree(statement, CodeTree::Of::statement);
+    return tree.functions().empty() ? std::nullopt : asConditional(tree, tree.functions().front());
 }
 
 struct Parameter {
