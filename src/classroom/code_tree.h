@@ -22,6 +22,8 @@ class CodeTree {
     enum class Of { text, statement };
     explicit CodeTree(std::span<const CodeToken> code, Of of = Of::text);
 
+    /// What stands outside of functions.
+    [[nodiscard]] std::span<const glsl::Declaration> declarations() const { return syntax_.declarations; }
     /// The bodies of the functions, with their braces, in the order of the text; the statement.
     [[nodiscard]] const std::vector<std::uint32_t>& functions() const { return functions_; }
     /// The variables with an initialiser, local ones too, by the index of their name: its node.
