@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
 namespace glibra::classroom {
@@ -101,6 +102,21 @@ std::string_view targetOf(std::span<const CodeToken> tokens, std::size_t begin, 
 
 bool isBefore(const Code& a, const Code& b) {
     return std::ranges::lexicographical_compare(a, b, {}, &CodeToken::code, &CodeToken::code);
+}
+
+std::vector<std::span<const CodeToken>> splitAtCommas(std::span<const CodeToken> list) {
+    std::vector<std::span<const CodeToken>> parts;
+    std::size_t begin = 0, end = 0;
+    for (int depth = 0; end < list.size(); ++end) {
+        const std::string_view each = list[end].text;
+        depth += glsl::opensBracket(each) ? 1 : glsl::closesBracket(each) ? -1 : 0;
+        if (depth < 0) break;
+        if (depth > 0 || each != ",") continue;
+        parts.push_back(list.subspan(begin, end - begin));
+        begin = end + 1;
+    }
+    if (end > 0) parts.push_back(list.subspan(begin, end - begin));
+    return parts;
 }
 
 Code joinedCode(const std::vector<Code>& parts) {

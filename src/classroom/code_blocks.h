@@ -17,6 +17,9 @@ Code withBlocks(std::span<const CodeToken> tokens,
 /// True if `a` comes before `b`, by what tokens are compared by.
 bool isBefore(const Code& a, const Code& b);
 
+/// The parts between the commas outside of brackets, up to the end or to a bracket that closes.
+std::vector<std::span<const CodeToken>> splitAtCommas(std::span<const CodeToken> list);
+
 /// The tokens one after another.
 Code joinedCode(const std::vector<Code>& parts);
 

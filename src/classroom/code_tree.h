@@ -24,6 +24,8 @@ class CodeTree {
 
     /// What stands outside of functions.
     [[nodiscard]] std::span<const glsl::Declaration> declarations() const { return syntax_.declarations; }
+    /// In the order of the text.
+    [[nodiscard]] std::span<const glsl::LocalVariable> locals() const { return bodies_.locals; }
     /// The bodies of the functions, with their braces, in the order of the text; the statement.
     [[nodiscard]] const std::vector<std::uint32_t>& functions() const { return functions_; }
     /// The variables with an initialiser, local ones too, by the index of their name: its node.

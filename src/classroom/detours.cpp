@@ -34,24 +34,6 @@ CodeToken sign(std::string_view text, CodeLine line) {
     return {text, codeOfText(text), line};
 }
 
-/// The parts between the commas outside of brackets.
-std::vector<std::span<const CodeToken>> splitAtCommas(std::span<const CodeToken> list) {
-    std::vector<std::span<const CodeToken>> parts;
-    std::size_t begin = 0;
-    int depth = 0;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string_view each = list[i].text;
-        depth += each == "(" || each == "[" || each == "{"   ? 1
-                 : each == ")" || each == "]" || each == "}" ? -1
-                                                             : 0;
-        if (depth != 0 || each != ",") continue;
-        parts.push_back(list.subspan(begin, i - begin));
-        begin = i + 1;
-    }
-    if (!list.empty()) parts.push_back(list.subspan(begin));
-    return parts;
-}
-
 /// "const vec3 a = b, c;" as "vec3 a = b;" and "vec3 c;"; nothing if it declares no variable.
 std::vector<Code> declarations(const Code& statement) {
     const std::size_t type = !statement.empty() && statement[0].text == "const" ? 1 : 0;
