@@ -196,36 +196,20 @@ void read(const glsl::StageSource& stage, const glsl::IncludeReader& include, co
 
 std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens) {
     std::vector<CodeItem> items;
-    for (std::size_t begin = 0; begin < tokens.size();) {
-        CodeItem item{begin, tokens.size()};
-        int depth = 0;
-        bool hasValue = false;
-        std::size_t open = 0, close = 0;  // the parentheses after the name of a function
-        for (std::size_t i = begin; i < tokens.size(); ++i) {
-            const std::string_view each = tokens[i].text;
-            if (depth == 0 && each == "{" && i > begin && tokens[i - 1].text == ")") item.isFunction = true;
-            hasValue = hasValue || (depth == 0 && each == "=");
-            const bool isDeclared = depth == 0 && !hasValue && isName(tokens[i]);
-            if (isDeclared && textAt(tokens, i + 1) == "(" && i > begin) {
-                open = i + 2;
-                item.names = {each};
-            } else if (open == 0 && isDeclared) {
-                item.names.push_back(each);
-            }
-            if (each == "," && depth == 0) hasValue = false;
-            depth += each == "(" || each == "[" || each == "{"   ? 1
-                     : each == ")" || each == "]" || each == "}" ? -1
-                                                                 : 0;
-            depth = std::max(depth, 0);
-            if (depth == 0 && each == ")" && open > 0 && close == 0) close = i;
-            if (depth > 0 || (each != ";" && (each != "}" || !item.isFunction))) continue;
-            item.end = i + 1;
-            break;
+    const CodeTree tree(tokens);
+    for (const glsl::Declaration& each : tree.declarations()) {
+        CodeItem& item = items.emplace_back(CodeItem{each.tokens.first, each.tokens.end});
+        item.isFunction = each.kind == glsl::DeclarationKind::function;
+        if (item.isFunction || each.kind == glsl::DeclarationKind::prototype) {
+            const auto [first, end] = each.parameterTokens;
+            const bool isClosed = end > first + 1 && tokens[end - 1].text == ")";
+            item.parameters = tokens.subspan(first + 1, end - first - (isClosed ? 2 : 1));
+        } else if (!each.type.isStruct && glsl::keywordSince(each.type.name) == 0 &&
+                   !each.type.name.empty()) {
+            item.names.push_back(each.type.name);
         }
-        if (close >= open && open > 0) item.parameters = tokens.subspan(open, close - open);
-        item.isFunction = item.isFunction && item.parameters.data() != nullptr;
-        begin = item.end;
-        items.push_back(std::move(item));
+        if (each.name != glsl::kNone) item.names.push_back(tokens[each.name].text);
+        for (const glsl::Declarator& one : each.declarators) item.names.push_back(tokens[one.name].text);
     }
     return items;
 }
