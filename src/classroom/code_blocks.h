@@ -5,23 +5,20 @@
 #include <span>
 #include <vector>
 
-#include "classroom/normal_form.h"
+#include "classroom/code_tree.h"
 
 namespace glibra::classroom {
-
-using Code = std::vector<CodeToken>;
 
 /// Calls `change` with the statements of every block of every function, inner blocks first, and of the parts
 /// of `switch` never. What is no function stays. Blocks that are nested deeper than anybody writes stay, too.
 Code withBlocks(std::span<const CodeToken> tokens,
                 const std::function<void(std::vector<Code>& statements)>& change);
 
-/// The same for the statements of one body, without its braces.
-Code withStatements(std::span<const CodeToken> body,
-                    const std::function<void(std::vector<Code>& statements)>& change);
-
 /// True if `a` comes before `b`, by what tokens are compared by.
 bool isBefore(const Code& a, const Code& b);
+
+/// The parts between the commas outside of brackets, up to the end or to a bracket that closes.
+std::vector<std::span<const CodeToken>> splitAtCommas(std::span<const CodeToken> list);
 
 /// The tokens one after another.
 Code joinedCode(const std::vector<Code>& parts);

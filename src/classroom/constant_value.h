@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "classroom/normal_form.h"
+#include "classroom/code_tree.h"
 
 namespace glibra::classroom {
 
@@ -15,10 +15,10 @@ using KnownValues = std::map<std::string_view, double>;
 
 /// Finds variables of the types bool, int, uint and float whose declaration gives them a constant value and
 /// that nothing changes afterwards. Names that are declared several times are left out.
-KnownValues knownValues(std::span<const CodeToken> code);
+KnownValues knownValues(const CodeTree& tree, std::span<const CodeToken> code);
 
 /// The value of an expression, where true is 1; nothing if it depends on anything else. `false && a` and
 /// `true || a` have a value whatever `a` is.
-std::optional<double> constantValue(std::span<const CodeToken> expression, const KnownValues& known);
+std::optional<double> constantValue(const CodeTree& tree, std::uint32_t expression, const KnownValues& known);
 
 }  // namespace glibra::classroom

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "classroom/code_tree.h"
 #include "classroom/constant_value.h"
 #include "classroom/normal_form.h"
 #include "glsl/parse/usage.h"
@@ -14,6 +15,8 @@
 
 namespace glibra::classroom {
 namespace {
+
+using glsl::NodeKind;
 
 // Constant conditions inside of each other need a round each. A long text has fewer rounds.
 constexpr std::size_t kLeastRounds = 8, kMostTokensRead = 1'000'000;
@@ -33,10 +36,10 @@ class DeadCode {
         for (std::size_t round = 0; round < kLeastRounds || read < kMostTokensRead; ++round) {
             read += tokens_.size();
             dead_.assign(tokens_.size(), false);
-            known_ = knownValues(tokens_);
-            brackets_.emplace(tokens_);
+            tree_.emplace(tokens_);
+            known_ = knownValues(*tree_, tokens_);
             outer_.clear();
-            findBodies();
+            for (const std::uint32_t each : tree_->functions()) cleanBody(each);
             killUnreadGlobals();
             if (std::ranges::find(dead_, true) == dead_.end()) break;
             std::size_t kept = 0;
@@ -61,98 +64,72 @@ class DeadCode {
                   dead_.begin() + static_cast<std::ptrdiff_t>(end), true);
     }
 
-    [[nodiscard]] std::size_t afterBracket(std::size_t open) const { return brackets_->after(open); }
-
-    void findBodies() {
-        for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-            if (tokens_[i].text != ")" || text(i + 1) != "{") continue;
-            const std::size_t end = afterBracket(i + 1);
-            cleanBody(i + 2, end > 0 ? end - 1 : end);
-            i = end - 1;
-        }
+    [[nodiscard]] const glsl::Node& node(std::uint32_t id) const { return tree_->node(id); }
+    [[nodiscard]] bool isBlock(std::uint32_t id) const { return tree_->is(id, NodeKind::block); }
+    [[nodiscard]] std::optional<double> valueOf(std::uint32_t expression) const {
+        return constantValue(*tree_, expression, known_);
     }
 
-    /// A statement that ends with ";" and has no block: from `begin`, up to `end` of the body.
-    [[nodiscard]] std::optional<Statement> statementAt(std::size_t begin, std::size_t end) const {
-        int depth = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::string_view each = tokens_[i].text;
-            if (each == "{" || each == "}") return std::nullopt;
-            if (each == "(" || each == "[") ++depth;
-            if (each == ")" || each == "]") --depth;
-            if (depth == 0 && each == ";") return Statement{begin, i + 1};
-        }
-        return std::nullopt;
-    }
-
-    void cleanBody(std::size_t begin, std::size_t end) {
-        chooseSides(begin, end);
+    void cleanBody(std::uint32_t body) {
+        chooseSides(body);
         std::map<std::string_view, std::size_t> occurrences;  // as a name, not as a member
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t i = node(body).first; i < node(body).end; ++i)
             if (isVariable(i)) ++occurrences[tokens_[i].text];
-        std::map<std::string_view, std::vector<Statement>> writes;
-        std::set<std::string_view> locals;
-        bool isStart = true;
-        for (std::size_t i = begin; i < end;) {
-            const std::string_view each = text(i);
-            if (each == "{" || each == "}") {
-                if (each == "{" && isStart && !isControlled(i, begin)) unwrap(i, end);
-                isStart = true;
-                ++i;
-                continue;
-            }
-            if (!isStart) {
-                isStart = each == ";";
-                ++i;
-                continue;
-            }
-            if (each == "if" || each == "while" || each == "for" || each == "switch") {
-                const std::size_t after = std::min(afterBracket(i + 1), end);
-                if (const std::size_t next = decided(i, after, begin, end); next > i) {
-                    i = next;
-                    continue;
-                }
-                // The one statement of "if (a) b;" has to stay, or the next one would take its place.
-                i = after;
-                isStart = text(after) == "{" || each == "switch";
-                continue;
-            }
-            if (each == "case" || each == "default") {
-                while (i < end && text(i) != ":") ++i;
-                ++i;
-                continue;
-            }
-            if (each == "else" || each == "do") {
-                ++i;
-                isStart = text(i) == "{" || text(i) == "if";
-                continue;
-            }
-            const std::optional<Statement> found = statementAt(i, end);
-            if (!found) {
-                isStart = false;
-                ++i;
-                continue;
-            }
-            if (each == "return" || each == "discard" || each == "break" || each == "continue") {
-                std::size_t close = found->end;  // what follows, up to the end of the block
-                int depth = 0;
-                bool simple = true;
-                for (; close < end; ++close) {
-                    depth += text(close) == "{" ? 1 : text(close) == "}" ? -1 : 0;
-                    if (depth < 0) break;
-                    simple = simple && text(close) != "case" && text(close) != "default";
-                }
-                if (simple) kill(found->end, close);
-                i = close;
-                continue;
-            }
-            take(*found, locals, writes);
-            i = found->end;
+        locals_.clear();
+        writes_.clear();
+        statements(body);
+        killUnread(std::move(occurrences));
+        for (auto& [name, found] : writes_)
+            if (!locals_.contains(name)) outer_[name].insert(outer_[name].end(), found.begin(), found.end());
+    }
+
+    /// Removes the side of each "a ? b : c" that a constant condition never takes. What is inside of it
+    /// follows in the next rounds.
+    void chooseSides(std::uint32_t id) {
+        const std::optional<double> value =
+            tree_->is(id, NodeKind::selection) ? valueOf(node(id).child) : std::nullopt;
+        if (!value) {
+            for (const std::uint32_t each : tree_->children(id)) chooseSides(each);
+            return;
         }
-        killUnread(occurrences, locals, writes);
-        for (auto& [name, statements] : writes)
-            if (!locals.contains(name))
-                outer_[name].insert(outer_[name].end(), statements.begin(), statements.end());
+        const glsl::Node& yes = node(tree_->child(id, 1));
+        kill(node(id).first, *value != 0 ? yes.first : node(yes.next).first);
+        if (*value != 0) kill(yes.end, node(id).end);
+    }
+
+    /// The statements of a block.
+    void statements(std::uint32_t block) {
+        std::string_view before = "{";
+        for (const std::uint32_t each : tree_->children(block)) {
+            if (tree_->is(each, NodeKind::jump)) return afterJump(each);
+            if (isBlock(each) && before != ":") unwrap(each);
+            if (tree_->is(each, NodeKind::declaration) || tree_->is(each, NodeKind::evaluation) ||
+                tree_->is(each, NodeKind::empty))
+                take({node(each).first, node(each).end});
+            else
+                control(each, before == ":", false);
+            before = text(node(each).end - 1);
+        }
+    }
+
+    /// Removes what follows a jump in its block, unless a label is there.
+    void afterJump(std::uint32_t jump) {
+        std::uint32_t last = jump;
+        for (std::uint32_t each = jump; each != glsl::kNone; each = node(each).next) {
+            if (tree_->is(each, NodeKind::label)) return;
+            last = each;
+        }
+        kill(node(jump).end, node(last).end);
+    }
+
+    /// A block, or a statement that controls others. The one statement of "if (a) b;" has to stay, or the
+    /// next one would take its place.
+    void control(std::uint32_t id, bool isControlled, bool isElse) {
+        if (isBlock(id)) return statements(id);
+        if (decided(id, isControlled, isElse)) return;
+        const bool isBranch = tree_->is(id, NodeKind::branch);
+        for (const std::uint32_t each : tree_->children(id))
+            control(each, true, isBranch && each == tree_->child(id, 2));
     }
 
     /// Assignments to variables outside of functions that nothing reads. Outputs are not declared here
@@ -181,12 +158,13 @@ class DeadCode {
     }
 
     /// What a statement declares and assigns; one without effect is dead.
-    void take(const Statement& statement, std::set<std::string_view>& locals,
-              std::map<std::string_view, std::vector<Statement>>& writes) {
+    void take(const Statement& statement) {
         const auto [begin, end] = statement;
         std::size_t assigned = end, count = 0;
         bool calls = false;
+        if (text(end - 1) != ";") return;
         for (std::size_t i = begin; i < end; ++i) {
+            if (text(i) == "{") return;
             if (isAssignment(tokens_[i].text)) {
                 if (count++ == 0) assigned = i;
             }
@@ -202,15 +180,8 @@ class DeadCode {
         const bool declares = tokens_[first].isWord && first + 1 < end && tokens_[first + 1].isWord &&
                               (text(first + 2) == "=" || text(first + 2) == ";");
         if (declares) {
-            // A list "a = 1., b" declares several; those stay.
-            int depth = 0;
-            for (std::size_t i = first; i < end; ++i) {
-                const std::string_view each = tokens_[i].text;
-                depth += each == "(" || each == "[" ? 1 : each == ")" || each == "]" ? -1 : 0;
-                if (depth == 0 && each == ",") return;
-            }
-            locals.insert(tokens_[first + 1].text);
-            writes[tokens_[first + 1].text].push_back(statement);
+            locals_.insert(tokens_[first + 1].text);
+            writes_[tokens_[first + 1].text].push_back(statement);
             return;
         }
         if (count == 0) {
@@ -230,138 +201,91 @@ class DeadCode {
             return kill(begin, end);
         // a = ...;   a.x = ...;   a += ...;
         const bool isWhole = assigned == begin + 1 || (assigned == begin + 3 && text(begin + 1) == ".");
-        if (isWhole) writes[tokens_[begin].text].push_back(statement);
+        if (isWhole) writes_[tokens_[begin].text].push_back(statement);
     }
 
     /// Local variables that occur nowhere but in their own assignments, "a = a + 1.", and in those of others
     /// of this kind.
-    void killUnread(std::map<std::string_view, std::size_t> occurrences,
-                    const std::set<std::string_view>& locals,
-                    const std::map<std::string_view, std::vector<Statement>>& writes) {
+    void killUnread(std::map<std::string_view, std::size_t> occurrences) {
         const auto visit = [&](std::string_view name, const auto& use) {
-            for (const Statement& each : writes.at(name))
+            for (const Statement& each : writes_.at(name))
                 for (std::size_t i = each.begin; i < each.end; ++i)
                     if (isVariable(i)) use(tokens_[i].text);
         };
         std::vector<std::string_view> open;
         const auto readLess = [&](std::string_view name) {
             const auto all = occurrences.find(name);
-            if (all != occurrences.end() && --all->second == 0 && locals.contains(name)) open.push_back(name);
+            if (all != occurrences.end() && --all->second == 0 && locals_.contains(name))
+                open.push_back(name);
         };
-        for (const std::string_view name : locals) {
+        for (const std::string_view name : locals_) {
             ++occurrences[name];  // it counts as read until all its own occurrences are taken away
             visit(name, [&](std::string_view each) {
                 if (each == name) readLess(each);
             });
         }
-        for (const std::string_view name : locals) readLess(name);
+        for (const std::string_view name : locals_) readLess(name);
         while (!open.empty()) {
             const std::string_view name = open.back();
             open.pop_back();
             visit(name, [&](std::string_view each) {
                 if (each != name) readLess(each);
             });
-            for (const Statement& each : writes.at(name)) kill(each.begin, each.end);
+            for (const Statement& each : writes_.at(name)) kill(each.begin, each.end);
         }
-    }
-
-    [[nodiscard]] std::optional<double> valueOf(std::size_t begin, std::size_t end,
-                                                const KnownValues& known) const {
-        return constantValue(std::span(tokens_).subspan(begin, end - begin), known);
-    }
-
-    /// Removes the side of each "a ? b : c" that a constant condition never takes.
-    void chooseSides(std::size_t begin, std::size_t end) {
-        const auto change = [&](std::size_t i) {
-            return text(i) == "(" || text(i) == "[" ? 1 : text(i) == ")" || text(i) == "]" ? -1 : 0;
-        };
-        static const std::set<std::string_view> kEnds{",", ";", "?", ":", "{", "}", "return"};
-        for (std::size_t question = begin + 1; question < end; ++question) {
-            if (text(question) != "?") continue;
-            std::size_t from = question;
-            for (int depth = 0; from > begin; --from) {
-                depth -= change(from - 1);
-                if (depth < 0 ||
-                    (depth == 0 && (kEnds.contains(text(from - 1)) || isAssignment(text(from - 1)))))
-                    break;
-            }
-            const std::optional<double> value = valueOf(from, question, known_);
-            if (!value) continue;
-            std::size_t colon = end, at = question + 1;
-            for (int depth = 0, nested = 0; at < end; ++at) {
-                depth += change(at);
-                if (depth < 0) break;
-                if (depth > 0) continue;
-                nested += text(at) == "?" ? 1 : 0;
-                if (text(at) == ":" && nested-- == 0 && colon == end)
-                    colon = at;
-                else if (text(at) == "," || text(at) == ";" || text(at) == "}")
-                    break;
-            }
-            if (colon == end) continue;
-            kill(from, *value != 0 ? question + 1 : colon + 1);
-            if (*value != 0) kill(colon, at);
-            question = at;  // what is inside of it in the next rounds
-        }
-    }
-
-    /// True if a condition, "else" or "do" before it decides whether a statement runs.
-    [[nodiscard]] bool isControlled(std::size_t at, std::size_t begin) const {
-        return at > begin && text(at - 1) != ";" && text(at - 1) != "{" && text(at - 1) != "}";
     }
 
     /// Removes the braces of a block.
-    void unwrap(std::size_t open, std::size_t end) {
-        const std::size_t close = afterBracket(open);
-        if (close > end) return;
-        kill(open, open + 1);
-        kill(close - 1, close);
+    void unwrap(std::uint32_t block) {
+        if (text(node(block).end - 1) != "}") return;
+        kill(node(block).first, node(block).first + 1);
+        kill(node(block).end - 1, node(block).end);
     }
 
-    [[nodiscard]] std::size_t afterStatement(std::size_t at, std::size_t end) const {
-        return classroom::afterStatement(tokens_, *brackets_, at, end);
-    }
-
-    /// Removes what a constant condition keeps from running, and the condition itself. Returns the token to
-    /// go on with; `at` if the condition at `at`, up to `after`, decides nothing.
-    std::size_t decided(std::size_t at, std::size_t after, std::size_t begin, std::size_t end) {
-        const std::string_view word = text(at);
-        std::size_t from = at + 2, to = after > 0 ? after - 1 : after;
-        KnownValues known = known_;
-        if (word == "for") {
-            const std::size_t first = from;
-            while (from < to && text(from) != ";") ++from;
-            // for (int i = 0; i < 0; ++i)
-            if (from > first + 3 && text(first + 2) == "=")
-                if (const auto value = valueOf(first + 3, from, known_)) known[text(first + 1)] = *value;
-            std::size_t second = ++from;
-            while (second < to && text(second) != ";") ++second;
-            to = second;
-        }
-        if (word == "switch" || from >= to || to > end) return at;
-        const std::optional<double> value = valueOf(from, to, known);
-        if (!value || (*value != 0 && word != "if")) return at;
-        const std::size_t then = afterStatement(after, end);
-        const bool hasElse = word == "if" && text(then) == "else";
-        const std::size_t last = hasElse ? afterStatement(then + 1, end) : then;
+    /// Removes what a constant condition keeps from running, and the condition itself; false if it decides
+    /// nothing.
+    bool decided(std::uint32_t id, bool isControlled, bool isElse) {
+        const bool isBranch = tree_->is(id, NodeKind::branch), isFor = tree_->is(id, NodeKind::forLoop);
+        if (!isBranch && !isFor && !tree_->is(id, NodeKind::whileLoop)) return false;
+        const glsl::Node& it = node(id);
+        const KnownValues known = known_;
+        if (isFor) noteCounter(it.child);
+        const std::optional<double> value = valueOf(isFor ? node(it.child).next : it.child);
+        known_ = known;
+        if (!value || (*value != 0 && !isBranch)) return false;
+        const std::uint32_t then = isBranch ? node(it.child).next : it.lastChild;
+        const std::uint32_t otherwise = isBranch ? node(then).next : glsl::kNone;
+        const bool hasElse = otherwise != glsl::kNone;
         if (*value != 0) {
-            kill(at, after);
-            if (hasElse) kill(then, last);
-            return after;
+            kill(it.first, node(then).first);
+            if (hasElse) kill(node(then).end, it.end);
+            control(then, true, false);
+            return true;
         }
-        const bool isElse = at > begin && text(at - 1) == "else";
         // Without it, the statement after it would be what "if (a)" before it controls.
-        if (!hasElse && !isElse && isControlled(at, begin)) return at;
-        kill(hasElse || !isElse ? at : at - 1, hasElse ? then + 1 : then);
-        return hasElse ? then + 1 : then;
+        if (!hasElse && !isElse && isControlled) return false;
+        kill(hasElse || !isElse ? it.first : it.first - 1, hasElse ? node(otherwise).first : it.end);
+        if (hasElse) control(otherwise, true, true);
+        return true;
+    }
+
+    /// for (int i = 0; i < 0; ++i)
+    void noteCounter(std::uint32_t start) {
+        if (!tree_->is(start, NodeKind::declaration) || node(start).child != node(start).lastChild) return;
+        const std::uint32_t counter = node(start).child;
+        if (counter == glsl::kNone || node(counter).child == glsl::kNone) return;
+        if (const auto value = valueOf(node(counter).child)) known_[tree_->text(counter)] = *value;
     }
 
     std::vector<CodeToken> tokens_;
     const OwnFunctions& own_;
     std::vector<bool> dead_;
-    std::optional<Brackets> brackets_;
+    std::optional<CodeTree> tree_;
     KnownValues known_;
-    std::map<std::string_view, std::vector<Statement>> outer_;  ///< of variables that no function declares
+    // Of the body that is read
+    std::set<std::string_view> locals_;
+    std::map<std::string_view, std::vector<Statement>> writes_;  ///< statements that only set a variable
+    std::map<std::string_view, std::vector<Statement>> outer_;   ///< of variables that no function declares
 };
 
 }  // namespace

@@ -34,24 +34,6 @@ CodeToken sign(std::string_view text, CodeLine line) {
     return {text, codeOfText(text), line};
 }
 
-/// The parts between the commas outside of brackets.
-std::vector<std::span<const CodeToken>> splitAtCommas(std::span<const CodeToken> list) {
-    std::vector<std::span<const CodeToken>> parts;
-    std::size_t begin = 0;
-    int depth = 0;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string_view each = list[i].text;
-        depth += each == "(" || each == "[" || each == "{"   ? 1
-                 : each == ")" || each == "]" || each == "}" ? -1
-                                                             : 0;
-        if (depth != 0 || each != ",") continue;
-        parts.push_back(list.subspan(begin, i - begin));
-        begin = i + 1;
-    }
-    if (!list.empty()) parts.push_back(list.subspan(begin));
-    return parts;
-}
-
 /// "const vec3 a = b, c;" as "vec3 a = b;" and "vec3 c;"; nothing if it declares no variable.
 std::vector<Code> declarations(const Code& statement) {
     const std::size_t type = !statement.empty() && statement[0].text == "const" ? 1 : 0;
@@ -81,37 +63,41 @@ std::size_t onlyAssignment(std::span<const CodeToken> statement) {
 }
 
 /// "if (a) b = c; else b = d;" as "b = a ? c : d;"; nothing if it is another statement.
-std::optional<Code> asConditional(std::span<const CodeToken> statement, int nested = 0) {
+std::optional<Code> asConditional(const CodeTree& tree, std::uint32_t statement, int nested = 0) {
     constexpr int kMostNested = 16;
-    if (nested > kMostNested || statement.size() < 2 || statement[0].text != "if" || statement[1].text != "(")
+    const std::uint32_t otherwise = tree.child(statement, 2);
+    if (nested > kMostNested || !tree.is(statement, glsl::NodeKind::branch) || otherwise == glsl::kNone)
         return std::nullopt;
-    const Brackets brackets(statement);
-    const std::size_t condition = brackets.after(1);
-    const std::size_t other = afterStatement(statement, brackets, condition, statement.size());
-    if (other + 1 >= statement.size() || statement[other].text != "else") return std::nullopt;
-    const auto inner = [](std::span<const CodeToken> part) {
-        const bool isBlock = part.size() > 2 && part.front().text == "{" && part.back().text == "}";
-        return isBlock ? part.subspan(1, part.size() - 2) : part;
+    const auto inner = [&](std::uint32_t side) {
+        const std::span<const CodeToken> code = tree.code(side);
+        const bool isBlock = code.size() > 2 && code.front().text == "{" && code.back().text == "}";
+        return isBlock ? code.subspan(1, code.size() - 2) : code;
     };
-    const std::span<const CodeToken> one = inner(statement.subspan(condition, other - condition));
-    std::span<const CodeToken> two = inner(statement.subspan(other + 1));
-    const std::optional<Code> chain = asConditional(two, nested + 1);
-    if (chain) two = *chain;
+    const std::optional<Code> chain = asConditional(tree, otherwise, nested + 1);
+    const std::span<const CodeToken> one = inner(tree.child(statement, 1));
+    const std::span<const CodeToken> two = chain ? *chain : inner(otherwise);
     const std::size_t signOne = onlyAssignment(one), signTwo = onlyAssignment(two);
     const auto isSame = [](const CodeToken& a, const CodeToken& b) { return a.text == b.text; };
     if (signOne == 0 || signOne != signTwo ||
         !std::ranges::equal(one.first(signOne), two.first(signTwo), isSame))
         return std::nullopt;
+    const CodeLine line = tree.code(statement).front().line;
     Code made(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(signOne) + 1);
     const auto add = [&](std::span<const CodeToken> part) {
         made.insert(made.end(), part.begin(), part.end());
     };
-    add(statement.subspan(2, condition - 3));
-    made.push_back(sign("?", statement[0].line));
+    add(tree.code(tree.child(statement, 0)));
+    made.push_back(sign("?", line));
     add(one.subspan(signOne + 1, one.size() - signOne - 2));
-    made.push_back(sign(":", statement[0].line));
+    made.push_back(sign(":", line));
     add(two.subspan(signTwo + 1));
     return made;
+}
+
+std::optional<Code> asConditional(std::span<const CodeToken> statement) {
+    if (statement.empty() || statement[0].text != "if") return std::nullopt;
+    const CodeTree tree(statement, CodeTree::Of::statement);
+    return tree.functions().empty() ? std::nullopt : asConditional(tree, tree.functions().front());
 }
 
 struct Parameter {
@@ -153,17 +139,9 @@ class Detours {
     Code run() {
         Code made;
         for (std::size_t i = 0; i < items_.size(); ++i) {
-            const auto begin = tokens_.begin() + static_cast<std::ptrdiff_t>(items_[i].begin);
-            const auto end = tokens_.begin() + static_cast<std::ptrdiff_t>(items_[i].end);
-            const std::size_t body = bodyBegin(i);
-            if (body == 0) {
-                made.insert(made.end(), begin, end);
-                continue;
-            }
-            made.insert(made.end(), begin, tokens_.begin() + static_cast<std::ptrdiff_t>(body));
-            read(i, 0);
-            made.insert(made.end(), codes_[i].begin(), codes_[i].end());
-            made.push_back(*(end - 1));
+            if (items_[i].isFunction) read(i, 0);
+            const std::span<const CodeToken> code = items_[i].isFunction ? codes_[i] : codeOf(items_[i]);
+            made.insert(made.end(), code.begin(), code.end());
         }
         return made;
     }
@@ -171,25 +149,15 @@ class Detours {
   private:
     enum class State { unread, isRead, done };
 
-    /// The first token after the "{" of a function; 0 if it has no body that ends.
-    [[nodiscard]] std::size_t bodyBegin(std::size_t item) const {
-        const CodeItem& one = items_[item];
-        if (!one.isFunction) return 0;
-        const auto close =
-            static_cast<std::size_t>(one.parameters.data() - tokens_.data()) + one.parameters.size();
-        const bool isWhole = close + 2 < one.end && tokens_[close].text == ")" &&
-                             tokens_[close + 1].text == "{" && tokens_[one.end - 1].text == "}";
-        return isWhole ? close + 2 : 0;
+    [[nodiscard]] std::span<const CodeToken> codeOf(const CodeItem& item) const {
+        return std::span(tokens_).subspan(item.begin, item.end - item.begin);
     }
 
-    /// Simplifies the body of a function, with the functions that it calls first.
+    /// Simplifies a function, with the functions that it calls first.
     void read(std::size_t item, std::size_t depth) {
         if (states_[item] != State::unread) return;
         states_[item] = State::isRead;
-        const std::size_t begin = bodyBegin(item);
-        const std::span<const CodeToken> body =
-            std::span(tokens_).subspan(begin, items_[item].end - 1 - begin);
-        const Code inlined = withStatements(body, [&](std::vector<Code>& statements) {
+        const Code inlined = withBlocks(codeOf(items_[item]), [&](std::vector<Code>& statements) {
             writeOut(statements, depth);
             declareWhereSet(statements);
         });
@@ -197,7 +165,7 @@ class Detours {
         for (std::size_t i = 0; i < inlined.size(); ++i)
             if (isVariableName(inlined, i)) ++counts[inlined[i].text];
         codes_[item] =
-            withStatements(inlined, [&](std::vector<Code>& statements) { useOnce(statements, counts); });
+            withBlocks(inlined, [&](std::vector<Code>& statements) { useOnce(statements, counts); });
         states_[item] = State::done;
         makeBody(item);
     }
@@ -217,13 +185,11 @@ class Detours {
             made.isOut = std::ranges::any_of(
                 part, [](const CodeToken& each) { return each.text == "out" || each.text == "inout"; });
         }
-        const Brackets brackets(code);
-        for (std::size_t at = 0; at < code.size();) {
-            const std::size_t next =
-                std::clamp(afterStatement(code, brackets, at, code.size()), at + 1, code.size());
-            body.statements.emplace_back(code.begin() + static_cast<std::ptrdiff_t>(at),
-                                         code.begin() + static_cast<std::ptrdiff_t>(next));
-            at = next;
+        const CodeTree tree(code);
+        if (tree.functions().empty()) return;
+        for (const std::uint32_t each : tree.children(tree.functions().front())) {
+            const std::span<const CodeToken> statement = tree.code(each);
+            body.statements.emplace_back(statement.begin(), statement.end());
         }
         const bool returnsNothing =
             one.parameters.data() - tokens_.data() >= 3 && (one.parameters.data() - 3)->text == "void";
@@ -262,8 +228,7 @@ class Detours {
             (code[i - 1].text == "." || (code[i - 1].isWord && !glsl::isStatementWord(code[i - 1].text))))
             return nullptr;
         const auto function = functions_.find(code[i].text);
-        if (function == functions_.end() || depth >= kDeepestCall || bodyBegin(function->second) == 0)
-            return nullptr;
+        if (function == functions_.end() || depth >= kDeepestCall) return nullptr;
         read(function->second, depth + 1);
         const std::optional<Body>& body = bodies_[function->second];
         return states_[function->second] == State::done && body ? &*body : nullptr;
@@ -488,7 +453,7 @@ class Detours {
     std::deque<std::string>& names_;
     std::vector<CodeItem> items_;
     std::map<std::string_view, std::size_t> functions_;  ///< that have no overload
-    std::map<std::size_t, Code> codes_;                  ///< of functions that were read, their bodies
+    std::map<std::size_t, Code> codes_;                  ///< of functions that were read
     std::vector<std::optional<Body>> bodies_;
     std::vector<State> states_;
     std::size_t room_, grown_ = 0;  ///< tokens that may be written out, and those that were

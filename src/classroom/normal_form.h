@@ -38,20 +38,6 @@ struct CodeItem {
 };
 std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens);
 
-/// Where brackets are closed, whether or not they are the right ones.
-class Brackets {
-  public:
-    explicit Brackets(std::span<const CodeToken> tokens);
-    /// The token after the bracket that closes the one at `open`; the one after it if it is no bracket.
-    [[nodiscard]] std::size_t after(std::size_t open) const;
-
-  private:
-    std::vector<std::size_t> after_;  ///< 0: it is no opening bracket
-};
-/// The token after the statement of any kind that begins at `at`, at most `end`.
-std::size_t afterStatement(std::span<const CodeToken> tokens, const Brackets& brackets, std::size_t at,
-                           std::size_t end);
-
 /// True for a word that the text may declare, and that is no member.
 bool isVariableName(std::span<const CodeToken> tokens, std::size_t index);
 /// True for a name that is declared there: after a type, as x of "vec3 x".

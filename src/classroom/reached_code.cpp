@@ -10,6 +10,7 @@
 
 #include "base/hash.h"
 #include "classroom/code_blocks.h"
+#include "classroom/code_tree.h"
 #include "classroom/normal_form.h"
 #include "glsl/parse/types.h"
 #include "glsl/parse/usage.h"
@@ -79,17 +80,9 @@ std::vector<bool> reachedItems(std::span<const CodeToken> code, std::span<const 
     return reached;
 }
 
-/// The number of arguments or parameters between two parentheses.
+/// The number of arguments or parameters before the ')' that closes them.
 std::size_t countOf(std::span<const CodeToken> list) {
-    if (list.empty() || (list.size() == 1 && list[0].text == "void")) return 0;
-    std::size_t count = 1;
-    int depth = 0;
-    for (const CodeToken& each : list) {
-        depth += each.text == "(" || each.text == "[" ? 1 : each.text == ")" || each.text == "]" ? -1 : 0;
-        if (depth < 0) break;
-        if (depth == 0 && each.text == ",") ++count;
-    }
-    return count;
+    return list.size() == 1 && list[0].text == "void" ? 0 : splitAtCommas(list).size();
 }
 
 /// Adds the names that the reached items call.
@@ -113,7 +106,7 @@ void addCalls(std::span<const CodeToken> code, std::span<const CodeItem> items,
                 continue;
             const auto [first, last] = own.equal_range(name);
             if (first != last && (kBuiltIn.contains(name) || name.starts_with("texture"))) {
-                const std::size_t arguments = textAt(code, i + 2) == ")" ? 0 : countOf(code.subspan(i + 2));
+                const std::size_t arguments = countOf(code.subspan(i + 2));
                 if (std::any_of(first, last, [&](const auto& each) { return each.second == arguments; }))
                     continue;
             }
@@ -203,36 +196,20 @@ void read(const glsl::StageSource& stage, const glsl::IncludeReader& include, co
 
 std::vector<CodeItem> itemsOf(std::span<const CodeToken> tokens) {
     std::vector<CodeItem> items;
-    for (std::size_t begin = 0; begin < tokens.size();) {
-        CodeItem item{begin, tokens.size()};
-        int depth = 0;
-        bool hasValue = false;
-        std::size_t open = 0, close = 0;  // the parentheses after the name of a function
-        for (std::size_t i = begin; i < tokens.size(); ++i) {
-            const std::string_view each = tokens[i].text;
-            if (depth == 0 && each == "{" && i > begin && tokens[i - 1].text == ")") item.isFunction = true;
-            hasValue = hasValue || (depth == 0 && each == "=");
-            const bool isDeclared = depth == 0 && !hasValue && isName(tokens[i]);
-            if (isDeclared && textAt(tokens, i + 1) == "(" && i > begin) {
-                open = i + 2;
-                item.names = {each};
-            } else if (open == 0 && isDeclared) {
-                item.names.push_back(each);
-            }
-            if (each == "," && depth == 0) hasValue = false;
-            depth += each == "(" || each == "[" || each == "{"   ? 1
-                     : each == ")" || each == "]" || each == "}" ? -1
-                                                                 : 0;
-            depth = std::max(depth, 0);
-            if (depth == 0 && each == ")" && open > 0 && close == 0) close = i;
-            if (depth > 0 || (each != ";" && (each != "}" || !item.isFunction))) continue;
-            item.end = i + 1;
-            break;
+    const CodeTree tree(tokens);
+    for (const glsl::Declaration& each : tree.declarations()) {
+        CodeItem& item = items.emplace_back(CodeItem{each.tokens.first, each.tokens.end});
+        item.isFunction = each.kind == glsl::DeclarationKind::function;
+        if (item.isFunction || each.kind == glsl::DeclarationKind::prototype) {
+            const auto [first, end] = each.parameterTokens;
+            const bool isClosed = end > first + 1 && tokens[end - 1].text == ")";
+            item.parameters = tokens.subspan(first + 1, end - first - (isClosed ? 2 : 1));
+        } else if (!each.type.isStruct && glsl::keywordSince(each.type.name) == 0 &&
+                   !each.type.name.empty()) {
+            item.names.push_back(each.type.name);
         }
-        if (close >= open && open > 0) item.parameters = tokens.subspan(open, close - open);
-        item.isFunction = item.isFunction && open > 0;
-        begin = item.end;
-        items.push_back(std::move(item));
+        if (each.name != glsl::kNone) item.names.push_back(tokens[each.name].text);
+        for (const glsl::Declarator& one : each.declarators) item.names.push_back(tokens[one.name].text);
     }
     return items;
 }
@@ -247,31 +224,27 @@ OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {
     OwnFunctions own;
     std::multimap<std::string_view, std::string_view> callers;  // by what they call
     std::vector<std::string_view> open;
-    for (const CodeItem& item : itemsOf(tokens)) {
-        if (tokens[item.begin].text == "struct" && item.end > item.begin + 1)
-            own.try_emplace(tokens[item.begin + 1].text, false);
-        if (item.parameters.data() == nullptr) continue;
-        const std::string_view name = item.names.front();
+    const CodeTree tree(tokens);
+    auto local = tree.locals().begin();
+    for (const glsl::Declaration& item : tree.declarations()) {
+        if (item.name == glsl::kNone) continue;
+        const std::string_view name = tokens[item.name].text;
+        if (item.type.isStruct) own.try_emplace(name, false);
+        if (item.kind != glsl::DeclarationKind::function && item.kind != glsl::DeclarationKind::prototype)
+            continue;
         bool& effect = own.try_emplace(name, false).first->second;
         std::set<std::string_view> locals;
-        int depth = 0, declared = -1;  // where the list of a declaration stands
-        for (std::size_t i = item.begin + 1; i < item.end; ++i) {
+        for (; local != tree.locals().end() && local->name < item.tokens.end; ++local)
+            locals.insert(tokens[local->name].text);
+        for (std::size_t i = item.tokens.first; i < item.tokens.end; ++i) {
             const std::string_view each = tokens[i].text;
-            depth += glsl::opensBracket(each) ? 1 : glsl::closesBracket(each) ? -1 : 0;
-            if (each == ";") declared = -1;
-            if (tokens[i].isWord && tokens[i - 1].isWord && !glsl::isStatementWord(tokens[i - 1].text)) {
-                locals.insert(each);
-                declared = depth;
-            } else if (tokens[i].isWord && tokens[i - 1].text == "," && declared == depth) {
-                locals.insert(each);
-            }
-            if (tokens[i].isWord && textAt(tokens, i + 1) == "(") {
+            if (tokens[i].isWord && i != item.name && textAt(tokens, i + 1) == "(") {
                 callers.emplace(each, name);
                 effect = effect || hasEffect(each);
             }
             effect = effect || each == "discard" || each == "out" || each == "inout";
             if (glsl::isAssignment(each) || glsl::isStep(each))
-                effect = effect || !locals.contains(targetOf(tokens, item.begin, i));
+                effect = effect || !locals.contains(targetOf(tokens, item.tokens.first, i));
         }
         if (effect) open.push_back(name);
     }

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "classroom/normal_form.h"
+#include "classroom/code_tree.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
 
@@ -58,27 +58,6 @@ class Text {
     std::vector<std::vector<const Token*>> directives_;
 };
 
-int depthChange(std::string_view text, char open, char close) {
-    if (text.size() != 1) return 0;
-    return text[0] == open ? 1 : text[0] == close ? -1 : 0;
-}
-
-/// The first token after a global declaration that begins at `first`: after its ";".
-std::size_t endOfDeclaration(std::span<const Token* const> code, std::size_t first) {
-    int depth = 0;
-    for (std::size_t i = first; i < code.size(); ++i) {
-        depth += depthChange(code[i]->text, '{', '}');
-        if (depth <= 0 && code[i]->text == ";") return i + 1;
-    }
-    return code.size();
-}
-
-bool beginsInterface(std::string_view word) {
-    static const std::set<std::string_view> kWords{"uniform",   "in",      "out",   "inout",
-                                                   "attribute", "varying", "buffer"};
-    return kWords.contains(word);
-}
-
 std::vector<CodeToken> codeOf(std::span<const Token* const> tokens) {
     std::vector<CodeToken> code;
     for (const Token* each : tokens)
@@ -97,33 +76,21 @@ std::uint32_t codeOfText(std::string_view text) {
 }
 
 std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const OwnFunctions& own) {
-    const auto text = [&](std::size_t i) { return i < tokens.size() ? tokens[i].text : std::string_view{}; };
     std::vector<CodeToken> kept;
-    std::size_t statement = 0;  // where the one that is being read begins in `kept`
-    int braces = 0, parentheses = 0;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        const CodeToken& token = tokens[i];
-        braces += depthChange(token.text, '{', '}');
-        parentheses += depthChange(token.text, '(', ')');
-        if (braces <= 0 && parentheses <= 0 && beginsInterface(token.text)) {
-            kept.resize(statement);  // also what stands before the word: layout(...), flat
-            int depth = 0;
-            for (; i < tokens.size(); ++i) {
-                depth += depthChange(text(i), '{', '}');
-                if (depth <= 0 && text(i) == ";") break;
+    const CodeTree tree(tokens);
+    for (const glsl::Declaration& declaration : tree.declarations()) {
+        if (declaration.qualifiers.isInterface()) continue;
+        for (std::size_t i = declaration.tokens.first; i < declaration.tokens.end; ++i) {
+            CodeToken& one = kept.emplace_back(tokens[i]);
+            one.code = codeOfText(one.text);
+            if (one.isNumber) {
+                one.code = kNumberCode;
+            } else if (one.isWord) {
+                const bool isCall = i + 1 < tokens.size() && tokens[i + 1].text == "(";
+                const bool isBuiltIn = one.text.starts_with("gl_") || (isCall && !own.contains(one.text));
+                if (glsl::keywordSince(one.text) == 0 && !isBuiltIn) one.code = kNameCode;
             }
-            continue;
         }
-        CodeToken& one = kept.emplace_back(token);
-        one.code = codeOfText(token.text);
-        if (token.isNumber) {
-            one.code = kNumberCode;
-        } else if (token.isWord) {
-            const bool isBuiltIn =
-                token.text.starts_with("gl_") || (text(i + 1) == "(" && !own.contains(token.text));
-            if (glsl::keywordSince(token.text) == 0 && !isBuiltIn) one.code = kNameCode;
-        }
-        if (braces <= 0 && (token.text == ";" || token.text == "}")) statement = kept.size();
     }
     return kept;
 }
@@ -146,39 +113,18 @@ std::vector<SourceToken> comparableTokens(std::string_view glsl, std::size_t mos
 
 std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl) {
     const Text text(glsl);
-    const std::span<const Token* const> code = text.code();
+    const std::vector<CodeToken> code = codeOf(text.code());
+    const CodeTree tree(code);
     std::vector<DeclaredUniform> found;
-    const auto add = [&](std::string_view name, std::string_view type) {
-        DeclaredUniform one{std::string(name), std::string(type)};
+    const auto add = [&](std::uint32_t name, std::string_view type) {
+        DeclaredUniform one{std::string(code[name].text), std::string(type)};
         if (std::ranges::find(found, one) == found.end()) found.push_back(std::move(one));
     };
-    for (std::size_t i = 0; i < code.size(); ++i) {
-        if (code[i]->text != "uniform") continue;
-        const std::size_t end = endOfDeclaration(code, i);
-        std::size_t at = i + 1;
-        while (at < end && glsl::isQualifierWord(code[at]->text)) ++at;
-        if (at + 1 < end && code[at]->kind == TokenKind::word) {
-            if (code[at + 1]->text == "{") {
-                add(code[at]->text, "block");
-            } else {
-                // float a, b[2] = ..., c;
-                const std::string_view type = code[at]->text;
-                int nested = 0;
-                bool expectsName = true;
-                for (++at; at < end; ++at) {
-                    const std::string_view each = code[at]->text;
-                    nested += depthChange(each, '(', ')') + depthChange(each, '[', ']') +
-                              depthChange(each, '{', '}');
-                    if (nested == 0 && each == ",") {
-                        expectsName = true;
-                    } else if (nested == 0 && expectsName && code[at]->kind == TokenKind::word) {
-                        add(each, type);
-                        expectsName = false;
-                    }
-                }
-            }
-        }
-        i = end - 1;
+    for (const glsl::Declaration& each : tree.declarations()) {
+        if (each.qualifiers.storage != glsl::Storage::uniform) continue;
+        if (each.kind == glsl::DeclarationKind::block) add(each.name, "block");
+        if (each.kind == glsl::DeclarationKind::variable)
+            for (const glsl::Declarator& one : each.declarators) add(one.name, each.type.name);
     }
     return found;
 }

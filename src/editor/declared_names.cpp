@@ -227,12 +227,6 @@ class Reader {
         return name;
     }
 
-    static bool isInterface(const glsl::Qualifiers& qualifiers) {
-        return qualifiers.attributeWord || qualifiers.varyingWord ||
-               (qualifiers.storage != glsl::Storage::none && qualifiers.storage != glsl::Storage::constant &&
-                qualifiers.storage != glsl::Storage::shared);
-    }
-
     /// Of the file's scope.
     void add(const glsl::Declaration& each) {
         if (each.kind == glsl::DeclarationKind::function || each.kind == glsl::DeclarationKind::prototype) {
@@ -254,7 +248,7 @@ class Reader {
             add(one.name, whole,
                 qualifierText(each.qualifiers) + type + " " + std::string(unit_.text(one.name)) +
                     sizes(one.dimensions))
-                .isInterface = isInterface(each.qualifiers);
+                .isInterface = each.qualifiers.isInterface();
         }
     }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -123,14 +122,12 @@ class AssignmentWalk {
 
     /// The variable that the word at `at` names; nothing if it is not followed.
     std::optional<std::size_t> variableAt(std::uint32_t at) const {
-        const WordRole is = bodies_.roles[at];
-        if (is == WordRole::local) {
-            for (const auto& scope : std::ranges::reverse_view(scopes_))
-                if (const auto found = scope.find(text(at)); found != scope.end()) return found->second;
-        } else if (is == WordRole::global) {
-            if (const auto found = outputs_.find(text(at)); found != outputs_.end()) return found->second;
+        if (bodies_.roles[at] == WordRole::local) {
+            const auto found = locals_.find(bodies_.meanings[at]);
+            return found == locals_.end() ? std::nullopt : std::optional(found->second);
         }
-        return std::nullopt;
+        const auto found = bodies_.roles[at] == WordRole::global ? outputs_.find(text(at)) : outputs_.end();
+        return found == outputs_.end() ? std::nullopt : std::optional(found->second);
     }
     std::size_t add(AssignedVariable variable) {
         variables_.push_back(std::move(variable));
@@ -150,7 +147,7 @@ class AssignmentWalk {
         shapeOf(variable, static_cast<int>(variable.is.sizes.size()), membersOfType(variable.is.type));
         const std::uint32_t last = declaration.tokens.end - 1;
         if (text(last) == ";" && declaration.declarators.size() == 1) variable.is.statementEnd = last;
-        scopes_.back()[text(name.name)] = add(std::move(variable));
+        locals_[name.name] = add(std::move(variable));
     }
     void read(std::size_t index, const AssignedPart& part, std::uint32_t at) {
         AssignedVariable& variable = variables_[index];
@@ -209,7 +206,7 @@ class AssignmentWalk {
         state_ = {};
         state_.sure.assign(variables_.size(), 0);
         state_.maybe.assign(variables_.size(), 0);
-        scopes_.assign(1, {});
+        locals_.clear();
         exit_ = AssignedState{{}, {}, true};
         effect_ = {};
         foreseen_.clear();
@@ -218,11 +215,7 @@ class AssignmentWalk {
         const std::size_t first = variables_.size();
         const std::uint32_t open = declaration.body.first;
         for (const Parameter& each : declaration.parameters) {
-            if (each.name == kNone) continue;
-            if (each.qualifiers.storage != Storage::output) {
-                scopes_.back()[text(each.name)] = std::nullopt;
-                continue;
-            }
+            if (each.name == kNone || each.qualifiers.storage != Storage::output) continue;
             AssignedVariable variable;
             variable.is = {Unassigned::Kind::outParameter,
                            std::string(text(each.name)),
@@ -231,7 +224,7 @@ class AssignmentWalk {
                            open,
                            kNone};
             shapeOf(variable, static_cast<int>(variable.is.sizes.size()), membersOfType(variable.is.type));
-            scopes_.back()[text(each.name)] = add(std::move(variable));
+            locals_[each.name] = add(std::move(variable));
         }
         hasReturn_ = false;
         statements(declaration.code);
@@ -286,9 +279,7 @@ class AssignmentWalk {
         const Node& it = node(id);
         switch (it.kind) {
             case NodeKind::block:
-                scopes_.emplace_back();
                 statements(id);
-                scopes_.pop_back();
                 break;
             case NodeKind::branch:
                 branch(id);
@@ -324,10 +315,7 @@ class AssignmentWalk {
             if (each.value != kNone) expression(each.value);
             const bool isFollowed = each.initializer.empty() && parsed.qualifiers.storage == Storage::none &&
                                     !parsed.type.name.empty();
-            if (isFollowed)
-                declareLocal(parsed, each);
-            else
-                scopes_.back()[text(each.name)] = std::nullopt;
+            if (isFollowed) declareLocal(parsed, each);
         }
     }
 
@@ -392,7 +380,6 @@ class AssignmentWalk {
         if (gaveUp_) return;
         const std::uint32_t first = node(id).child, condition = node(first).next;
         const std::uint32_t step = node(condition).next, body = node(step).next;
-        scopes_.emplace_back();
         expression(first);
         // A counter that the loop itself sets and compares has a round as a rule.
         const bool hasLogic = unit_.hasAny(node(condition).range(), {"&&", "||"});
@@ -401,17 +388,14 @@ class AssignmentWalk {
         expression(condition);
         loop(body, condition, step, mayBeEmpty);
         fill(first, condition, step, body);
-        scopes_.pop_back();
     }
 
     void whileLoop(std::uint32_t id) {
         const std::uint32_t condition = node(id).child, body = node(id).lastChild;
-        scopes_.emplace_back();
         const bool mayBeEmpty = !isAlwaysTrue(condition);
         foresee(node(id).first + 2, body, mayBeEmpty);
         expression(condition);
         loop(body, condition, kNone, mayBeEmpty);
-        scopes_.pop_back();
     }
 
     void doLoop(std::uint32_t id) {
@@ -684,7 +668,7 @@ class AssignmentWalk {
     std::vector<AssignedVariable> variables_;
 
     // Of the function that is being walked
-    std::vector<std::unordered_map<std::string_view, std::optional<std::size_t>>> scopes_;
+    std::unordered_map<std::uint32_t, std::size_t> locals_;  ///< by the name in the declaration
     AssignedState state_, exit_, breaks_, continues_, switch_;
     CallEffect effect_;
     std::map<std::size_t, int> foreseen_;  ///< variables that a loop assigns: the branches of a guarded read

@@ -1,9 +1,9 @@
 #include "glsl/facts/formula.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "glsl/parse/usage.h"
+#include "glsl/read/condition.h"
 
 namespace glibra::glsl {
 namespace {
@@ -13,21 +13,6 @@ constexpr std::size_t kMostTokens = 2'000'000;  // per stage
 
 bool isScalarType(std::string_view word) {
     return word == "int" || word == "uint" || word == "float" || word == "double";
-}
-
-template <class... Base>
-std::optional<double> parsed(std::string_view text, auto value, Base... base) {
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value, base...);
-    if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return static_cast<double>(value);
-}
-
-/// The value of a literal: "12u", "0x1F", "1.5e3", "2.lf".
-std::optional<double> numberOf(std::string_view text) {
-    const bool isHex = text.starts_with("0x") || text.starts_with("0X");
-    while (!text.empty() && std::string_view(isHex ? "uU" : "uUfFlL").find(text.back()) != text.npos)
-        text.remove_suffix(1);
-    return isHex ? parsed(text.substr(2), 0ULL, 16) : parsed(text, 0.);
 }
 
 }  // namespace
@@ -68,7 +53,7 @@ bool FormulaSearch::add(std::uint32_t expression, Formula& to, bool skipsFirst) 
     const Node& it = node(expression);
     switch (it.kind) {
         case NodeKind::number: {
-            const std::optional<double> value = numberOf(text(it.token));
+            const std::optional<double> value = numberValue(text(it.token));
             if (value) to.steps.emplace_back(*value);
             return value.has_value();
         }

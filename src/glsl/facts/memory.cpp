@@ -6,14 +6,10 @@
 
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
-#include "glsl/read/condition.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
-
-constexpr int kDeepestConstant = 8;
-constexpr std::size_t kMostConstantTokens = 500;
 
 bool hasWord(const Qualifiers& qualifiers, std::string_view word) {
     return std::ranges::find(qualifiers.memory, word) != qualifiers.memory.end();
@@ -58,44 +54,9 @@ class MemoryReader {
   private:
     // ---- Constants
 
-    /// Adds the tokens of a constant expression, with the initialisers of constants in place of their names;
-    /// false if it is not made of literals and constants.
-    bool addConstant(Range range, std::vector<ViewToken>& to, int depth) const {
-        for (std::uint32_t at = range.first; at < range.end; ++at) {
-            const ViewToken& token = unit_.view[at];
-            if (to.size() >= kMostConstantTokens) return false;
-            if (token.kind != TokenKind::word) {
-                if (token.kind == TokenKind::number && token.text.find('.') != std::string_view::npos)
-                    return false;
-                to.push_back(token);
-            } else if (!(token.text == "int" || token.text == "uint") || unit_.text(at + 1) != "(") {
-                if (!addNamed(token, to, depth)) return false;
-            }
-        }
-        return true;
-    }
-    bool addNamed(const ViewToken& name, std::vector<ViewToken>& to, int depth) const {
-        const Variable* found = unit_.firstVariable(name.text);
-        if (found == nullptr || found->storage != Storage::constant || found->isArray() ||
-            (found->type != "int" && found->type != "uint") || depth >= kDeepestConstant)
-            return false;
-        ViewToken bracket;
-        bracket.kind = TokenKind::punctuator;
-        bracket.text = "(";
-        to.push_back(bracket);
-        const Range value =
-            unit_.syntax.declarations[found->declaration].declarators[found->declarator].initializer;
-        if (value.empty() || !addConstant(value, to, depth + 1)) return false;
-        bracket.text = ")";
-        to.push_back(bracket);
-        return true;
-    }
     [[nodiscard]] std::optional<long long> constant(Range range) const {
-        std::vector<ViewToken> tokens;
         long long value = 0;
-        if (range.empty() || !addConstant(range, tokens, 0) || !evaluateCondition(tokens, value))
-            return std::nullopt;
-        return value;
+        return globalIntegerValue(unit_, range, value) ? std::optional(value) : std::nullopt;
     }
     [[nodiscard]] std::optional<long long> item(const Qualifiers& qualifiers, std::string_view name) const {
         const LayoutItem* found = qualifiers.item(name);

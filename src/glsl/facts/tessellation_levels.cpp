@@ -7,19 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "base/text.h"
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {
-
-using Tokens = std::vector<std::string_view>;
-
-bool isWord(std::string_view token) {
-    return !token.empty() && base::beginsName(token.front());
-}
 
 bool isLevelOutput(std::string_view word) {
     return word == "gl_TessLevelOuter" || word == "gl_TessLevelInner";
@@ -40,115 +33,101 @@ bool isPureFunction(std::string_view word) {
 /// Everything in a control stage that the value of one uniform can reach.
 class Flow {
   public:
-    explicit Flow(std::string_view from)
-        : reached_{from, "gl_TessLevelOuter", "gl_TessLevelInner"}, carriers_{from} {}
+    Flow(const Unit& unit, std::string_view from)
+        : unit_(unit), reached_{from, "gl_TessLevelOuter", "gl_TessLevelInner"}, carriers_{from} {}
 
     /// True if levels depend on the uniform, perhaps through local variables, and nothing else does.
-    bool decidesLevelsAlone(const Tokens& tokens) {
+    bool decidesLevelsAlone() {
         // Loops carry values back, so the stage is read until nothing new is reached.
         for (std::size_t known = 0; known != reached_.size() + carriers_.size();) {
             known = reached_.size() + carriers_.size();
-            if (!understandsAll(tokens)) return false;
+            for (const Declaration& each : unit_.syntax.declarations) {
+                if (each.code == kNone
+                        ? !understands(each)
+                        : isReached({each.tokens.first, each.body.first}) || !understands(each.code))
+                    return false;
+            }
         }
         return reachesLevel_;
     }
 
   private:
-    static bool hasOneOf(const Tokens& tokens, const std::set<std::string_view>& words) {
-        return std::ranges::any_of(tokens, [&](std::string_view each) { return words.contains(each); });
+    [[nodiscard]] const Node& node(std::uint32_t id) const { return unit_.bodies.nodes[id]; }
+    [[nodiscard]] bool hasOneOf(Range range, const std::set<std::string_view>& words) const {
+        for (std::uint32_t at = range.first; at < range.end; ++at)
+            if (words.contains(unit_.text(at))) return true;
+        return false;
     }
-    [[nodiscard]] bool isReached(const Tokens& tokens) const { return hasOneOf(tokens, reached_); }
+    [[nodiscard]] bool isReached(Range range) const { return hasOneOf(range, reached_); }
 
-    /// The token after the parenthesis that closes the one at `open`.
-    static Tokens::const_iterator endOfParentheses(Tokens::const_iterator open, Tokens::const_iterator end) {
-        int depth = 0;
-        for (; open != end; ++open) {
-            depth += *open == "(" ? 1 : *open == ")" ? -1 : 0;
-            if (depth == 0) return open + 1;
-        }
-        return end;
-    }
-
-    bool understandsAll(const Tokens& tokens) {
-        for (auto begin = tokens.begin(); begin != tokens.end();) {
-            // What these control is read like any statement.
-            if (*begin == "if" || *begin == "else" || *begin == "for" || *begin == "while") {
-                const auto end = *begin == "else" ? begin + 1 : endOfParentheses(begin + 1, tokens.end());
-                if (isReached(Tokens(begin, end))) return false;
-                begin = end;
-                continue;
-            }
-            const auto end = std::find_if(begin, tokens.end(), [](std::string_view token) {
-                return token == ";" || token == "{" || token == "}";
-            });
-            if (!understands(Tokens(begin, end))) return false;
-            begin = end == tokens.end() ? end : end + 1;
+    /// True if the statement does not touch what is reached, or is an assignment that passes it on.
+    bool understands(std::uint32_t id) {
+        const Node& it = node(id);
+        if (it.kind == NodeKind::declaration) return understands(unit_.bodies.declarations[it.token]);
+        if (it.kind > NodeKind::choice)
+            return !isReached(it.range()) || (it.kind == NodeKind::evaluation && passesOn({}, it.child));
+        for (const std::uint32_t each : unit_.bodies.children(id)) {
+            const bool isBody =
+                it.kind == NodeKind::block || (it.kind == NodeKind::branch   ? each != it.child
+                                               : it.kind == NodeKind::doLoop ? each == it.child
+                                                                             : each == it.lastChild);
+            if (!(isBody ? understands(each) : !isReached(node(each).range()))) return false;
         }
         return true;
     }
 
-    /// True if the statement does not touch what is reached, or is an assignment that passes it on.
-    bool understands(Tokens statement) {
-        if (std::ranges::find(statement, "uniform") != statement.end()) return true;
-        noteDeclaration(statement);
-        return !isReached(statement) || passesOn(statement);
-    }
-
-    void noteDeclaration(Tokens& statement) {
-        if (statement.size() < 2 || !isType(statement[0]) || !isWord(statement[1])) return;
-        locals_.insert(statement[1]);
-        statement.erase(statement.begin());
+    bool understands(const Declaration& declaration) {
+        if (declaration.qualifiers.storage == Storage::uniform) return true;
+        const bool isPlain = declaration.qualifiers.tokens.empty() && isType(declaration.type.name) &&
+                             !declaration.declarators.empty();
+        if (isPlain) locals_.insert(unit_.text(declaration.declarators.front().name));
+        if (!isReached(declaration.tokens)) return true;
+        if (!isPlain || declaration.declarators.size() > 1) return false;
+        const Declarator& name = declaration.declarators.front();
+        return name.dimensions.empty() && name.value != kNone &&
+               passesOn({{name.name, name.name + 1}}, name.value);
     }
 
     /// True for a = b = value, where a and b are levels or local variables.
-    bool passesOn(const Tokens& statement) {
-        auto begin = statement.begin();
-        std::vector<Tokens> places;
-        for (auto at = begin; at != statement.end(); ++at)
-            if (isAssignment(*at)) {
-                places.emplace_back(begin, at);
-                begin = at + 1;
-            }
-        const Tokens value(begin, statement.end());
-        return !places.empty() && isPure(value) &&
-               std::ranges::all_of(places, [&](const Tokens& each) { return takes(each, value); });
+    bool passesOn(std::vector<Range> places, std::uint32_t value) {
+        for (; node(value).kind == NodeKind::assignment; value = node(value).lastChild)
+            places.push_back(node(node(value).child).range());
+        const Range range = node(value).range();
+        return !places.empty() && isPure(range) &&
+               std::ranges::all_of(places, [&](Range each) { return takes(each, range); });
     }
 
     /// True if `place` is a level or a local variable; notes that it now depends on `value`.
-    bool takes(const Tokens& place, const Tokens& value) {
-        if (place.empty() || isReached(Tokens(place.begin() + 1, place.end()))) return false;
+    bool takes(Range place, Range value) {
+        if (place.empty() || isReached({place.first + 1, place.end})) return false;
+        const std::string_view name = unit_.text(place.first);
         const bool carries = hasOneOf(value, carriers_);
-        if (isLevelOutput(place.front())) {
+        if (isLevelOutput(name)) {
             reachesLevel_ = reachesLevel_ || carries;
             return true;
         }
-        if (place.size() != 1 || !locals_.contains(place.front())) return false;
-        reached_.insert(place.front());
-        if (carries) carriers_.insert(place.front());
+        if (place.end != place.first + 1 || !locals_.contains(name)) return false;
+        reached_.insert(name);
+        if (carries) carriers_.insert(name);
         return true;
     }
 
-    static bool isPure(const Tokens& value) {
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            if (value[i] == "?" || value[i] == "++" || value[i] == "--") return false;
-            const bool isCall = i + 1 < value.size() && value[i + 1] == "(" && isWord(value[i]);
-            if (isCall && !isPureFunction(value[i])) return false;
+    [[nodiscard]] bool isPure(Range value) const {
+        for (std::uint32_t at = value.first; at < value.end; ++at) {
+            const std::string_view text = unit_.text(at);
+            if (text == "?" || isStep(text) || isAssignment(text)) return false;
+            const bool isCall = unit_.view[at].kind == TokenKind::word && unit_.text(at + 1) == "(";
+            if (isCall && !isPureFunction(text)) return false;
         }
         return true;
     }
 
+    const Unit& unit_;
     std::set<std::string_view> reached_;   ///< the uniform, what may depend on it, and the levels
     std::set<std::string_view> carriers_;  ///< the uniform and the variables computed from it
     std::set<std::string_view> locals_;
     bool reachesLevel_ = false;
 };
-
-Tokens tokensOf(const Unit& unit) {
-    Tokens tokens;
-    tokens.reserve(unit.view.size());
-    for (const ViewToken& each : unit.view) tokens.push_back(each.text);
-    return tokens;
-}
 
 /// True if no stage except the control stage names the word.
 bool isOnlyInControl(const ProgramUnits& program, std::string_view word) {
@@ -170,11 +149,10 @@ std::set<std::string> findLevelUniforms(const ProgramUnits& program) {
     if (control == nullptr || program.result->tessellationOutput == "points" ||
         !isOnlyInControl(program, "gl_TessLevelOuter") || !isOnlyInControl(program, "gl_TessLevelInner"))
         return found;
-    const Tokens tokens = tokensOf(*control);
     for (const Variable& each : control->variables) {
         const bool isScalar = (each.type == "float" || each.type == "int") && !each.isArray();
         if (each.storage == Storage::uniform && !each.removed && isScalar &&
-            isOnlyInControl(program, each.name) && Flow(each.name).decidesLevelsAlone(tokens))
+            isOnlyInControl(program, each.name) && Flow(*control, each.name).decidesLevelsAlone())
             found.insert(each.name);
     }
     return found;

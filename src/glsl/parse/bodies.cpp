@@ -12,7 +12,7 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepestExpression = 300;
+constexpr int kDeepestExpression = 700;
 constexpr int kMostSuffixes = 32;                ///< what is longer is not read as one operand
 constexpr std::size_t kDeepestStatement = 1000;  ///< what is nested deeper counts as if it were not nested
 

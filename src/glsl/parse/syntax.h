@@ -53,6 +53,11 @@ struct Qualifiers : ChangeableQualifiers {
     std::uint32_t storageToken = kNone;
 
     [[nodiscard]] const LayoutItem* item(std::string_view name) const;
+    /// True for uniforms, inputs, outputs and storage.
+    [[nodiscard]] bool isInterface() const {
+        return attributeWord || varyingWord ||
+               (storage != Storage::none && storage != Storage::constant && storage != Storage::shared);
+    }
 };
 
 struct TypeUse {

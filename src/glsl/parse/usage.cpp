@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
@@ -110,40 +109,47 @@ bool integerValue(const Unit& unit, Range range, long long& value) {
 namespace {
 
 constexpr int kMostNestedConstants = 16;
+constexpr std::size_t kMostConstantTokens = 500;
 
-bool globalIntegerValue(const Unit& unit, Range range, int depth, long long& value);
+bool addConstant(const Unit& unit, Range range, std::vector<ViewToken>& to, int depth);
 
-/// The value of a constant of the outermost scope as text; empty if it is not known or negative.
-std::string constantText(const Unit& unit, std::string_view name, int depth) {
-    const auto isConstant = [&](const Variable& each) {
-        return each.storage == Storage::constant && each.name == name && !each.isArray();
-    };
-    const auto found = std::ranges::find_if(unit.variables, isConstant);
-    if (found == unit.variables.end()) return {};
-    const Declaration& declaration = unit.syntax.declarations[found->declaration];
-    long long value = 0;
-    const bool isKnown =
-        globalIntegerValue(unit, declaration.declarators[found->declarator].initializer, depth + 1, value);
-    return isKnown && value >= 0 ? std::to_string(value) : std::string{};
+/// Adds the value of a constant of the outermost scope, in parentheses.
+bool addNamed(const Unit& unit, std::string_view name, std::vector<ViewToken>& to, int depth) {
+    const Variable* found = unit.firstVariable(name);
+    if (found == nullptr || found->storage != Storage::constant || found->isArray() ||
+        (found->type != "int" && found->type != "uint") || depth >= kMostNestedConstants)
+        return false;
+    to.push_back({"(", 0, TokenKind::punctuator});
+    const Range value =
+        unit.syntax.declarations[found->declaration].declarators[found->declarator].initializer;
+    if (value.empty() || !addConstant(unit, value, to, depth + 1)) return false;
+    to.push_back({")", 0, TokenKind::punctuator});
+    return true;
 }
 
-bool globalIntegerValue(const Unit& unit, Range range, int depth, long long& value) {
-    if (range.empty() || range.end > unit.view.size() || depth > kMostNestedConstants) return false;
-    std::vector<ViewToken> tokens(unit.view.begin() + range.first, unit.view.begin() + range.end);
-    std::deque<std::string> constants;  // what the tokens point to
-    for (ViewToken& each : tokens) {
-        if (each.kind != TokenKind::word) continue;
-        each.text = constants.emplace_back(constantText(unit, each.text, depth));
-        if (each.text.empty()) return false;
-        each.kind = TokenKind::number;
+/// Adds the tokens of an expression, with the values of constants in place of their names; false if it is not
+/// made of whole numbers and constants.
+bool addConstant(const Unit& unit, Range range, std::vector<ViewToken>& to, int depth) {
+    for (std::uint32_t at = range.first; at < range.end; ++at) {
+        const ViewToken& token = unit.view[at];
+        if (to.size() >= kMostConstantTokens) return false;
+        const bool isCast = (token.text == "int" || token.text == "uint") && unit.text(at + 1) == "(";
+        if (token.kind == TokenKind::word) {
+            if (!isCast && !addNamed(unit, token.text, to, depth)) return false;
+        } else {
+            if (!isLiteral(std::span(&token, 1))) return false;
+            to.push_back(token);
+        }
     }
-    return isLiteral(tokens) && evaluateCondition(tokens, value);
+    return true;
 }
 
 }  // namespace
 
 bool globalIntegerValue(const Unit& unit, Range range, long long& value) {
-    return globalIntegerValue(unit, range, 0, value);
+    std::vector<ViewToken> tokens;
+    return !range.empty() && range.end <= unit.view.size() && addConstant(unit, range, tokens, 0) &&
+           evaluateCondition(tokens, value);
 }
 
 std::string sizeText(const Unit& unit, Range range) {
@@ -178,30 +184,21 @@ bool isWrittenAt(const Unit& unit, std::uint32_t at) {
 void findUsage(Unit& unit) {
     for (const Declaration& each : unit.syntax.declarations) addDeclared(unit, each);
     const std::map<std::string_view, unsigned> outputs = outputArguments(unit);
+    std::vector<bool> isOutput(unit.view.size(), false);
+    for (const Call& each : unit.bodies.calls) {
+        const auto output = outputs.find(unit.text(each.name));
+        if (output == outputs.end() || unit.bodies.roles[each.name] != WordRole::global) continue;
+        for (std::size_t i = 0; i < each.arguments.size() && i < 31; ++i) {
+            std::uint32_t at = each.arguments[i].first;
+            while (unit.text(at) == "(") ++at;
+            if (at < isOutput.size() && (output->second >> i & 1U) != 0) isOutput[at] = true;
+        }
+    }
     for (std::uint32_t i = 0; i < unit.view.size(); ++i) {
         if (unit.bodies.roles[i] != WordRole::global) continue;
         const std::string name(unit.text(i));
         unit.uses[name].push_back(i);
-        if (isWrittenAt(unit, i)) unit.writes[name].push_back(i);
-        const auto output = outputs.find(unit.text(i));
-        if (output == outputs.end() || output->second == 0 || unit.text(i + 1) != "(") continue;
-        const std::uint32_t close =
-            std::min<std::uint32_t>(unit.bodies.matches[i + 1], static_cast<std::uint32_t>(unit.view.size()));
-        unsigned argument = 0;
-        bool start = true;
-        for (std::uint32_t k = i + 2; k < close; ++k) {
-            const std::string_view text = unit.text(k);
-            if (start && unit.bodies.roles[k] == WordRole::global && argument < 31 &&
-                (output->second >> argument & 1U) != 0)
-                unit.writes[std::string(text)].push_back(k);
-            start = start && text == "(";
-            if (text == ",") {
-                ++argument;
-                start = true;
-            } else if ((text == "(" || text == "[") && unit.bodies.matches[k] < close && !start) {
-                k = unit.bodies.matches[k];
-            }
-        }
+        if (isOutput[i] || isWrittenAt(unit, i)) unit.writes[name].push_back(i);
     }
 }
 

@@ -36,7 +36,7 @@ int constantIndex(const Unit& unit, std::uint32_t openBracket);
 /// expression.
 bool integerValue(const Unit& unit, Range range, long long& value);
 
-/// The same for a range outside of all functions, which may also name constants: `const int kLights = 4;`.
+/// The same for a range outside of all functions, which may also name constants and convert: int(kLights).
 bool globalIntegerValue(const Unit& unit, Range range, long long& value);
 
 /// The text of an array size outside of all functions: a number, if its value is known.

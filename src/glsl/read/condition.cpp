@@ -1,5 +1,6 @@
 #include "glsl/read/condition.h"
 
+#include <charconv>
 #include <utility>
 
 namespace glibra::glsl {
@@ -115,6 +116,13 @@ class ConditionParser {
     int skipped_ = 0;  ///< more than 0 inside operands that are not needed
 };
 
+template <class... Base>
+std::optional<double> parsed(std::string_view text, auto value, Base... base) {
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value, base...);
+    if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return static_cast<double>(value);
+}
+
 }  // namespace
 
 Condition evaluateCondition(std::span<const Piece> pieces) {
@@ -163,6 +171,13 @@ bool readInteger(std::string_view text, long long& value) {
     }
     value = static_cast<long long>(number);
     return true;
+}
+
+std::optional<double> numberValue(std::string_view text) {
+    const bool isHex = text.starts_with("0x") || text.starts_with("0X");
+    while (!text.empty() && std::string_view(isHex ? "uU" : "uUfFlL").find(text.back()) != text.npos)
+        text.remove_suffix(1);
+    return isHex ? parsed(text.substr(2), 0ULL, 16) : parsed(text, 0.);
 }
 
 }  // namespace glibra::glsl

@@ -1,6 +1,7 @@
 #pragma once
 // The expressions of #if and #elif (GLSL 4.60, 3.3).
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,5 +31,8 @@ int levelOf(std::string_view op);
 
 /// Gives `value` the value of a decimal, octal or hexadecimal number; false for other text.
 bool readInteger(std::string_view text, long long& value);
+
+/// The value of a literal: "12u", "0x1F", "1.5e3", "2.lf"; nothing for other text.
+std::optional<double> numberValue(std::string_view text);
 
 }  // namespace glibra::glsl

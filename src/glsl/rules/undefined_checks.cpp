@@ -3,6 +3,7 @@
 // they are given, except that subscripts are limited to the array, since some drivers would stop.
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -279,46 +280,22 @@ class UndefinedChecks {
         });
     }
 
-    /// The operand that begins at `at`.
-    [[nodiscard]] Range operand(std::uint32_t at) const {
-        std::uint32_t i = at;
-        while (listed(" + - ! ~ ", text(i))) ++i;
-        if (i >= unit_.view.size()) return {at, at};
-        if (text(i) == "(")
-            i = match(i);
-        else if (unit_.view[i].kind != TokenKind::word && unit_.view[i].kind != TokenKind::number)
-            return {at, at};
-        ++i;
-        while (i < unit_.view.size()) {
-            if (text(i) == "(" || text(i) == "[")
-                i = match(i) + 1;
-            else if (text(i) == ".")
-                i += 2;
-            else
-                break;
-        }
-        return {at, std::min(i, static_cast<std::uint32_t>(unit_.view.size()))};
-    }
-
-    /// The rest of the assignment from `at` on.
-    [[nodiscard]] Range assigned(std::uint32_t at) const {
-        std::uint32_t i = at;
-        while (i < unit_.view.size() && !listed(" ; , ) ] } ", text(i)))
-            i = match(i) < unit_.view.size() && match(i) > i ? match(i) + 1 : i + 1;
-        return {at, i};
-    }
-
     void divisors() {
         for (const std::string_view each : {"dmat2", "dmat3", "dmat4"})
             if (unit_.isUsed(each)) return;
-        for (const Declaration& each : unit_.syntax.declarations) {
-            if (each.kind != DeclarationKind::function) continue;
-            for (std::uint32_t i = each.body.first; i < each.body.end; ++i) {
-                const bool isAssigned = text(i) == "/=" || text(i) == "%=";
-                if (!isAssigned && text(i) != "/" && text(i) != "%") continue;
-                const Range range = isAssigned ? assigned(i + 1) : operand(i + 1);
-                if (!range.empty() && !isConstant(range)) divisor(range, !isAssigned);
-            }
+        std::map<std::uint32_t, std::uint32_t> found;  // by the operator: the node of the divisor
+        for (const Node& each : unit_.bodies.nodes)
+            if (each.kind == NodeKind::assignment && listed(" /= %= ", text(each.token)))
+                found.emplace(each.token, each.lastChild);
+            else if (each.kind == NodeKind::chain)
+                for (std::uint32_t one = unit_.bodies.nodes[each.child].next; one != kNone;
+                     one = unit_.bodies.nodes[one].next)
+                    if (listed(" / % ", text(unit_.bodies.nodes[one].first - 1)))
+                        found.emplace(unit_.bodies.nodes[one].first - 1, one);
+        for (const auto& [op, node] : found) {
+            const Range range = unit_.bodies.nodes[node].range();
+            if (!range.empty() && isInFunction(op) && !isConstant(range))
+                divisor(range, text(op).size() == 1);
         }
     }
 
