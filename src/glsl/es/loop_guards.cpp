@@ -11,7 +11,6 @@
 namespace glibra::glsl {
 namespace {
 
-constexpr int kDeepest = 24;
 constexpr double kMostCost = 1e5;
 
 class LoopGuard {
@@ -22,8 +21,11 @@ class LoopGuard {
     }
 
     std::vector<std::uint32_t> run() {
+        costOfFunction("main");  // finds the functions that it calls
         for (const Declaration& each : unit_.syntax.declarations)
-            if (each.kind == DeclarationKind::function && each.code != kNone) visit(each.code);
+            if (each.kind == DeclarationKind::function && each.code != kNone &&
+                functions_.contains(text(each.name)))
+                visit(each.code);
         return std::move(loops_);
     }
 
@@ -48,24 +50,24 @@ class LoopGuard {
     }
 
     /// The rounds of the short loops in a statement or expression, and in the functions that it calls.
-    double costOf(std::uint32_t id, int depth = 0) {
-        if (id == kNone || depth > kDeepest) return 0;
+    double costOf(std::uint32_t id) {
+        if (id == kNone) return 0;
         const Node& it = node(id);
         double cost = 0;
-        for (const std::uint32_t each : unit_.bodies.children(id)) cost += costOf(each, depth + 1);
+        for (const std::uint32_t each : unit_.bodies.children(id)) cost += costOf(each);
         if (it.kind == NodeKind::call && unit_.bodies.roles[it.token] == WordRole::global)
-            cost += costOfFunction(text(it.token), depth);
+            cost += costOfFunction(text(it.token));
         if (isLoop(id)) cost = roundsOfShort(it, cost).value_or(0);
         return std::min(cost, kMostCost);
     }
 
-    double costOfFunction(std::string_view name, int depth) {
+    double costOfFunction(std::string_view name) {
         const auto [known, isNew] = functions_.try_emplace(name, 0);
         if (!isNew) return known->second;
         double most = 0;
         for (const Declaration& each : unit_.syntax.declarations)
             if (each.kind == DeclarationKind::function && text(each.name) == name)
-                most = std::max(most, costOf(each.code, depth + 1));
+                most = std::max(most, costOf(each.code));
         return functions_[name] = most;
     }
 
