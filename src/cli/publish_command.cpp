@@ -33,6 +33,7 @@ namespace fs = std::filesystem;
 
 struct PublishArguments : GalleryArguments {
     std::vector<std::string> named;
+    bool isExercise = false;
 };
 
 fs::path sceneFolder(const fs::path& scene) {
@@ -85,6 +86,7 @@ int publishScene(const PublishArguments& arguments, const fs::path& file, image:
     const std::string& scene = arguments.named.front();
     page::PageTask task = taskOf(scene, arguments.made.picture.options);
     task.film = arguments.film;
+    task.isExercise = arguments.isExercise;
     std::optional<system::Sandbox> sandbox;
     if (arguments.made.untrusted) {
         if (!prepareUntrusted()) return kNoDriver;
@@ -111,7 +113,7 @@ int publishScene(const PublishArguments& arguments, const fs::path& file, image:
                          "both, glibra publish FOLDER -o site/")});
     if (page.noDriver) return kNoDriver;
     const bool isWrong = hasError(page.diagnostics);
-    if (page.picture.empty()) return kSceneIsWrong;
+    if (page.picture.empty() && !page.isLive) return kSceneIsWrong;
     std::string runtime;
     if (page.isLive) {
         Result<std::string> found = page::packedRuntime();
@@ -122,10 +124,10 @@ int publishScene(const PublishArguments& arguments, const fs::path& file, image:
     if (named == image::NamedBy::program) fs::create_directories(file.parent_path(), ignored);
     if (printErrors(writePage(page, arguments, file, named, runtime))) return kSceneIsWrong;
     printLine(fmt::format("page: {}{}", file.generic_string(),
-                          page.isLive ? std::string()
+                          page.isLive ? std::string(isWrong ? " (an exercise: the scene has errors)" : "")
                                       : fmt::format(" (a {}, because browsers cannot draw the scene)",
                                                     page.film.pictures.size() > 1 ? "film" : "picture")));
-    return isWrong ? kSceneIsWrong : kDone;
+    return isWrong && !page.isLive ? kSceneIsWrong : kDone;
 }
 
 int runPublishCommand(PublishArguments& arguments) {
@@ -142,6 +144,7 @@ int runPublishCommand(PublishArguments& arguments) {
     if (named.hasFolder || named.scenes.size() > 1) {
         if (!picture.set.empty() || picture.time != 0)
             return refuse("--set and --time are for the page of one scene");
+        if (arguments.isExercise) return refuse("--exercise is for the page of one scene");
         if (!arguments.made.siteIsNamed) return refuse("name the folder of the site with -o");
         const bool isOneFolder = arguments.named.size() == 1;
         arguments.folder =
@@ -181,6 +184,8 @@ void addPublish(CommandLine& program, int& status) {
     command.flag("--embed", to.page.isEmbedded,
                  "nothing but the scene and its controls, for a frame of another page");
     command.flag("--poster", to.page.hasPoster, "the picture stands there until it is clicked");
+    command.flag("--exercise", to.isExercise,
+                 "a scene with errors has a page, too, on which readers can mend it");
     command
         .option("--frames", to.film.frames,
                 "pictures over time in the film of a scene that browsers cannot draw")

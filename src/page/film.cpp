@@ -1,8 +1,10 @@
 #include "page/film.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -14,8 +16,12 @@
 #include <utility>
 #include <variant>
 
+#include "gpu/object/framebuffer.h"
+#include "gpu/object/readback.h"
 #include "image/convert.h"
 #include "render/live/knob_json.h"
+#include "render/live/live_scene.h"
+#include "render/load/device_textures.h"
 #include "render/scene_renderer.h"
 
 namespace glibra::page {
@@ -97,6 +103,53 @@ std::vector<double> stopsOf(const Knob& knob, std::size_t component, std::size_t
     return {stops.begin(), stops.end()};
 }
 
+/// A value that has no slider as a choice: the word and the value of each alternative, the first one as it
+/// begins.
+struct Choice {
+    Knob of;
+    std::vector<std::pair<std::string, std::vector<double>>> values;
+};
+
+constexpr const char* kOwn = "of the scene";
+
+/// The plain colours, for a colour; the values that keys of the scene give, for a variable.
+std::optional<Choice> choiceOf(const Knob& knob, const std::vector<scene::KeyBinding>& keys) {
+    Choice choice{knob, {{kOwn, knob.current}}};
+    const auto add = [&](const std::string& word, const std::vector<double>& value) {
+        if (value.size() == knob.current.size() &&
+            std::ranges::find(choice.values, value, &std::pair<std::string, std::vector<double>>::second) ==
+                choice.values.end())
+            choice.values.emplace_back(word, value);
+    };
+    if (knob.widget == render::Widget::color) {
+        constexpr std::array kNames{"black", "red", "green", "yellow", "blue", "magenta", "cyan", "white"};
+        for (std::size_t i = 0; i < kNames.size(); ++i) {
+            std::vector<double> value = knob.current;
+            for (std::size_t bit = 0; bit < std::min<std::size_t>(value.size(), 3); ++bit)
+                value[bit] = (i >> bit & 1U) != 0 ? 1 : 0;
+            add(kNames.at(i), value);
+        }
+    } else if (!knob.program && knob.widget == render::Widget::numbers) {
+        for (const scene::KeyBinding& key : keys)
+            if (key.variable == knob.tag && !key.isHeld)
+                for (const std::vector<double>& each : key.values)
+                    add(fmt::format("{:.6g}", fmt::join(each, " ")), each);
+    }
+    return choice.values.size() > 1 && knob.current.size() <= kMostComponents ? std::optional(choice)
+                                                                              : std::nullopt;
+}
+
+/// The control of a choice.
+Knob controlOf(const Choice& choice) {
+    Knob knob = choice.of;
+    knob.words.clear();
+    for (const auto& [word, value] : choice.values) knob.words.push_back(word);
+    knob.widget = render::Widget::numbers;
+    knob.type = {.word = "int"};
+    knob.initial = knob.current = {0};
+    return knob;
+}
+
 /// A control of the film: for each component the values in rising order, and their pictures.
 struct Filmed {
     std::vector<std::vector<double>> stops;
@@ -121,6 +174,7 @@ class FilmMaker {
             drawControl(each.front());
             tell();
         }
+        drawCameras();
         return std::move(film_);
     }
 
@@ -258,7 +312,24 @@ class FilmMaker {
         for (const fs::path& each : conductor.programs.filesRead()) addFile(each, "glsl");
 
         const std::vector<Knob> all = render::knobsOf(renderer.scene(), conductor.plans());
-        std::ranges::copy_if(all, std::back_inserter(knobs_), isFilmed);
+        std::string plain;  // numbers without a range
+        for (const Knob& each : all) {
+            std::optional<Choice> choice =
+                isFilmed(each) ? std::nullopt : choiceOf(each, renderer.scene().keys);
+            if (isFilmed(each) || choice) {
+                knobs_.push_back(choice ? controlOf(*choice) : each);
+                choices_.push_back(std::move(choice));
+            } else if (each.widget == render::Widget::numbers && each.current.size() <= kMostComponents) {
+                plain += fmt::format("{}'{}'", plain.empty() ? "" : ", ", each.tag);
+            }
+        }
+        if (!plain.empty()) {
+            diagnostics_.push_back(
+                withoutId(Severity::note, fmt::format("the film has no pictures over {}: give a range, as in "
+                                                      "NAME <0 .5 1> (least, current and largest value)",
+                                                      plain)));
+            diagnostics_.back().place = {task_.scene.generic_string(), 1, 1};
+        }
         groups_ = render::sharedKnobs(knobs_);
         for (std::size_t i = 0; i < knobs_.size(); ++i)
             if (std::ranges::none_of(
@@ -278,8 +349,12 @@ class FilmMaker {
                 for (const double value : filmed.stops.back()) {
                     std::vector<std::string>& set = sets.emplace_back();
                     for (const std::size_t each : group) {
-                        Knob moved = knobs_[each];
-                        moved.current[component] = value;
+                        const std::optional<Choice>& choice = choices_[each];
+                        Knob moved = choice ? choice->of : knobs_[each];
+                        if (choice)
+                            moved.current = choice->values[static_cast<std::size_t>(value)].second;
+                        else
+                            moved.current[component] = value;
                         set.push_back(render::setArgument(renderer.scene(), moved, all));
                     }
                 }
@@ -314,6 +389,45 @@ class FilmMaker {
         filmed_.emplace(index, std::move(filmed));
     }
 
+    /// The scene as it begins through each of its cameras, by one control. There are no such pictures of
+    /// `glibra render`; a window draws them.
+    void drawCameras() {
+        render::LiveScene::Loading loading =
+            render::LiveScene::load(context_, task_.scene, task_.options, nullptr);
+        if (!loading.scene || loading.scene->cameras().empty() || film_.pictures.empty()) return;
+        Result<gpu::Target> target = gpu::Target::window(
+            context_.capabilities(), film_.width, film_.height, gpu::TexelFormat::rgba8,
+            task_.options.samples, render::depthFormat(loading.scene->scene().reversesWindow));
+        if (!target) return;
+        Knob knob;
+        knob.tag = "Camera";
+        knob.initial = knob.current = {0};
+        knob.words = {kOwn};
+        Filmed filmed{{{0}}, {}, {{0}}};
+        for (const scene::NamedCamera& each : std::vector(loading.scene->cameras())) {
+            loading.scene->setCamera(each.name);
+            const Diagnostics problems = loading.scene->draw(*target, {}, task_.options.time, false);
+            target->resolve();
+            auto pixels = gpu::readPixels(context_.capabilities(), target->readable(), 0,
+                                          {0, 0, film_.width, film_.height}, {3, gpu::TexelType::u8});
+            const auto added =
+                pixels && !hasError(problems)
+                    ? add({film_.width, film_.height, 3, image::Component::u8, std::move(*pixels)})
+                    : Result<std::size_t>(problems);
+            if (!added) {
+                leaveOut(fmt::format("the camera '{}'", each.name), why(added.diagnostics));
+                continue;
+            }
+            filmed.stops[0].push_back(static_cast<double>(knob.words.size()));
+            filmed.pictures[0].push_back(*added);
+            knob.words.push_back(each.name);
+        }
+        filmed_.emplace(knobs_.size(), std::move(filmed));
+        groups_.push_back({knobs_.size()});
+        knobs_.push_back(std::move(knob));
+        tell();
+    }
+
     Result<std::size_t> drawnWith(const std::vector<std::string>& set) {
         RenderOptions options = task_.options;
         options.set.insert(options.set.end(), set.begin(), set.end());
@@ -335,6 +449,7 @@ class FilmMaker {
     image::Image first_;  ///< the picture, RGB in bytes
     Ordered state_;
     std::vector<Knob> knobs_;
+    std::vector<std::optional<Choice>> choices_;      ///< of the first knobs, which are those of the scene
     std::vector<std::vector<std::size_t>> groups_;    ///< of knobs that one control moves
     std::map<std::size_t, Filmed> planned_, filmed_;  ///< by the first knob of their groups
     std::map<std::string, std::size_t> known_;        ///< pictures of the film

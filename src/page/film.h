@@ -62,7 +62,9 @@ struct FilmParts {
 
 /// Draws the film: each picture is the one that `glibra render` draws with --time or --set, and those over
 /// time are drawn in order by one run. Controls are sliders, choices and check boxes; a slider has up to
-/// seven values, and fewer if there are many sliders. Without a picture if the scene cannot be drawn. Reports
+/// seven values, and fewer if there are many sliders. Colours are choices of the plain colours, variables
+/// without a range are choices of what keys give them, and one choice has the named cameras; other numbers
+/// without a range are named by a note. Without a picture if the scene cannot be drawn. Reports
 /// what loading and the first picture do, and page-W02 for what is left out.
 Film filmOf(gpu::Context& context, const FilmTask& task, render::SharedParts* shared, const FilmParts& parts,
             Diagnostics& diagnostics);

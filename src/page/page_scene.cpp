@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -153,6 +154,27 @@ void addFilm(gpu::Context& context, const PageTask& task, render::SharedParts* s
     addUnknown(page.diagnostics, std::move(ofFilm));
 }
 
+/// What readers of a large page load.
+void noteSize(const PageTask& task, PageScene& page) {
+    constexpr std::size_t kNamed = 3;
+    std::size_t all = 0;
+    std::vector<std::pair<std::size_t, std::string>> sizes;
+    for (const PageFile& each : page.files) {
+        all += each.content.size();
+        sizes.emplace_back(each.content.size(), each.name);
+    }
+    if (all <= kLargeScene) return;
+    std::ranges::sort(sizes, std::greater());
+    sizes.resize(std::min(sizes.size(), kNamed));
+    std::string text = fmt::format("readers of the page load {} of files", base::readableBytes(all));
+    for (const auto& [size, name] : sizes)
+        text += fmt::format("{}'{}' has {}", &name == &sizes.front().second ? "; " : ", ", name,
+                            base::readableBytes(size));
+    Diagnostic note = withoutId(Severity::note, text);
+    note.place = {task.scene.generic_string(), 1, 1};
+    page.diagnostics.push_back(std::move(note));
+}
+
 Json binary(std::string_view text) {
     return Json::binary({text.begin(), text.end()});
 }
@@ -224,14 +246,17 @@ PageScene pageScene(gpu::Context& context, const PageTask& task, render::SharedP
     RenderOptions checked = task.options;
     checked.set.clear();  // reported by the picture
     addUnknown(page.diagnostics, render::checkScene(context, task.scene, checked, shared, true).diagnostics);
-    const auto isOfWeb = [](const Diagnostic& each) {
-        return each.severity != Severity::error || each.id.starts_with("web-");
+    const auto isOfWeb = [](const Diagnostic& each) { return each.id.starts_with("web-"); };
+    const auto isOwn = [&](const Diagnostic& each) {
+        return each.severity == Severity::error && !isOfWeb(each);
     };
     const bool isWhole = !hasError(page.diagnostics);
     if (isWhole && task.draws) page.picture = drawn(context, task, shared, page);
-    page.isLive = isWhole && (!task.draws || !page.picture.empty());
-    if (!isWhole && std::ranges::all_of(page.diagnostics, isOfWeb))
-        addFilm(context, task, shared, step, page);
+    page.isLive =
+        isWhole ? !task.draws || !page.picture.empty()
+                : task.isExercise && !page.files.empty() && std::ranges::none_of(page.diagnostics, isOfWeb);
+    if (page.isLive) noteSize(task, page);
+    if (!isWhole && std::ranges::none_of(page.diagnostics, isOwn)) addFilm(context, task, shared, step, page);
     return page;
 }
 

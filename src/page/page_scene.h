@@ -38,8 +38,8 @@ struct PageScene {
     int width = 0, height = 0;  ///< of the picture
     std::string picture;        ///< a PNG file; empty if the scene cannot be drawn
     Diagnostics diagnostics;
-    /// False if something that the scene needs is not in WebGL 2, or the scene has an error of its own: the
-    /// diagnostics have it.
+    /// False if something that the scene needs is not in WebGL 2, or the scene has an error of its own and is
+    /// no exercise: the diagnostics have it.
     bool isLive = false;
     /// Of a scene that is not live only for what WebGL 2 lacks, which are warnings then. No pictures: none.
     Film film;
@@ -51,6 +51,7 @@ struct PageTask {
     RenderOptions options;  ///< `within` says which files may be read, besides those of the library
     bool draws = true;      ///< false: without the picture of a live scene
     FilmOptions film{};
+    bool isExercise = false;  ///< a scene with errors of its own is live, without a picture
 };
 
 /// The largest size of a window's shape that fits into the given one.
@@ -68,6 +69,9 @@ inline constexpr std::size_t kLargestScene = std::size_t{256} << 20U;
 /// readImage() does for pictures.
 std::vector<PageFile> filesOf(const PageTask& task, std::vector<std::filesystem::path>& read,
                               Diagnostics& problems);
+
+/// Files of a live scene that have more bytes together are reported.
+inline constexpr std::size_t kLargeScene = std::size_t{16} << 20U;
 
 /// All of it. A scene with errors has what could be made of it. While a film is drawn, `step` gets toText()
 /// of the page with the film so far, or an empty text after another picture.

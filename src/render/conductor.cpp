@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "glsl/es/loop_guards.h"
 #include "gpu/object/loop_limit.h"
 #include "plan/accesses.h"
 #include "plan/reported_names.h"
@@ -40,7 +41,8 @@ Conductor::Conductor(gpu::Context& usedContext, RenderOptions usedOptions, Inter
       direction_(std::move(given)) {}
 
 int Conductor::loopLimit() {
-    if (!loopLimit_) loopLimit_ = gpu::measureLoopLimit(context);
+    if (!loopLimit_)
+        loopLimit_ = context.capabilities().isEs ? glsl::kMostRounds : gpu::measureLoopLimit(context);
     return *loopLimit_;
 }
 

@@ -247,6 +247,55 @@ TEST(Es, MessagesAboutStagesThatRunInTheVertexStageNameTheirFiles) {
     EXPECT_EQ(call.at(0).text, "no matching function for `thrice(int)'") << merged.source;
 }
 
+/// True if the text has a guard that costs so many rounds.
+bool guards(const std::string& text, int rounds) {
+    return text.find("(glibra_rounds += " + std::to_string(rounds) + ") <= glibra_Rounds") !=
+           std::string::npos;
+}
+
+TEST(Es, LoopsThatTheTextDoesNotProveShortAreGuarded) {
+    const std::string declarations =
+        "uniform int n; float deep(float x) { for (int i = 0; i < 100; ++i) x = fract(x + .1); return x; }";
+    for (const auto& [loop, rounds] : {std::pair("while (true) c += .1;", 1),
+                                       {"for (;;) if (c.x > 9.) break; else c += .1;", 1},
+                                       {"for (int i = 0; i < n; ++i) c += .1;", 1},
+                                       {"for (int i = 0; i < 5000; ++i) c += .1;", 1},
+                                       {"do c += deep(c.x); while (c.x < 9.);", 101},
+                                       {"for (int i = 0; i < 99; ++i) c += deep(deep(c.x));", 201},
+                                       {"while (c.x < 9.) for (int i = 0; i < 40; ++i) c += .1;", 41},
+                                       {"while (bool goes = c.x < 9.) c += goes ? .1 : .2;", 1}}) {
+        const Written written = Written::fragment(declarations, loop);
+        EXPECT_EQ(written.errors(), "") << loop << written.source(Stage::fragment);
+        EXPECT_TRUE(guards(written.source(Stage::fragment), rounds))
+            << loop << written.source(Stage::fragment);
+        ASSERT_EQ(written.es.loopSites.size(), 1U) << loop;
+        EXPECT_EQ(written.es.loopSites[0].line, 4) << loop;
+    }
+    for (const char* loop :
+         {"for (int i = 0; i < 4096; ++i) c += .1;", "for (int i = 0; i < 32; ++i) c += deep(c.x);",
+          "for (int i = 0; i < 60; ++i) for (int j = 0; j < 60; ++j) c += .1;", "c += .1;"}) {
+        const Written written = Written::fragment(declarations, loop);
+        EXPECT_EQ(written.source(Stage::fragment).find("glibra_rounds"), std::string::npos) << loop;
+        EXPECT_TRUE(written.es.loopSites.empty()) << loop;
+    }
+}
+
+TEST(Es, GuardedLoopsOfStagesInTheVertexStageAreShownByTheFragmentStage) {
+    const std::string loop = "uniform float u; float far(float x) { while (x < u) x += 1.; return x; }\n";
+    for (const bool isLast : {false, true}) {
+        const WithGeometry written(
+            (isLast ? "" : loop) + "void main() { gl_Position = aVertex * " + (isLast ? "1." : "far(0.)") +
+                "; }",
+            "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n" + (isLast ? loop : "") +
+                "void main() { for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position * " +
+                (isLast ? "far(0.)" : "1.") + "; EmitVertex(); } }",
+            "out vec4 c; void main() { c = vec4(1.); }");
+        EXPECT_EQ(written.errors(), "");
+        EXPECT_EQ(written.es.loopSites.size(), 1U);
+        EXPECT_NE(written.es.stages.back().source.find("flat in int glibra_vertexCut"), std::string::npos);
+    }
+}
+
 TEST(Es, GeometryStagesRunInTheVertexStage) {
     const WithGeometry written(
         "out vec3 vColor; float twice(float x) { return 2. * x; }\n"

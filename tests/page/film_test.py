@@ -168,6 +168,7 @@ class Film(unittest.TestCase):
         for i, picture in enumerate(film["frames"]):
             self.assertEqual(pictures[picture], self.rendered("--time", str(2 * i / 6)), i)
         knobs = {each["name"]: each for each in film["knobs"]}
+        self.assertEqual(len(knobs.pop("color")["words"]), 8)
         self.assertEqual(sorted(knobs), ["blue", "kind", "uCount", "uGreen", "uOn", "uSame", "vector"])
         self.assertEqual(knobs["uCount"]["stops"], [[1, 2, 3]])
         self.assertEqual(knobs["kind"]["stops"], [[0, 1]])
@@ -243,6 +244,29 @@ void main() {
         self.browser.element("[aria-label='size']")
 
     # ---- The page
+
+    def test_colours_keys_and_cameras_are_choices(self):
+        self.write("b.glib", SCENE.replace("{timer}", "Camera side LookAt 0 0 3  0 0 0  0 1 0  Ortho -4 4 -4 4 1 9\nCamera eye LookAt 0 0 3  0 0 0  0 1 0  Ortho -1 1 -1 1 1 9\n"
+                                           "Let level 0.\nKey l level .25 1\nLet plain .5\nVertex camera.vert\n")
+                   .replace("Vertex q.vert\n", "").replace("Ortho -1 1 -1 1\n", "", 1)
+                   .replace("uSame <0. .5 1.>", "uSame <0. .5 1.> uTint color uLevel level uPlain plain"))
+        self.write("camera.vert", VERTEX.replace("vec4(aVertex.xy, 0., 1.)", "uModelViewProjectionMatrix * aVertex"))
+        self.write("q.frag", FRAGMENT.replace("{red}", "uLevel").replace("out vec4 c;", "uniform vec3 uTint; uniform float uLevel, uPlain; out vec4 c;")
+                   .replace("    if (uKind", "    if (gl_FragCoord.y < 10.) c.rgb = uTint * uPlain * 2.;\n    if (uKind"))
+        told = self.glibra("publish", "b.glib", "-o", "page.html", "--size", SIZE)
+        self.assertRegex(told, r"note: the film has no pictures over 'plain': give a range")
+        film = self.publish(scene="b.glib")["film"]
+        pictures = self.pictures(film)
+        first, plain = self.rendered(scene="b.glib"), ["of the scene", "black", "red", "green", "yellow", "blue", "magenta", "cyan", "white"]
+        knobs = {each["name"]: each for each in film["knobs"]}
+        self.assertEqual(knobs["color"]["words"], [each for each in plain if each != "red"])  # it is red
+        self.assertEqual(knobs["level"]["words"], ["of the scene", "0.25", "1"])
+        self.assertEqual(knobs["Camera"]["words"], ["of the scene", "eye", "side"])
+        self.assertEqual(pictures[0], first)
+        for name, index, value in (("color", 2, "0,1,0"), ("color", 7, "1,1,1"), ("level", 1, ".25"), ("level", 2, "1")):
+            self.assertEqual(pictures[knobs[name]["pictures"][0][index]], self.rendered("--set", f"{name}={value}", scene="b.glib"), name)
+        self.assertEqual(pictures[knobs["Camera"]["pictures"][0][1]], first)  # the last one is the scene's own
+        self.assertNotEqual(pictures[knobs["Camera"]["pictures"][0][2]], first)
 
     def test_one_control_moves_at_a_time(self):
         self.publish("--frames", "8")

@@ -246,8 +246,8 @@ class Pages(unittest.TestCase):
         return self.browser.run("""const each = document.querySelector(arguments[0]); each.scrollIntoView({block: "nearest"});
             const box = each.getBoundingClientRect(); return [box.left, box.top, box.width, box.height]""", selector)
 
-    def edit(self, tab, text):
-        self.browser.run("""[...document.querySelectorAll("[role=tab]")].find((each) => each.textContent === arguments[0]).click();
+    def edit(self, tab, text, browser=None):
+        (browser or self.browser).run("""[...document.querySelectorAll("[role=tab]")].find((each) => each.textContent === arguments[0]).click();
             const area = document.querySelector("textarea"); area.value = arguments[1]; area.dispatchEvent(new Event("input"));""", tab, text)
 
 
@@ -508,6 +508,15 @@ class Edits(Pages):
         self.browser.click(".note button")
         self.assert_shows(red)
 
+
+    def test_an_edit_brings_a_lost_context_back(self):
+        self.open("own/quad")
+        self.browser.run("seen.context.getExtension('WEBGL_lose_context').loseContext()")
+        self.browser.wait("return /took the graphics away/.test(document.querySelector('.note:not([hidden])')?.textContent)")
+        self.edit("quad.frag", FRAGMENT.replace(".5, 0.", ".25, 1."))
+        self.browser.wait("return document.querySelector('.note').hidden")
+        self.write("own/changed.frag", FRAGMENT.replace(".5, 0.", ".25, 1."))
+        self.assert_shows(self.rendered(self.write("own/changed.glib", QUAD.replace("quad.frag", "changed.frag"))))
 
     def test_messages_stand_in_their_list(self):
         self.open("own/quad")
@@ -846,6 +855,65 @@ class Hostile(Pages):
                 self.type_into("[aria-label='uG of P, number']", ".25")
                 self.browser.click("[aria-label='Reset the view (R)']" if self.browser.run("return !document.querySelector(\"[aria-label='Reset the view (R)']\").disabled") else "canvas")
                 self.assert_shows(self.render("own/quad", "--set", "uG=.25"))
+
+
+class Loops(unittest.TestCase):
+    """Loops without an end, by the rasteriser of this machine and by Chromium's own."""
+    MOST = 8  # seconds
+
+    LOOPS = {
+        "while (true) n += uG;": "",
+        "for (;;) { n += fract(n * uG + 1.); if (n < 0.) break; }": "",
+        "for (int i = 0; i < 1000000000; ++i) n += fract(n + uG);": "up to 1,000,000,000 rounds",
+        "for (int i = 0; i < 60000; ++i) for (int j = 0; j < 60000; ++j) n += fract(n + uG);": "rounds",
+        "do n += uG; while (n > -1.);": "",
+    }
+
+    def alive(self, browser):
+        """The page draws some frames, and its process for graphics is the same."""
+        began = time.time()
+        browser.run("globalThis.frames = 0; const count = () => { ++frames; requestAnimationFrame(count); }; count();")
+        while browser.run("return frames") < 4:
+            self.assertLess(time.time() - began, self.MOST, "the page stands still")
+            time.sleep(0.05)
+        self.assertFalse(browser.run("return seen.context.isContextLost()"))
+
+    def test_they_leave_the_page_alive_and_are_named(self):
+        for driver in ("mesa", True):
+            with tempfile.TemporaryDirectory() as folder, Browser(1400, 1000, gl=driver) as browser:
+                for name, text in (("quad.glib", QUAD), ("quad.vert", VERTEX), ("quad.frag", FRAGMENT)):
+                    pathlib.Path(folder, name).write_text(text, encoding="utf-8")
+                self.assertEqual(glibra("publish", f"{folder}/quad.glib", "-o", f"{folder}/page.html").returncode, 0)
+                browser.command("Page.addScriptToEvaluateOnNewDocument", source=BEFORE)
+                browser.open(f"file://{folder}/page.html")
+                browser.wait(IS_DRAWN)
+                before = browser.run(PICTURE)
+                fragment = FRAGMENT.replace("main() { fColor = vec4(uG, ", "main() { float n = 0.;\n LOOP\n fColor = vec4(fract(n), ")
+                vertex = VERTEX.replace("uniform", "uniform float uG;\nuniform").replace("main() {", "main() {\n float n = 0.;\n LOOP").replace("1.); }", "1. + step(n, -2.)); }")
+                for name, original, text in (("quad.frag", FRAGMENT, fragment), ("quad.vert", VERTEX, vertex)):
+                    line = text[:text.index("LOOP")].count("\n") + 1
+                    for loop, said in self.LOOPS.items():
+                        with self.subTest(driver=driver, file=name, loop=loop):
+                            began = time.time()
+                            Pages.edit(self, name, text.replace("LOOP", loop), browser)
+                            browser.wait("return new RegExp(arguments[0]).test(document.querySelector('.messages').innerText)",
+                                         f"{name}:{line}:\\d+: warning: .*{said}.*draw-W08")
+                            self.assertLess(time.time() - began, self.MOST)
+                            self.alive(browser)
+                            Pages.edit(self, name, original, browser)
+                            browser.wait("return document.querySelector('.messages').hidden")
+                            browser.wait(f"{PICTURE} === arguments[0]", before)
+                # A value decides how long it is.
+                Pages.edit(self, "quad.frag", fragment.replace("LOOP", "while (n < uG * 1e9) n += uG;"), browser)
+                named = "return /quad.frag:5:.*draw-W08/.test(document.querySelector('.messages').innerText)"
+                browser.wait(named)
+                for value, isLong in (("0", False), ("1", True), ("0", False)):
+                    browser.run("""const field = document.querySelector("[aria-label='uG of P, number']"); field.value = arguments[0];
+                        for (const each of ["input", "change"]) field.dispatchEvent(new Event(each, {bubbles: true}));""", value)
+                    browser.wait(named if isLong else "return document.querySelector('.messages').hidden")
+                    time.sleep(0.6)
+                    self.assertEqual(browser.run(named), isLong, value)
+                    self.alive(browser)
 
 
 if __name__ == "__main__":

@@ -127,6 +127,29 @@ class Publish(unittest.TestCase):
         self.assertIn("none.glib", self.glibra("publish", "none.glib", status=3))
         self.assertFalse(os.path.exists(os.path.join(self.folder, "a.html")))
 
+    def test_an_exercise_has_the_page_of_a_faulty_scene(self):
+        self.write("in/q.frag", FRAGMENT.replace("uG, .5", "uNone, .5"))
+        told = self.glibra("publish", "in/a.glib", "--exercise")
+        self.assertRegex(told, r"q\.frag:3:.*uNone.*\[glsl-E01\]")
+        self.assertIn("a.html (an exercise: the scene has errors)", told)
+        page = self.read("a.html")
+        self.assertIn('id="glibra-runtime"', page)
+        self.assertNotIn("<img", page)
+        self.assertIn("--exercise", self.glibra("publish", "in", "-o", "site", "--exercise", status=2))
+        self.write("in/q.frag", FRAGMENT)
+        self.assertNotIn("exercise", self.glibra("publish", "in/a.glib", "--exercise"))
+        self.assertIn("<img", self.read("a.html"))
+
+    def test_a_note_names_the_largest_files_of_a_large_page(self):
+        self.assertNotIn("note", self.glibra("publish", "in/a.glib"))
+        self.write("in/a.glib", SCENE.replace("Vertex", "Texture2D uBig big.ppm\nTexture2D uSmall small.ppm\nVertex").replace("P uG", "P uBig uBig uSmall uSmall uG"))
+        self.write("in/q.frag", FRAGMENT.replace("uniform", "uniform sampler2D uBig, uSmall;\nuniform").replace(", 1.)", ", 1.) + texture(uBig, vec2(.5)) + texture(uSmall, vec2(.5))"))
+        self.write("in/big.ppm", b"P6 3000 2000 255\n" + bytes(18_000_000))
+        self.write("in/small.ppm", b"P6 600 500 255\n" + bytes(900_000))
+        told = [each for each in self.glibra("publish", "in/a.glib").splitlines() if "note" in each]
+        self.assertEqual(len(told), 1, told)
+        self.assertRegex(told[0], r"in/a\.glib:1:1: note: readers of the page load 18\.1 MiB of files; 'in/big\.ppm' has 17\.2 MiB, 'in/small\.ppm' has 900015 bytes, 'in/a\.glib' has \d+ bytes")
+
     def test_nothing_from_outside_is_on_a_page(self):
         self.write("secret.frag", "theSecret")
         os.symlink("../secret.frag", os.path.join(self.folder, "in/link.frag"))

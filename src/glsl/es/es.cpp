@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "glsl/es/loop_guards.h"
 #include "glsl/es/merged.h"
 #include "glsl/es/stage.h"
 #include "glsl/es/text_lines.h"
@@ -25,6 +26,20 @@ std::string withoutDirectives(std::string_view source) {
         text += '\n';
     }
     return text;
+}
+
+/// Guards the loops of all stages. Returns their places.
+std::vector<Place> guardLoops(const std::vector<Unit>& units, std::vector<EsStage>& stages) {
+    std::vector<Place> sites;
+    bool haveVertexLoops = false;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (stages[i].guardLoops(sites))
+            haveVertexLoops = haveVertexLoops || units[i].stage != Stage::fragment;
+    for (std::size_t i = 0; i < units.size() && !sites.empty(); ++i) {
+        if (units[i].stage == Stage::vertex && haveVertexLoops) stages[i].beginUncut();
+        if (units[i].stage == Stage::fragment) stages[i].showCutLoop(haveVertexLoops);
+    }
+    return sites;
 }
 
 }  // namespace
@@ -56,6 +71,7 @@ EsProgram toEs(const TranslatedProgram& program, const EsOptions& options) {
         stages.emplace_back(each, unit, report, options);
     }
     const MergedStages merged(units, stages, program, options.draws);
+    result.loopSites = guardLoops(units, stages);
     for (EsStage& each : stages) each.adapt(result.initialValues);
     for (const Unit& unit : units)
         for (const auto& [name, written] : unit.renames) {

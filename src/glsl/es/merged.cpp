@@ -46,6 +46,8 @@ TranslatedStage joined(TranslatedStage first, const TranslatedStage& second, con
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(first.lineMap.files, second.lineMap.files);
     append(first.lineMap.macros, second.lineMap.macros);
+    append(first.loops, second.loops);
+    append(first.uncounted, second.uncounted);
     const std::string firstText = first.source;
     std::set<std::string_view> known;  // written by the translation
     for (std::size_t i = 0; const std::string_view line : textLines(firstText))

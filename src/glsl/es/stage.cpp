@@ -1,5 +1,7 @@
 #include "glsl/es/stage.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -9,6 +11,7 @@
 #include "glsl/es/borders.h"
 #include "glsl/es/constants.h"
 #include "glsl/es/conversions.h"
+#include "glsl/es/loop_guards.h"
 #include "glsl/es/text_lines.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
@@ -51,6 +54,9 @@ constexpr std::array kRenamed = std::to_array<Renamed>({
     {"dFdyCoarse", "dFdy"},
     {"fwidthCoarse", "fwidth"},
 });
+
+/// The number of the loop that was ended first, in a fragment stage and in one before it.
+constexpr const char *kCut = "glibra_cut", *kVertexCut = "glibra_vertexCut";
 
 /// A function of the core profile in GLSL ES: `T` stands for each of the types.
 struct Written {
@@ -110,6 +116,46 @@ void EsStage::becomePart(Part part) {
     isPart_ = true;
 }
 
+bool EsStage::guardLoops(std::vector<Place>& sites) {
+    const bool isFragment = unit_.stage == Stage::fragment;
+    const std::vector<std::uint32_t> loops =
+        glsl::guardLoops(unit_, isFragment ? kCut : kVertexCut, sites.size());
+    for (const std::uint32_t each : loops) sites.push_back(userPlaceOf(each));
+    if (loops.empty()) return false;
+    unit_.declare(isFragment ? fmt::format("int {} = 0;", kCut)
+                             : fmt::format("flat out int {};", kVertexCut));
+    return true;
+}
+
+void EsStage::beginUncut() {
+    unit_.declare(fmt::format("flat out int {};", kVertexCut));
+    beginWith(fmt::format("{} = 0;", kVertexCut));
+}
+
+void EsStage::showCutLoop(bool hasVertexLoops) {
+    const auto shows = [](const Variable& each) {
+        const std::string* const location = each.layoutValue("location");
+        return each.storage == Storage::output && !each.removed && (!location || *location == "0") &&
+               each.typeSizes.empty() && each.nameSizes.empty() &&
+               (each.type == "float" || each.type == "vec2" || each.type == "vec3" || each.type == "vec4");
+    };
+    const auto color = std::ranges::find_if(unit_.variables, shows);
+    if (color == unit_.variables.end() || !unit_.function("main")) return;
+    if (unit_.isDeclared("glibra_main")) unit_.renames["glibra_main"] = "glibra_coreMain";
+    unit_.renames["main"] = "glibra_main";
+    unit_.declare(fmt::format("uniform int {};", kShowsCut));
+    if (hasVertexLoops) unit_.declare(fmt::format("flat in int {};", kVertexCut));
+    unit_.declare(fmt::format("int {} = 0;", kCut));
+    unit_.declare("int glibra_rounds = 0;");
+    beginWith(
+        fmt::format("if ({} == 1 && ((int(gl_FragCoord.x) & 15) != 7 || (int(gl_FragCoord.y) & 15) != 7)) "
+                    "{{ {} = -1; glibra_rounds = 1000000000; }}",
+                    kShowsCut, kCut));
+    unit_.mainEnd.push_back(fmt::format("if ({} == 1) {} = {}(float(max({}, {})) / 255.);", kShowsCut,
+                                        emittedName(unit_, color->name), color->type, kCut,
+                                        hasVertexLoops ? kVertexCut : "0"));
+}
+
 void EsStage::adapt(std::vector<InitialValue>& initialValues) {
     for (const Declaration& each : unit_.syntax.declarations) declaration(each);
     for (Variable& each : unit_.variables) variable(each, initialValues);
@@ -153,6 +199,8 @@ TranslatedStage EsStage::take() {
     stage.path = core_.path;
     stage.firstLine = core_.firstLine;
     stage.facts = core_.facts;
+    stage.loops = core_.loops;
+    stage.uncounted = core_.uncounted;
     return stage;
 }
 

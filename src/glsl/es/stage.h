@@ -34,6 +34,13 @@ class EsStage {
     void adapt(std::vector<InitialValue>& initialValues);
     /// The text, with a map that leads to the user's lines.
     [[nodiscard]] TranslatedStage take();
+    /// Guards the loops (loop_guards.h), which `sites` gets. False: there are none.
+    bool guardLoops(std::vector<Place>& sites);
+    /// Of the vertex stage, if loops of it or of the stages that become parts of it are guarded.
+    void beginUncut();
+    /// Makes a fragment stage show the loop that was ended first (kShowsCut), or that of the stages before it
+    /// if `hasVertexLoops`, unless it has no colour that could.
+    void showCutLoop(bool hasVertexLoops);
     /// Statements that main does first.
     void beginWith(std::string statements) { beginnings_.push_back(std::move(statements)); }
 

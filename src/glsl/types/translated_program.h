@@ -241,7 +241,7 @@ struct TranslatedProgram {
     std::vector<UndefinedSite> undefinedSites;  ///< of all stages (ProgramRequest::checksUndefined)
     /// With ProgramRequest::recordsLoops: the loops of all stages. Loop i writes 1 to element i of an array
     /// of numbers in the storage block `glibra_CutLoops` if it is left though its condition holds, which
-    /// happens where a driver ends loops early.
+    /// happens where a driver ends loops early. In GLSL ES: the loops that are guarded (es/loop_guards.h).
     std::vector<Place> loopSites{};
     Placement placement = Placement::unknown;
     /// Of GLSL ES: the values of initialisers of uniforms, which it does not have.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -45,6 +46,8 @@ struct Shown {
     std::string scene, camera;
     double mouseX = .5, mouseY = .5;
     bool isMouseDown = false, isWireframe = false;
+    bool isSet = true, mayLoop = true;  ///< since the last frame; since loops were watched
+    std::chrono::steady_clock::time_point drawn{};
     std::string answer;
     Json around;  ///< surroundings() of the last frame
 };
@@ -229,6 +232,8 @@ bool open(const std::string& name) {
     if (page.live) page.kept.keep(page.live->scene(), page.knobs);
     page.live = std::move(loading.scene);
     page.scene = name;
+    page.isSet = false;
+    page.mayLoop = true;
     page.knobs = page.live->knobs();
     page.kept.restore(page.live->scene(), page.knobs);
     for (const render::Knob& each : page.knobs)
@@ -253,6 +258,7 @@ void setValue(std::size_t index, const std::vector<double>& values) {
     if (wanted == knob.current) return;
     knob.current = std::move(wanted);
     page.live->setValue(knob);
+    page.isSet = page.mayLoop = true;
     std::erase_if(page.diagnostics, [](const Diagnostic& each) { return each.id == "draw-W08"; });
     page.hasNews = true;
     note(page.live->longLoops());
@@ -380,6 +386,12 @@ bool draw(const Json& frame, Json& answer) {
     if (const bool wanted = frame.value("wireframe", false);
         std::exchange(page.isWireframe, wanted) != wanted)
         page.live->drawer().setWireframe(wanted);
+    // Values that go on moving are not reported one by one. Loops may become long as time passes.
+    const auto now = std::chrono::steady_clock::now();
+    const bool isSlow = now - std::exchange(page.drawn, now) > std::chrono::seconds(1);
+    const bool isSet = std::exchange(page.isSet, false);
+    if ((isSlow || (!isSet && std::exchange(page.mayLoop, false))) && page.live->hasLoopsToWatch())
+        page.live->watchLoops();
     const ViewState view = viewOf(frame.value("view", Json::object()));
     note(page.live->draw(*page.target, view, frame.value("time", 0.0), frame.value("axes", false)));
     showTarget();
@@ -433,6 +445,7 @@ const char* glibra_set(char* change, std::size_t bytes) {
             json["knobs"].push_back({{"knob", i}, {"current", page.knobs[i].current}});
     json["animated"] = page.live->isAnimated();
     json["camera"] = page.camera;
+    if (page.isSet && page.live->hasLoopsToWatch()) json["unsure"] = true;
     if (restarts) json["restart"] = true;
     return answer(json);
 }

@@ -46,7 +46,8 @@ GLIBRA_CALLED_BY_PAGE("glibra_open") const char* glibra_open(char* scene, std::s
 /// { "camera": name, or "" for the scene's own } or { "restart": true }. Answers
 /// { "messages": all so far, if there are others than before,
 ///   "knobs": [{ "knob": index, "current": [numbers] }] that have changed,
-///   "animated", "camera", "restart": true if the time begins at 0 again }
+///   "animated", "camera", "restart": true if the time begins at 0 again,
+///   "unsure": true if the second frame from now on will report loops that do not end }
 GLIBRA_CALLED_BY_PAGE("glibra_set") const char* glibra_set(char* change, std::size_t bytes);
 
 /// Draws a frame into the canvas:

@@ -19,6 +19,7 @@ const kGap = 16;  // between the picture and what stands beside it
 const kNarrow = 760;  // from here on values stand beside the picture
 const kWide = 960;  // from here on sources do
 const kSources = 480;  // that they have at least
+const kSure = 300;  // milliseconds from a change until loops are looked at
 const kRest = 1000;  // milliseconds off the screen until a frame gives its context back
 
 /** @param {{ width: number, height: number }} [size] in pixels */
@@ -51,7 +52,7 @@ export class App {
         this.isSeen = true;
         // The scene of a frame waits until it can be seen, and once more after it has given its context back.
         this.isWaiting = data.embed && !data.poster;
-        this.restTimer = 0;
+        this.restTimer = this.sureTimer = 0;
         this.frame = 0;  // that is asked for
         this.size = { width: 0, height: 0 };  // of the canvas in pixels
         this.linkTimer = 0;
@@ -151,7 +152,7 @@ export class App {
             if (canvas !== this.canvas) return;
             if (this.poster) this.show(this.poster);  // a lost canvas is black
             if (this.data.embed && !this.isSeen) this.isWaiting = true;
-            else this.showNote("The browser took the graphics away. Continue", () => this.begin());
+            else this.showNote("The browser took the graphics away, perhaps because a shader took too long. Continue", () => this.begin());
         });
     }
 
@@ -194,7 +195,7 @@ export class App {
     /** @param {string} why nothing more can be drawn */
     stop(why) {
         if (this.opened) this.showNote("The scene has stopped. Start it again", () => this.run());
-        else this.showNote(`This is a picture: ${why}`);
+        else this.showNote(`${this.poster ? "This is a picture" : "There is no picture yet"}: ${why}`);
         this.note.title = why;
     }
 
@@ -257,6 +258,7 @@ export class App {
             this.opened.animated = answer.animated;
             this.clock.fill(this.opened);
         }
+        if (answer.unsure) this.sureTimer = (clearTimeout(this.sureTimer), setTimeout(() => this.change(), kSure));
         if (answer.restart || answer.isStill) this.clock.restart();
         if (answer.isStill) this.clock.play(false);
     }
@@ -290,7 +292,8 @@ export class App {
         const content = new TextEncoder().encode(text);
         this.files.set(name, content);
         this.runtime?.file(name, content);
-        if (await this.read()) this.change();
+        if (/** @type {any} */ (this.runtime?.context)?.isContextLost()) await this.begin();
+        else if (await this.read()) this.change();
     }
 
     /** Something has changed, or begins to move: a frame is drawn. */

@@ -11,7 +11,7 @@
  *             cameras: string[], keys: Key[], knobs: Knob[], shared: number[][], span?: Span }} Opened
  * @typedef {{ begin: number, step: number, count: number }} Span seconds, and the number of pictures, of a film
  * @typedef {{ ended?: boolean, messages?: Message[], knobs?: { knob: number, current: number[] }[], animated?: boolean,
- *             camera?: string, restart?: boolean, isStill?: boolean, around?: { before: number[], projection: number[] } }} Answer
+ *             camera?: string, restart?: boolean, unsure?: boolean, isStill?: boolean, around?: { before: number[], projection: number[] } }} Answer
  * @typedef {{ scene: number[], eye: number[], texture: number[],
  *             projection: "scene" | "perspective" | "orthographic" }} View
  * @typedef {{ program: string, name: string, values: number[], word: string }} Setting

@@ -250,6 +250,11 @@ class FrameDrawer {
     /// Draws with the loop counter of the program, whose state is set. True if that is the draw itself.
     bool recordLoops(const plan::PlannedDraw& planned, const BuiltProgram& built, const Frame& frame,
                      const base::RasterState& raster);
+    /// Gives a program with guarded loops (glsl/es/loop_guards.h) as many rounds as they need. Where the
+    /// frame records loops, or its target has become larger, some pixels are drawn into another target: if
+    /// their loops end by themselves, all have kMostRounds; else as many as a frame has time for.
+    void tryLoops(const plan::PlannedDraw& planned, const BuiltProgram& built, const PassInProgress& pass,
+                  const base::RasterState& raster);
     /// Submits a draw whose state is set, in parts if it may take long (work_share.h).
     void submitInShares(const plan::PlannedDraw& planned, const BuiltProgram& built);
     /// Submits a draw whose state is set in parts of the target, from the last to the first.
@@ -305,6 +310,7 @@ class FrameDrawer {
     double timeShare_;
     bool isCounted_ = false;
     std::map<const BuiltProgram*, bool> loops_;  ///< whether it has any
+    std::optional<gpu::Target> loopTarget_;      ///< of tryLoops()
     glm::dvec2 shift_{0.0};
     std::vector<glm::dvec2> textureShifts_;  ///< one per pass into textures, in their order
     bool encodesSrgb_ = false;               ///< as set

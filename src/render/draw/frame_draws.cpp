@@ -422,6 +422,7 @@ Diagnostics FrameDrawer::drawOne(const plan::PlannedDraw& planned, const PassInP
                      plan::PaintedEdges::shown);
     bindings_.bind(device_.vertexArray(plan_, planned, built));
     if (hook_) hook_(planned, isWindow, true);
+    if (isUsable && !built.interface.facts.loopSites.empty()) tryLoops(planned, built, pass, raster);
     if (!recordLoops(planned, built, pass.frame, raster)) submitInShares(planned, built);
     wide_.reset();
     append(diagnostics, patches_.takeProblems());

@@ -19,8 +19,10 @@ void FrameDrawer::forgetLiterals(plan::PlannedProgramIndex program) {
     state.literalsSet = false;
     state.blocks.clear();
     // Other values may make its loops longer.
-    if (const BuiltProgram* built = programs_.find(plan_.programs[program].variant))
+    if (const BuiltProgram* built = programs_.find(plan_.programs[program].variant)) {
         device_.secondsPerPixel(built) = 0;
+        built->tried.pixels = 0;
+    }
 }
 
 void FrameDrawer::resetUniforms(plan::PlannedProgramIndex program, const BuiltProgram& built) {

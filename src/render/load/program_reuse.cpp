@@ -98,6 +98,7 @@ glsl::TranslatedProgram ProgramLibrary::translationFor(const glsl::ProgramReques
     program.expanded = es.expanded;
     program.userNames.merge(es.userNames);
     program.wideLines = std::move(es.wideLines);
+    program.loopSites = std::move(es.loopSites);
     append(program.diagnostics, std::move(es.diagnostics));
     return program;
 }

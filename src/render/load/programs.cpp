@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "glsl/emit/log.h"
+#include "glsl/es/loop_guards.h"
 #include "glsl/es/parts.h"
 #include "glsl/facts/stage_variables.h"
 #include "glsl/types/translated_program.h"
@@ -315,6 +316,9 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
     for (const glsl::InitialValue& value : translated.initialValues)
         for (const base::ActiveUniform& each : built.interface.uniforms)
             if (each.emittedName == value.uniform) gpu::setUniform(*built.program, each, value.numbers);
+    for (const base::ActiveUniform& each : built.interface.uniforms)
+        if (each.emittedName == glsl::kRounds)
+            gpu::setUniform(*built.program, each, std::array{double{BuiltProgram::kUntriedRounds}});
     takeRecord(glsl::kUndefinedBlock, glsl::kNumbersPerSite * translated.undefinedSites.size(), built,
                diagnostics);
     return true;

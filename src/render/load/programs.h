@@ -53,6 +53,14 @@ struct BuiltProgram {
     /// The program with ProgramRequest::recordsLoops, which makes the same and stores in the same places.
     /// countLoops() makes it; null: none.
     std::unique_ptr<BuiltProgram> loopCounter{};
+    /// Of a program with guarded loops (glsl/es/loop_guards.h): what FrameDrawer::tryLoops() has found.
+    struct Tried {
+        int rounds = kUntriedRounds;  ///< that the loops may have
+        int site = 0;                 ///< of facts.loopSites, from 1 on: the loop that these end; 0: none
+        double pixels = 0;            ///< of the target
+    };
+    static constexpr int kUntriedRounds = 8192;
+    mutable Tried tried{};
     std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
 };
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
@@ -56,6 +58,25 @@ std::vector<std::int32_t> takeNumbers(gpu::Buffer& record, std::size_t count) {
     const std::vector<std::int32_t> none(count);
     record.update(0, std::as_bytes(std::span(none)));
     return numbers;
+}
+
+/// The first loop that the driver has ended since the last call.
+std::optional<Place> recordedLoop(const BuiltProgram& built) {
+    if (!built.loopCounter || !built.loopCounter->record) return std::nullopt;
+    const std::vector<Place>& sites = built.loopCounter->interface.facts.loopSites;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    const std::vector<std::int32_t> numbers = takeNumbers(*built.loopCounter->record, sites.size());
+    const auto cut = std::ranges::find_if(numbers, [](std::int32_t each) { return each != 0; });
+    if (cut == numbers.end()) return std::nullopt;
+    return sites[static_cast<std::size_t>(cut - numbers.begin())];
+}
+
+/// The guarded loop that was ended.
+std::optional<Place> triedLoop(const BuiltProgram& built) {
+    const std::vector<Place>& sites = built.interface.facts.loopSites;
+    const int site = std::exchange(built.tried.site, 0);
+    if (site < 1 || static_cast<std::size_t>(site) > sites.size()) return std::nullopt;
+    return sites[static_cast<std::size_t>(site) - 1];
 }
 
 }  // namespace
@@ -118,20 +139,18 @@ void ProgramLibrary::countLoops(const plan::FramePlan& plan) {
 
 Diagnostics ProgramLibrary::takeCutLoops(int limit) {
     Diagnostics found;
+    const bool isEs = context_.capabilities().isEs;
     for (const auto& [variant, built] : programs_) {
-        if (!built->loopCounter || !built->loopCounter->record) continue;
-        const std::vector<Place>& sites = built->loopCounter->interface.facts.loopSites;
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-        const std::vector<std::int32_t> numbers = takeNumbers(*built->loopCounter->record, sites.size());
-        const auto cut = std::ranges::find_if(numbers, [](std::int32_t each) { return each != 0; });
-        if (cut == numbers.end()) continue;
-        Diagnostics said{
-            diagnose("draw-W08",
-                     fmt::format("the driver ended this loop before its condition did, because it "
-                                 "ends a shader's loops after {} rounds together; the picture may "
-                                 "be wrong",
-                                 base::groupedText(limit)),
-                     sites[static_cast<std::size_t>(cut - numbers.begin())])};
+        const std::optional<Place> place = isEs ? triedLoop(*built) : recordedLoop(*built);
+        if (!place) continue;
+        Diagnostics said{diagnose(
+            "draw-W08",
+            fmt::format(
+                "{0} ended this loop before its condition did, because it ends a shader's loops after "
+                "{1} rounds together{2}; the picture may be wrong",
+                isEs ? "the page" : "the driver", base::groupedText(limit),
+                isEs ? ", or after fewer if these take long" : ""),
+            *place)};
         sources_.hideTexts(variant.program, said);
         for (Diagnostic& each : said) {
             const bool isKnown = std::ranges::any_of(cutLoops_, [&](const Diagnostic& earlier) {
