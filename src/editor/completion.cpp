@@ -522,6 +522,7 @@ std::vector<Completion> wordsAt(std::string_view text, std::size_t cursor, const
             if (each.in == CodeLanguage::glsl && glsl::isTypeWord(each.type) &&
                 std::ranges::all_of(each.name, isOfName))
                 whole += each.type + " " + each.name + ";";
+        whole += '\n';  // the text may begin with a directive
         const std::size_t before = whole.size();
         whole += part;
         for (const DeclaredName& each :

@@ -269,7 +269,8 @@ TEST(Completion, ProposesMembersAndSwizzlesAfterAPoint) {
     EXPECT_EQ(labels("noSuch.|"), "");
     // What a scene that uses the shader sets does not hide it.
     CodeContext used;
-    used.names = {{"uSun.color", "vec3", "a uniform of P", "1 0 0", CodeLanguage::glsl},
+    used.names = {{"vNormal", "vec3", "out vec3 vNormal in a.vert", "", CodeLanguage::glsl},
+                  {"uSun.color", "vec3", "a uniform of P", "1 0 0", CodeLanguage::glsl},
                   {"uLights[0].power", "float", "a uniform of P", "1", CodeLanguage::glsl}};
     EXPECT_TRUE(find(at(shader + "uSun.|\n}\n", used), "color"));
     EXPECT_TRUE(find(at(shader + "uSun.po|\n}\n", used), "power"));

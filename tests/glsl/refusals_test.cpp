@@ -119,6 +119,7 @@ TEST(Refusals, ExpressionsThatDriversCannotReadHaveAMessage) {
     EXPECT_EQ(ids(found(20000, "+x")), "glsl-E11");
     EXPECT_EQ(placeOf(found(20000, "+x"), "glsl-E11").line, 5);
     EXPECT_EQ(ids(found(20000, " > 0. ? x : x")), "glsl-E11");
+    EXPECT_NE(ids(found(20000, ".x")).find("glsl-E11"), std::string::npos);
     EXPECT_EQ(ids(found(2000, "+x")), "");
     EXPECT_EQ(ids(found(20000, ", b = x")).find("glsl-E11"), std::string::npos);
 }

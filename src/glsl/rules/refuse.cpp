@@ -117,7 +117,7 @@ class Refuser {
                 operators.pop_back();
             } else if (text == ";" || text == ",") {
                 all -= std::exchange(operators.back(), 0);
-            } else if (std::string_view("+-*/%&|^<>=!?~").find(text.front()) != std::string_view::npos) {
+            } else if (std::string_view("+-*/%&|^<>=!?~.").find(text.front()) != std::string_view::npos) {
                 ++operators.back();
                 ++all;
             }
