@@ -1,6 +1,7 @@
 // Input that crashes the driver, hangs a decoder or takes all memory: it costs its own scene or picture and
 // nothing else, and every command ends with one message and status 3.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,11 +34,13 @@ class Containment : public testing::Test {
                     std::to_string(i - 1) + "\n";
         return text + "out vec4 o;\nvoid main() { o = vec4(M" + std::to_string(count) + "); }\n";
     }
-    /// So many components of components that the driver's compiler runs out of stack.
-    [[nodiscard]] static std::string longSwizzle(int parts) {
-        std::string text = "#version 330 core\nuniform vec4 uA;\nout vec4 o;\nvoid main() { o = uA";
-        for (int i = 0; i < parts; ++i) text += ".xyzw";
-        return text + "; }\n";
+    /// So many functions that call each other that the driver's compiler runs out of stack.
+    [[nodiscard]] static std::string deepCalls(int functions) {
+        std::string text =
+            "#version 330 core\nuniform float uA;\nout vec4 o;\nfloat f0(float a) { return a; }\n";
+        for (int i = 1; i < functions; ++i)
+            text += fmt::format("float f{}(float a) {{ return f{}(a) + 1.; }}\n", i, i - 1);
+        return text + fmt::format("void main() {{ o = vec4(f{}(uA)); }}\n", functions - 1);
     }
     /// A WebP picture of 2 x 2 pixels, which the preloaded library decodes for ever.
     void writeEndlessPicture(const std::string& name) const {
@@ -65,7 +68,7 @@ class Containment : public testing::Test {
 };
 
 TEST_F(Containment, CheckGoesOnAfterASceneThatCrashesTheDriver) {
-    writeScene("deep", longSwizzle(200'000));
+    writeScene("deep", deepCalls(8'000));
     writeScene("wrong", "#version 330 core\nout vec4 o;\nvoid main() { o = nonsense; }\n");
     writeScene("good", "#version 330 core\nout vec4 o;\nvoid main() { o = vec4(1.); }\n");
     // A sanitizer would end the process by itself, without a signal.
