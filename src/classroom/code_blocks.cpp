@@ -42,7 +42,9 @@ class Blocks {
                                                [&](std::uint32_t one) { return statement(one, depth); }));
             at = tree_.node(each).end;
         }
-        if (at < end) statements.emplace_back(tokens_.begin() + at, tokens_.begin() + end);
+        if (at < end)
+            statements.emplace_back(tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                                    tokens_.begin() + static_cast<std::ptrdiff_t>(end));
         change_(statements);
         Code made{whole.front()};
         append(made, joinedCode(statements));
