@@ -55,4 +55,4 @@ def page(files=None, **data):
         "content": f'<div class="live"><img class="poster" src="{poster}" width="512" height="384" alt="the picture"></div>',
         "scripts": '<script type="application/json" id="glibra-scene">' + json.dumps(whole).replace("<", "\\u003c") + "</script>\n"
                    f'<script type="text/plain" id="glibra-runtime">{module}</script>\n<script>{code}</script>'}
-    return re.sub(r"\{\{(\w+)\}\}", lambda found: slots[found.group(1)], text_of(os.path.join(WEB, "page.html")))
+    return re.sub(r"\{{2,3}(\w+)\}{2,3}", lambda found: slots[found.group(1)], text_of(os.path.join(WEB, "page.html")))
