@@ -1,9 +1,11 @@
 // draw-W08 for loops whose rounds no text shows: the programs themselves record which loops the driver ends.
 // The counts that a scene makes are too small exactly where the message stands, whatever the driver is.
 
+#include <glibra/scene.h>
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "modern_text.h"
@@ -130,6 +132,26 @@ TEST_F(CutLoops, AreRecordedWithoutAnotherPicture) {
         const image::Image once = alone.draw(0), again = alone.draw(0), third = alone.draw(0);
         EXPECT_EQ(once.data, again.data);  // the third frame is the first that records nothing
         EXPECT_EQ(once.data, third.data);
+    }
+}
+
+TEST(LoopsOfOpenGlEs, HaveTheirRoundsAlsoWhereNoTrialSeesThem) {
+    Result<Renderer> renderer = Renderer::open(Driver::gles);
+    if (!renderer) GTEST_SKIP() << "no OpenGL ES";
+    const std::string version = "\nFragment inline\n#version 330\n";
+    for (const auto& [format, prefix] : {std::pair("rgba32f", ""), std::pair("rgba32i", "i")}) {
+        const SceneFolder folder(
+            std::string("WindowSize 16 16\nTexture2D counts 16 16 ") + format + version +
+            "uniform int uRounds; out " + prefix +
+            "vec4 o;\nvoid main() { int t = 0; for (int i = 0; i < uRounds; i++) t++; o = " + prefix +
+            "vec4(t); }\nEndFragment\nProgram P uRounds 20000\nFill counts with P" + version + "uniform " +
+            prefix +
+            "sampler2D uCounts; out vec4 o;\nvoid main() { o = vec4(int(texelFetch(uCounts, ivec2(3), 0).r) "
+            "== "
+            "20000); }\nEndFragment\nProgram Show uCounts counts\nFill window with Show\n");
+        const Result<Picture> picture = renderer->render(folder / "scene.glib");
+        ASSERT_TRUE(picture) << text(picture.diagnostics);
+        EXPECT_EQ(picture->data.at(0), std::byte{255}) << format << "\n" << text(picture.diagnostics);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glsl/facts/facts.h"
+#include "glsl/parse/usage.h"
 
 namespace glibra::glsl {
 namespace {
@@ -92,30 +93,14 @@ class LoopGuard {
             return;
         loops_.push_back(loop.first);
         const std::size_t number = std::min<std::size_t>(before_ + loops_.size(), kMostSites);
-        guard(conditionOf(loop, {open, unit_.bodies.matches[open] + 1}),
+        guard(conditionOf(unit_, loop, {open, unit_.bodies.matches[open] + 1}),
               fmt::format("((glibra_rounds += {0}) <= {1} || ({2} = {2} == 0 ? {3} : {2}) == -2)",
                           1 + static_cast<int>(inside), kRounds, cut_, number));
     }
 
-    /// From the token before the condition to the token after it.
-    [[nodiscard]] Range conditionOf(const Node& loop, Range head) const {
-        if (loop.kind != NodeKind::forLoop) return head;
-        std::uint32_t first = head.first + 1;
-        while (first < head.end && text(first) != ";") ++first;
-        std::uint32_t last = first + 1;
-        while (last < head.end && text(last) != ";") ++last;
-        return {first, std::min(last + 1, head.end)};
-    }
-
     void guard(Range condition, const std::string& goesOn) {
-        std::uint32_t before = condition.first;
+        const std::uint32_t before = beforeValue(unit_, condition);
         const bool isEmpty = condition.end - condition.first <= 2;
-        // while (bool goesOn = f()), or with const before it
-        for (std::uint32_t name = before + 2; name < std::min(before + 4, condition.end - 1); ++name)
-            if (unit_.bodies.roles[name] == WordRole::localDeclaration) {
-                before = name + 1;
-                break;
-            }
         unit_.edits.after(raw(before), isEmpty ? " " + goesOn : " (");
         if (!isEmpty) unit_.edits.before(raw(condition.end - 1), ") && " + goesOn);
     }

@@ -229,4 +229,21 @@ bool isLiteralOne(std::string_view number) {
     return number == "1" || number == "1." || number == "1.0" || number == "1.f" || number == "1.0f";
 }
 
+Range conditionOf(const Unit& unit, const Node& loop, Range head) {
+    if (loop.kind != NodeKind::forLoop) return head;
+    std::uint32_t first = head.first + 1;
+    while (first < head.end && unit.text(first) != ";") ++first;
+    std::uint32_t last = first + 1;
+    while (last < head.end && unit.text(last) != ";") ++last;
+    return {first, std::min(last + 1, head.end)};
+}
+
+std::uint32_t beforeValue(const Unit& unit, Range condition) {
+    const std::uint32_t before = condition.first;
+    // There may be const before the type.
+    for (std::uint32_t name = before + 2; name < std::min(before + 4, condition.end - 1); ++name)
+        if (unit.bodies.roles[name] == WordRole::localDeclaration) return name + 1;
+    return before;
+}
+
 }  // namespace glibra::glsl

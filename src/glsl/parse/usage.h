@@ -52,4 +52,10 @@ bool isAlwaysExecuted(const Unit& unit, Range body, std::uint32_t at);
 /// True for a literal 1 of type int or float.
 bool isLiteralOne(std::string_view number);
 
+/// The condition of a loop, from the token before it to the token after it. `head`: the brackets.
+Range conditionOf(const Unit& unit, const Node& loop, Range head);
+/// The token after which the value of that condition begins: that before the condition, or the '=' of
+/// `while (bool goesOn = f())`.
+std::uint32_t beforeValue(const Unit& unit, Range condition);
+
 }  // namespace glibra::glsl

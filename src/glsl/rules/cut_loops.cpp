@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "glsl/facts/facts.h"
+#include "glsl/parse/usage.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {
@@ -63,31 +64,15 @@ class LoopRecorder {
         const std::string inLoop = "glibra_inLoop[" + site + " + glibra_NoLoop]";
         sites_.push_back(place);
         markBreaks(body, inLoop);
-        markCondition(conditionOf(loop, {open, match(open) + 1}), site);
+        markCondition(conditionOf(unit_, loop, {open, match(open) + 1}), site);
         unit_.edits.before(raw(loop.first), "{ ");
         unit_.edits.after(raw(loop.end - 1),
                           " if (" + inLoop + " != 0) glibra_cutLoops[" + site + "] = 1; }");
     }
 
-    /// From the token before the condition to the token after it.
-    [[nodiscard]] Range conditionOf(const Node& loop, Range head) const {
-        if (loop.kind != NodeKind::forLoop) return head;
-        std::uint32_t first = head.first + 1;
-        while (first < head.end && text(first) != ";") ++first;
-        std::uint32_t last = first + 1;
-        while (last < head.end && text(last) != ";") ++last;
-        return {first, std::min(last + 1, head.end)};
-    }
-
     void markCondition(Range condition, const std::string& site) {
-        std::uint32_t before = condition.first;
+        const std::uint32_t before = beforeValue(unit_, condition);
         const bool isEmpty = condition.end - condition.first <= 2;
-        // while (bool goesOn = f()), or with const before it
-        for (std::uint32_t name = before + 2; name < std::min(before + 4, condition.end - 1); ++name)
-            if (unit_.bodies.roles[name] == WordRole::localDeclaration) {
-                before = name + 1;
-                break;
-            }
         unit_.edits.after(raw(before), isEmpty ? " glibra_goes(true" : " glibra_goes(");
         unit_.edits.before(raw(condition.end - 1), ", " + site + ")");
     }

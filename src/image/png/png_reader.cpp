@@ -266,7 +266,7 @@ bool areSquare(Content content) {
 bool always(Content) {
     return true;
 }
-bool ifOpaque(Content) {
+bool never(Content) {
     return false;
 }
 
@@ -277,13 +277,13 @@ struct HarmlessRow {
     bool isOnce = false;  ///< there is one of them, before the pixels
 };
 constexpr std::array kHarmless{
-    HarmlessRow{"PLTE", always, true},   HarmlessRow{"tRNS", always, true},
-    HarmlessRow{"tEXt", always},         HarmlessRow{"zTXt", always},
-    HarmlessRow{"iTXt", always},         HarmlessRow{"tIME", always},
-    HarmlessRow{"sBIT", always},         HarmlessRow{"sRGB", always},
-    HarmlessRow{"gAMA", isGammaOfSrgb},  HarmlessRow{"cHRM", arePrimariesOfSrgb},
-    HarmlessRow{"pHYs", areSquare},      HarmlessRow{"hIST", always},
-    HarmlessRow{"bKGD", ifOpaque, true},
+    HarmlessRow{"PLTE", always, true},  HarmlessRow{"tRNS", always, true},
+    HarmlessRow{"tEXt", always},        HarmlessRow{"zTXt", always},
+    HarmlessRow{"iTXt", always},        HarmlessRow{"tIME", always},
+    HarmlessRow{"sBIT", always},        HarmlessRow{"sRGB", always},
+    HarmlessRow{"gAMA", isGammaOfSrgb}, HarmlessRow{"cHRM", arePrimariesOfSrgb},
+    HarmlessRow{"pHYs", areSquare},     HarmlessRow{"hIST", always},
+    HarmlessRow{"bKGD", never, true},  // but for opaque pixels
 };
 
 /// What the others do.

@@ -318,7 +318,7 @@ bool ProgramLibrary::compile(const plan::ProgramVariant& variant, const glsl::Tr
             if (each.emittedName == value.uniform) gpu::setUniform(*built.program, each, value.numbers);
     for (const base::ActiveUniform& each : built.interface.uniforms)
         if (each.emittedName == glsl::kRounds)
-            gpu::setUniform(*built.program, each, std::array{double{BuiltProgram::kUntriedRounds}});
+            gpu::setUniform(*built.program, each, std::array{double{glsl::kMostRounds}});
     takeRecord(glsl::kUndefinedBlock, glsl::kNumbersPerSite * translated.undefinedSites.size(), built,
                diagnostics);
     return true;

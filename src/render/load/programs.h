@@ -14,6 +14,7 @@
 
 #include "glsl/emit/emitted_lines.h"
 #include "glsl/emit/wrapped_main.h"
+#include "glsl/es/loop_guards.h"
 #include "glsl/types/request.h"
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
@@ -55,11 +56,10 @@ struct BuiltProgram {
     std::unique_ptr<BuiltProgram> loopCounter{};
     /// Of a program with guarded loops (glsl/es/loop_guards.h): what FrameDrawer::tryLoops() has found.
     struct Tried {
-        int rounds = kUntriedRounds;  ///< that the loops may have
-        int site = 0;                 ///< of facts.loopSites, from 1 on: the loop that these end; 0: none
-        double pixels = 0;            ///< of the target
+        int rounds = glsl::kMostRounds;  ///< that the loops may have
+        int site = 0;                    ///< of facts.loopSites, from 1 on: the loop that these end; 0: none
+        double pixels = 0;               ///< of the target
     };
-    static constexpr int kUntriedRounds = 8192;
     mutable Tried tried{};
     std::vector<glsl::TranslatedStage> refused;  ///< the stages, if the driver refused them
 };

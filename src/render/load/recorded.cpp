@@ -148,7 +148,7 @@ Diagnostics ProgramLibrary::takeCutLoops(int limit) {
             fmt::format(
                 "{0} ended this loop before its condition did, because it ends a shader's loops after "
                 "{1} rounds together{2}; the picture may be wrong",
-                isEs ? "the page" : "the driver", base::groupedText(limit),
+                isEs ? "glibra" : "the driver", base::groupedText(limit),
                 isEs ? ", or after fewer if these take long" : ""),
             *place)};
         sources_.hideTexts(variant.program, said);
