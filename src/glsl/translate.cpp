@@ -181,7 +181,7 @@ void applyRules(ProgramUnits& program) {
         recordUserNames(unit, *program.result);
     }
     recordCutLoops(program);
-    program.result->placement = findPlacement(program);
+    findPlacement(program);
     makePositionsInvariant(program);
     program.result->isOpaque = findOpacity(program);
     for (const Unit& unit : program.units)

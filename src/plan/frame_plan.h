@@ -94,6 +94,9 @@ struct PlannedProgram {
     bool hasOpenLoops = false;
 };
 
+/// True for members of a uniform block whose values are in a buffer of the scene.
+bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform);
+
 /// What feeds the inputs of a program; one element per input of its interface.
 struct PlannedInputs {
     std::vector<InputSource> sources;

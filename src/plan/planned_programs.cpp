@@ -9,15 +9,15 @@
 #include "plan/uniforms.h"
 
 namespace glibra::plan {
-namespace {
 
-/// True for members of a uniform block whose values are in a buffer of the scene.
 bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform) {
     return uniform.block >= 0 && std::ranges::any_of(program.blocks, [&](const BlockUse& each) {
                return each.kind == BlockUse::Kind::uniform &&
                       each.index == static_cast<std::size_t>(uniform.block);
            });
 }
+
+namespace {
 
 template <class T>
 void askFor(const T& what, std::vector<T>& questions) {

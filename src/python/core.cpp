@@ -8,6 +8,8 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -463,13 +465,20 @@ PYBIND11_MODULE(_core, module) {
         taken(pictureOf(picture).save(file));
     });
     module.def("compare", [](const py::object& got, const py::object& expected, double largest,
-                             double fraction, int cluster, int line, double bias, std::optional<double> flip,
-                             std::optional<double> structure, double relative, double absolute, bool exact) {
+                             double fraction, double cluster, double line, double bias,
+                             std::optional<double> flip, std::optional<double> structure, double relative,
+                             double absolute, bool exact) {
+        const auto whole = [](double number, const char* name) {
+            if (number == std::floor(number) && std::abs(number) <= std::numeric_limits<int>::max())
+                return static_cast<int>(number);
+            throw Failure{{glibra::diagnose("library-E01", std::string(name) + ": " + std::to_string(number) +
+                                                               " is not a whole number up to 2147483647")}};
+        };
         Tolerance tolerance;
         tolerance.largest = largest;
         tolerance.fraction = fraction;
-        tolerance.cluster = cluster;
-        tolerance.line = line;
+        tolerance.cluster = whole(cluster, "cluster");
+        tolerance.line = whole(line, "line");
         tolerance.bias = bias;
         tolerance.flip = flip;
         tolerance.structure = structure;

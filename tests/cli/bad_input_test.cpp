@@ -393,6 +393,19 @@ TEST_F(BadInput, NoDriverIsStatusFour) {
     EXPECT_NE(run.err.find("error:"), std::string::npos);
 }
 
+TEST_F(BadInput, ADriverThatIsTooOldIsNamed) {
+    folder.write("scene.glib", "Sphere\n");
+    for (const char* version : {"3.3", "2.1"})
+        for (const char* driver : {"egl", "osmesa"}) {
+            if (driver == std::string("osmesa") && !hasOsmesa()) continue;
+            const Finished run = glibra(folder.path(), std::string("render scene.glib --driver ") + driver,
+                                        std::string("MESA_GL_VERSION_OVERRIDE=") + version);
+            EXPECT_EQ(run.status, 4) << run.err;
+            EXPECT_NE(run.err.find(std::string("no OpenGL 4.1; it is ") + version), std::string::npos)
+                << run.err;
+        }
+}
+
 TEST_F(BadInput, StrictTurnsWarningsIntoErrors) {
     folder.write("scene.glib", "Sphere 1 2\n");
     EXPECT_EQ(glibra(folder.path(), "render scene.glib").status, 0);

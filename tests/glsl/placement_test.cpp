@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+
 #include "support.h"
 
 namespace glibra::glsl::test {
@@ -132,6 +137,58 @@ TEST(Placement, MoreStagesOrOtherEffectsAreUnknown) {
     ProgramRequest asIs = program({{Stage::vertex, vertex}, {Stage::fragment, kPlainFragment}});
     asIs.shim = false;
     EXPECT_EQ(translate(asIs).placement, Placement::unknown) << "nobody supplies the names";
+}
+
+TEST(Placement, WellKnownNamesAreFollowedUnlessTheSceneSetsThem) {
+    struct Row {
+        const char* vertex;  ///< the declarations and the position
+        Placement placement;
+        bool multipliesView = false;
+    };
+    const auto translated = [](const char* vertex, std::optional<std::set<std::string, std::less<>>> set) {
+        const std::string text(vertex);
+        const std::size_t position = text.find('|');
+        ProgramRequest asked = program(
+            {{Stage::vertex, "#version 330\n" + text.substr(0, position) +
+                                 "void main() { gl_Position = " + text.substr(position + 1) + "; }\n"},
+             {Stage::fragment, kPlainFragment}});
+        asked.setMatrices = std::move(set);
+        return translate(asked);
+    };
+    for (const Row& each : std::initializer_list<Row>{
+             {"uniform mat4 mvp; in vec4 aVertex;|mvp * aVertex", Placement::vertex},
+             {"uniform mat4 u_MVPMatrix; in vec3 position;|u_MVPMatrix * vec4(position, 1.0)",
+              Placement::point},
+             {"uniform mat4 proj; uniform mat4 mv_matrix; layout(location = 0) in vec4 vPosition;|"
+              "proj * mv_matrix * vPosition",
+              Placement::vertex},
+             {"uniform mat4 model, view, projection; in vec3 aPos;|projection * view * model * vec4(aPos, "
+              "1.0)",
+              Placement::point, true},
+             {"uniform mat4 model, view, projection; in vec3 aPos;|projection * (view * (model * vec4(aPos, "
+              "1)))",
+              Placement::point, true},
+             {"uniform mat4 viewProj, world; in vec4 vert;|viewProj * world * vert", Placement::vertex, true},
+             {"uniform mat4 mvp; in vec2 position;|mvp * vec4(position, 0., 1.)", Placement::unknown},
+             {"uniform mat4 mvp; in vec3 position;|mvp * vec4(position, 2.)", Placement::unknown},
+             {"uniform mat4 mvp; in vec3 normal;|mvp * vec4(normal, 1.)", Placement::unknown},
+             {"uniform mat4 mvp = mat4(1); in vec4 aVertex;|mvp * aVertex", Placement::unknown},
+             {"uniform mat4 mvp[2]; in vec4 aVertex;|mvp[0] * aVertex", Placement::unknown},
+             {"uniform mat4 view; in vec4 aVertex;|view * aVertex", Placement::unknown},
+             {"uniform mat4 projection; in vec4 aVertex;|projection * aVertex", Placement::unknown},
+             {"uniform mat4 mvp; in vec4 aVertex;|aVertex * mvp", Placement::unknown},
+             {"uniform mat4 turn; in vec4 aVertex;|turn * aVertex", Placement::unknown},
+         }) {
+        const TranslatedProgram free = translated(each.vertex, {{}});
+        EXPECT_EQ(free.placement, each.placement) << each.vertex;
+        EXPECT_EQ(free.knownPlacement(), each.multipliesView ? Placement::unknown : each.placement)
+            << each.vertex;
+        EXPECT_EQ(translated(each.vertex, std::nullopt).placement, Placement::unknown) << "classic scenes";
+    }
+    EXPECT_EQ(translated("uniform mat4 mvp; in vec4 aVertex;|mvp * aVertex", {{"mvp"}}).placement,
+              Placement::unknown);
+    EXPECT_EQ(translated("uniform mat4 mvp; in vec4 aVertex;|mvp * aVertex", {{"mv"}}).placement,
+              Placement::vertex);
 }
 
 }  // namespace

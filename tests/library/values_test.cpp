@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -181,6 +182,27 @@ TEST(LibraryValues, IncludeUniformsThatTheSceneDoesNotSet) {
     ASSERT_TRUE(scene->reload());
     EXPECT_EQ(pixel(), (std::vector<int>{51, 102, 153}));
     EXPECT_FALSE(scene->set("uNothing", 1.));
+}
+
+TEST(LibraryValues, IncludeMembersOfBlocksThatTheSceneDoesNotSet) {
+    Renderer renderer = opened();
+    // The second block is in a buffer, which has its values.
+    const char* text =
+        "WindowSize 4 4\nBuffer held float 4 [.2 .2 .2 .2]\nFragment inline\n#version 330\n"
+        "uniform Free { vec4 uColor; float uLevels[3]; } free; uniform Held { vec4 uHeld; };\n"
+        "out vec4 color; in vec2 vST;\n"
+        "void main() { color = free.uColor + vec4(free.uLevels[1]) + uHeld; }\nEndFragment\n"
+        "Program Blocks Held held\nFill window with Blocks\n";
+    Result<Scene> scene = renderer.loadText(text, "blocks.glib");
+    ASSERT_TRUE(scene) << scene.message();
+    std::set<std::string> names;
+    for (const Value& each : scene->values()) names.insert(each.name);
+    EXPECT_EQ(names, (std::set<std::string>{"Free.uColor", "Free.uLevels"}));
+    ASSERT_TRUE(scene->set("Free.uColor", {.4, 0., 0., 0.})) << scene->diagnostics().size();
+    ASSERT_TRUE(scene->set("Free.uLevels", {0., .2, 0.}));
+    const Result<Picture> picture = scene->draw();
+    ASSERT_TRUE(picture) << picture.message();
+    EXPECT_EQ(firstPixel(*picture), (std::vector<int>{204, 102, 102}));
 }
 
 TEST(LibraryValues, OfRenderAreTakenOrRefused) {

@@ -739,7 +739,8 @@ class Pictures(unittest.TestCase):
         with self.assertRaises(glibra.SceneError):
             glibra.compare("no.png", "such.png")
         for wrong in (dict(relative=float("nan")), dict(absolute=float("inf")), dict(largest=-1), dict(flip=float("nan")),
-                      dict(structure=float("inf")), dict(fraction=float("nan")), dict(bias=float("nan")), dict(cluster=-1)):
+                      dict(structure=float("inf")), dict(fraction=float("nan")), dict(bias=float("nan")), dict(cluster=-1),
+                      dict(cluster=float("nan")), dict(line=2.5), dict(line=1e12)):
             with self.assertRaisesRegex(glibra.SceneError, "library-E01", msg=str(wrong)):
                 glibra.compare(one, one, **wrong)
         floats = scene.draw(dtype="float32")

@@ -128,6 +128,33 @@ TEST(Budget, TouchesNothingOfASceneThatStatesItsNumbers) {
     EXPECT_NE(picture(scene, {}, budget).data, picture(scene, {}, plain).data);
 }
 
+TEST(Budget, KnowsTheMatricesByTheNamesOfBooks) {
+    const auto scene = [](const std::string& position, const std::string& values = {}) {
+        return "Camera eye LookAt 2 2 4 0 0 0 0 1 0 Perspective 40 .1 100\nVertex inline\n#version 330\n"
+               "uniform mat4 mvp, projection, view, model; in vec3 aPos;\nvoid main() { gl_Position = " +
+               position +
+               "; }\nEndVertex\nFragment inline\n#version 330\nout vec4 f; void main() { f = vec4(1); }\n"
+               "EndFragment\nProgram P " +
+               values + "\nTranslate .3 .1 0\nSphere 1\n";
+    };
+    const std::string identity = "mvp [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]";
+    for (const char* each : {"mvp * vec4(aPos, 1.)", "projection * view * model * vec4(aPos, 1.)"}) {
+        const Result<Picture> seen = tryPicture(scene(each), {}, bounded(.25));
+        ASSERT_TRUE(seen) << text(seen.diagnostics);
+        EXPECT_FALSE(has(seen.diagnostics, "draw-N05")) << text(seen.diagnostics);
+    }
+    EXPECT_TRUE(
+        has(tryPicture(scene("mvp * vec4(aPos, 1.)", identity), {}, bounded(.25)).diagnostics, "draw-N05"));
+    EXPECT_TRUE(
+        has(tryPicture("Let mvp [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]\n" + scene("mvp * vec4(aPos, 1.)"), {},
+                       bounded(.25))
+                .diagnostics,
+            "draw-N05"));
+    RenderOptions given = bounded(.25);
+    given.set = {"mvp=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1"};
+    EXPECT_TRUE(has(tryPicture(scene("mvp * vec4(aPos, 1.)"), {}, given).diagnostics, "draw-N05"));
+}
+
 TEST(Budget, TheEyeDoesNotMoveWithTheCounts) {
     // Without LookAt the vertices of the scene decide where the eye is.
     const auto moved = [](double maxError) {

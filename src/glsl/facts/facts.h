@@ -27,9 +27,9 @@ bool hasWritableStorage(const Unit& unit);
 /// atomic counter.
 bool writesMemory(const Unit& unit);
 
-/// How the program places its vertices. Call it after the rules have settled the types and storages of all
-/// variables.
-Placement findPlacement(const ProgramUnits& program);
+/// TranslatedProgram::placement and multipliesView. Call it after the rules have settled the types and
+/// storages of all variables.
+void findPlacement(const ProgramUnits& program);
 
 /// TranslatedProgram::isOpaque. Call it after placeFragmentOutputs.
 bool findOpacity(const ProgramUnits& program);

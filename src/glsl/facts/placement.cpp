@@ -7,6 +7,7 @@
 
 #include "glsl/facts/facts.h"
 #include "glsl/parse/usage.h"
+#include "glsl/types/builtins.h"
 
 namespace glibra::glsl {
 namespace {
@@ -14,13 +15,19 @@ namespace {
 /// The meaning of an expression. `point`, `eyePoint` and `clipPoint` begin with vec4(vertex.xyz, 1) in place
 /// of the vertex.
 enum class Meaning {
-    other,
     vertex,
+    world,
     eye,
     clip,
     point,
+    worldPoint,
     eyePoint,
     clipPoint,
+    place,  ///< vertex.xyz; before it, vectors of four components
+    other,
+    model,
+    view,
+    viewProjection,
     modelView,
     projection,
     modelViewProjection
@@ -31,7 +38,16 @@ Meaning product(Meaning left, Meaning right) {
     struct Row {
         Meaning left, right, result;
     };
-    static constexpr std::array kProducts = std::to_array<Row>({{modelView, vertex, eye},
+    static constexpr std::array kProducts = std::to_array<Row>({{model, vertex, world},
+                                                                {model, point, worldPoint},
+                                                                {view, world, eye},
+                                                                {view, worldPoint, eyePoint},
+                                                                {view, model, modelView},
+                                                                {projection, view, viewProjection},
+                                                                {viewProjection, world, clip},
+                                                                {viewProjection, worldPoint, clipPoint},
+                                                                {viewProjection, model, modelViewProjection},
+                                                                {modelView, vertex, eye},
                                                                 {modelView, point, eyePoint},
                                                                 {projection, eye, clip},
                                                                 {projection, eyePoint, clipPoint},
@@ -46,6 +62,8 @@ Meaning product(Meaning left, Meaning right) {
 class PlacementSearch {
   public:
     explicit PlacementSearch(const Unit& unit) : unit_(unit) {}
+
+    [[nodiscard]] bool multipliesView() const { return multipliesView_; }
 
     Placement find() {
         switch (meaning(positionInMain())) {
@@ -87,7 +105,9 @@ class PlacementSearch {
             for (const std::uint32_t each : unit_.bodies.children(id)) {
                 const bool isFirst = each == it.child;
                 if (!isFirst && unit_.text(node(each).first - 1) != "*") all = Meaning::other;
-                all = isFirst ? meaning(each) : product(all, meaning(each));
+                const Meaning factor = meaning(each);
+                all = isFirst ? factor : product(all, factor);
+                multipliesView_ = multipliesView_ || factor == Meaning::model;
             }
         --depth_;
         return all;
@@ -102,55 +122,81 @@ class PlacementSearch {
         return function == "vec4" && call.child != kNone ? constructed(call) : Meaning::other;
     }
 
-    /// The meaning of vec4(vertex) or vec4(vertex.xyz, 1.).
+    /// The meaning of vec4(vertex), vec4(vertex.xyz, 1.) or, of a vertex of three components,
+    /// vec4(vertex, 1.).
     Meaning constructed(const Node& call) {
+        using enum Meaning;
         const Node& first = node(call.child);
-        if (first.next != kNone) {
-            const bool isPoint = first.kind == NodeKind::member && unit_.text(first.token) == "xyz" &&
-                                 first.next == call.lastChild && isLiteralOne(unit_.text(call.end - 2)) &&
-                                 node(first.next).kind == NodeKind::number;
-            const Meaning whole = isPoint ? meaning(first.child) : Meaning::other;
-            return whole == Meaning::vertex || whole == Meaning::point ? Meaning::point : Meaning::other;
-        }
-        const Meaning whole = meaning(call.child);
-        return isVector(whole) ? whole : Meaning::other;
+        const bool isAlone = first.next == kNone;
+        const bool isPart = !isAlone && first.kind == NodeKind::member && unit_.text(first.token) == "xyz";
+        const Meaning whole = meaning(isPart ? first.child : call.child);
+        if (isAlone) return isVector(whole) ? whole : other;
+        const bool hasOne = first.next == call.lastChild && isLiteralOne(unit_.text(call.end - 2)) &&
+                            node(first.next).kind == NodeKind::number;
+        const bool hasThree = isPart ? whole == vertex || whole == point : whole == place;
+        return hasOne && hasThree ? point : other;
     }
 
-    static bool isVector(Meaning meaning) {
-        return meaning != Meaning::modelView && meaning != Meaning::projection &&
-               meaning != Meaning::modelViewProjection;
-    }
+    static bool isVector(Meaning meaning) { return meaning < Meaning::place; }
 
     Meaning name(std::uint32_t at) {
+        using enum Meaning;
         if (unit_.bodies.roles[at] == WordRole::local) return local(at);
-        if (unit_.bodies.roles[at] != WordRole::global) return Meaning::other;
-        struct Row {
-            std::string_view name;
-            Meaning meaning;
-        };
-        static constexpr std::array kNames =
-            std::to_array<Row>({{"aVertex", Meaning::vertex},
-                                {"gl_Vertex", Meaning::vertex},
-                                {"uModelViewMatrix", Meaning::modelView},
-                                {"gl_ModelViewMatrix", Meaning::modelView},
-                                {"uProjectionMatrix", Meaning::projection},
-                                {"gl_ProjectionMatrix", Meaning::projection},
-                                {"uModelViewProjectionMatrix", Meaning::modelViewProjection},
-                                {"gl_ModelViewProjectionMatrix", Meaning::modelViewProjection}});
-        for (const Row& each : kNames)
-            if (each.name == unit_.text(at))
-                return isSupplied(each.name, each.meaning == Meaning::vertex) ? each.meaning : Meaning::other;
-        return Meaning::other;
+        const std::string_view name = unit_.text(at);
+        if (unit_.bodies.roles[at] != WordRole::global || unit_.isWritten(name) ||
+            unit_.macros.contains(name))
+            return other;
+        const Variable* found = unit_.firstVariable(name);
+        if (found == nullptr) {
+            if (unit_.isDeclared(name)) return other;
+            return name == "aVertex" || name == "gl_Vertex" ? vertex : matrix(name);
+        }
+        if (found->isArray() || name.starts_with("gl_")) return other;
+        if (found->storage == Storage::input && (name == "aVertex" || isWellKnownPosition(*found)))
+            return found->type == "vec4"                        ? vertex
+                   : found->type == "vec3" && name != "aVertex" ? place
+                                                                : other;
+        return found->storage == Storage::uniform && found->type == "mat4" ? matrix(name) : other;
     }
 
-    /// True if the name has its built-in meaning here.
-    [[nodiscard]] bool isSupplied(std::string_view name, bool isInput) const {
-        if (unit_.isWritten(name) || unit_.macros.contains(name)) return false;
-        if (!unit_.isDeclared(name)) return true;
+    [[nodiscard]] bool isWellKnownPosition(const Variable& input) const {
+        return unit_.request->setMatrices &&
+               wellKnownAttribute(input.name, input.type) == "position";
+    }
+
+    /// The meaning of a matrix that the runtime supplies by its name.
+    [[nodiscard]] Meaning matrix(std::string_view name) const {
+        using enum Meaning;
+        std::optional<Builtin> value;
+        if (const BuiltinUniform* row = findBuiltinUniform(name))
+            value = row->value;
+        else if (const auto& set = unit_.request->setMatrices;
+                 set && !set->contains(name) && !hasInitializer(name))
+            value = wellKnownUniform(name, "mat4");
+        if (!value) return other;
+        switch (*value) {
+            case Builtin::model:
+                return model;
+            case Builtin::view:
+                return view;
+            case Builtin::viewProjection:
+                return viewProjection;
+            case Builtin::modelView:
+                return modelView;
+            case Builtin::projection:
+                return projection;
+            case Builtin::modelViewProjection:
+                return modelViewProjection;
+            default:
+                return other;
+        }
+    }
+
+    [[nodiscard]] bool hasInitializer(std::string_view name) const {
         const Variable* found = unit_.firstVariable(name);
-        return !name.starts_with("gl_") && found != nullptr && !found->isArray() &&
-               found->storage == (isInput ? Storage::input : Storage::uniform) &&
-               found->type == (isInput ? "vec4" : "mat4");
+        return found != nullptr && !unit_.syntax.declarations[found->declaration]
+                                        .declarators[found->declarator]
+                                        .initializer.empty();
     }
 
     /// The meaning of a variable of main that keeps its initial value.
@@ -184,6 +230,7 @@ class PlacementSearch {
     const Unit& unit_;
     Range body_;
     int depth_ = 0;
+    bool multipliesView_ = false;
 };
 
 /// True if the stage may change anything except the picture, or chooses the picture's layer.
@@ -197,12 +244,14 @@ bool hasOtherEffects(const Unit& unit) {
 
 }  // namespace
 
-Placement findPlacement(const ProgramUnits& program) {
+void findPlacement(const ProgramUnits& program) {
     const auto& units = program.units;
     const bool isPlain = !units.empty() && units[0].stage == Stage::vertex &&
                          (units.size() == 1 || (units.size() == 2 && units[1].stage == Stage::fragment));
-    if (!isPlain || std::ranges::any_of(units, hasOtherEffects)) return Placement::unknown;
-    return PlacementSearch(units[0]).find();
+    if (!isPlain || std::ranges::any_of(units, hasOtherEffects)) return;
+    PlacementSearch search(units[0]);
+    program.result->placement = search.find();
+    program.result->multipliesView = search.multipliesView();
 }
 
 }  // namespace glibra::glsl

@@ -244,6 +244,11 @@ struct TranslatedProgram {
     /// happens where a driver ends loops early. In GLSL ES: the loops that are guarded (es/loop_guards.h).
     std::vector<Place> loopSites{};
     Placement placement = Placement::unknown;
+    /// The vertex stage multiplies the matrices of model and view by itself, in floats: what these lose
+    /// against modelView() of a draw has no bound.
+    bool multipliesView = false;
+    /// The placement, if modelView() and projection() of a draw tell it up to a known error.
+    [[nodiscard]] Placement knownPlacement() const { return multipliesView ? Placement::unknown : placement; }
     /// Of GLSL ES: the values of initialisers of uniforms, which it does not have.
     std::vector<InitialValue> initialValues{};
     ExpandedGeometry expanded{};

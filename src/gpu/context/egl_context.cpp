@@ -188,7 +188,8 @@ EGLContext createContext(const EglLibrary& egl, EGLDisplay display, EGLConfig co
     return egl.createContext(display, config, EGL_NO_CONTEXT, attributes.data());
 }
 
-/// The best context that an initialised display offers: the highest version, with as much care as it has.
+/// The best context that an initialised display offers: the highest version, with as much care as it has; an
+/// older one if it has none from 4.1 on.
 EGLContext bestContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config, bool debug,
                        const Care& most) {
     std::vector<Care> wanted{most};
@@ -200,7 +201,8 @@ EGLContext bestContext(const EglLibrary& egl, EGLDisplay display, EGLConfig conf
             if (EGLContext made = createContext(egl, display, config, debug, minor, each);
                 made != EGL_NO_CONTEXT)
                 return made;
-    return EGL_NO_CONTEXT;
+    // Whatever else it has is refused later, by its version.
+    return egl.createContext(display, config, EGL_NO_CONTEXT, nullptr);
 }
 
 EGLContext esContext(const EglLibrary& egl, EGLDisplay display, EGLConfig config) {

@@ -78,27 +78,30 @@ std::variant<OsmesaLibrary, std::string> openLibrary(const std::string& name) {
     return osmesa;
 }
 
-/// Makes the best context that the library offers, and makes it current.
+/// Makes the best context that the library offers, and makes it current: an older one if it has none from 4.1
+/// on, which is refused later, by its version.
 std::variant<std::unique_ptr<Backend>, std::string> tryLibrary(const OsmesaLibrary& library) {
+    OsmesaContext context = nullptr;
     for (const int minor : kMinorVersions) {
-        const std::array<int, 11> attributes{kFormat,
-                                             kRgba,
-                                             kDepthBits,
-                                             0,
-                                             kProfile,
-                                             kCoreProfile,
-                                             kContextMajorVersion,
-                                             4,
-                                             kContextMinorVersion,
-                                             minor,
-                                             0};
-        OsmesaContext context = library.createContextAttribs(attributes.data(), nullptr);
-        if (!context) continue;
-        auto backend = std::make_unique<OsmesaBackend>(library, context);
-        if (!backend->makeCurrent()) return "OSMesaMakeCurrent failed";
-        return backend;
+        const std::array attributes{kFormat,
+                                    kRgba,
+                                    kDepthBits,
+                                    0,
+                                    kProfile,
+                                    kCoreProfile,
+                                    kContextMajorVersion,
+                                    4,
+                                    kContextMinorVersion,
+                                    minor,
+                                    0};
+        if (context == nullptr) context = library.createContextAttribs(attributes.data(), nullptr);
     }
-    return "no OpenGL 4.1 core context";
+    constexpr std::array kAny{kFormat, kRgba, kDepthBits, 0, 0};
+    if (context == nullptr) context = library.createContextAttribs(kAny.data(), nullptr);
+    if (context == nullptr) return "no OpenGL context";
+    auto backend = std::make_unique<OsmesaBackend>(library, context);
+    if (!backend->makeCurrent()) return "OSMesaMakeCurrent failed";
+    return backend;
 }
 
 }  // namespace

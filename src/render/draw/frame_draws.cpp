@@ -178,7 +178,7 @@ bool FrameDrawer::isOutOfTile(const plan::PlannedDraw& planned, const BuiltProgr
         drawView.filled = false;
         drawView.reach = draw.raster->lineWidth / 2 + 1;
     }
-    return sightOf(placed(*bounds, built.interface.facts.placement), drawView) != Sight::possible;
+    return sightOf(placed(*bounds, built.interface.facts.knownPlacement()), drawView) != Sight::possible;
 }
 
 const BuiltProgram* FrameDrawer::ownProgramOf(const plan::PlannedDraw& planned) const {

@@ -21,8 +21,8 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     const auto& [name, place, stages, constants, constantPlaces, include, target, shim, hasLights, setsLights,
                  suppliesFragment, suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors,
                  colorTargets, tiled, inPieces, checksUndefined, recordsLoops, reversesOrder, geometryInput,
-                 geometryOutput, geometryVerticesOut, draws, reportsGeometryConflicts, samplerKindsOfTag] =
-        asked;
+                 geometryOutput, geometryVerticesOut, draws, reportsGeometryConflicts, samplerKindsOfTag,
+                 setMatrices] = asked;
     static_cast<void>(constantPlaces);  // their lines may move without another program
     static_cast<void>(target);          // that of the context, which owns what is shared
     std::string key =
@@ -35,6 +35,7 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
           draws.haveBufferData, draws.haveWideLines})
         key += each ? '1' : '0';
     key += '\n';
+    if (setMatrices) key += fmt::format("supplied but {}\n", fmt::join(*setMatrices, " "));
     for (const glsl::Constant& each : constants)
         key += fmt::format("{} {} {}\n", each.type, each.name, glsl::valueText(each));
     for (const auto& [stage, path, text] : stages)
@@ -132,8 +133,9 @@ std::shared_ptr<const glsl::TranslatedProgram> ProgramLibrary::translate(glsl::P
 
 glsl::Placement ProgramLibrary::placementOf(const plan::ProgramVariant& variant) {
     const Translation& translation = translationOf(variant);
-    return translation.program && !hasError(translation.program->diagnostics) ? translation.program->placement
-                                                                              : glsl::Placement::unknown;
+    return translation.program && !hasError(translation.program->diagnostics)
+               ? translation.program->knownPlacement()
+               : glsl::Placement::unknown;
 }
 
 bool ProgramLibrary::mayReadTangents(const plan::ProgramVariant& variant) {

@@ -1,6 +1,7 @@
 #include "view/scene/typed_number.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,7 @@ std::optional<double> typedNumber(std::string_view text) {
     const expression::Type number = expression::Type::number();
     const auto parsed = expression::parse(withPoints(text), {}, NoNames(), {.types = {&number, 1}});
     const std::optional<expression::Value> value = parsed ? parsed->constant() : std::nullopt;
-    if (!value || !std::isfinite(value->number())) return std::nullopt;
+    if (!value || !(std::abs(value->number()) <= std::numeric_limits<float>::max())) return std::nullopt;
     return value->number();
 }
 

@@ -129,8 +129,7 @@ Window::Window(const WindowArguments& arguments, Display& display, gpu::Context&
     shared_.settings.scaleSizes(shared_.scale);
     gui_.emplace(display, shared_.scale, shared_.settings);
     shared_.samples = arguments.samples;
-    if (arguments.options.width > 0)
-        shared_.shape = static_cast<double>(arguments.options.width) / arguments.options.height;
+    if (arguments.options.width > 0) shared_.size = {arguments.options.width, arguments.options.height};
     shared_.marksWidgets = !arguments.stateFile.empty();
     if (!arguments.recordFile.empty()) record_.emplace(arguments.recordFile);
     if (!arguments.replayFile.empty()) replay_ = InputReplay(readInput(arguments.replayFile));

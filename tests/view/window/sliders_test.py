@@ -130,6 +130,14 @@ class Sliders(SlidersTest):
         window.key("ctrl+b")
         window.wait(lambda s: s["room"][2] == narrow)
 
+    def test_a_narrow_window_leaves_room_for_the_picture(self):
+        for size in (), ("--size", "300x400"):
+            window = self.open(self.scene, *size)
+            window.resize(500, 400)
+            state = window.wait(lambda s: s["window"] == [500, 400])
+            self.assertGreaterEqual(window.settle()["room"][2], 200)
+            self.assertGreaterEqual(state["window"][0] - window.state()["room"][2], 220, "the panel is there")
+
     def test_keys_of_the_scene_stay_with_the_scene(self):
         scene = self.files / "variables.glib"
         scene.write_text(scene.read_text() + "Key up high true false\n")

@@ -70,8 +70,10 @@ float panel(Ui& ui) {
     const float narrowest = std::min(kNarrowestPanel * ui.shared.scale, widest);
     // The width that the user has chosen stays while a small window cannot have it.
     float width = panelWidth(ui);
-    // Unless somebody has chosen a size, a narrow window leaves half of itself to the picture.
-    if (!(ui.settings.panelWidth > 0) && !ui.shared.shape)
+    // Unless somebody has chosen its width or the picture has the size that was asked for, the panel of a
+    // narrow window leaves half of it to the picture.
+    const bool hasSize = ui.shared.size && window.x - width >= static_cast<float>(ui.shared.size->first);
+    if (!(ui.settings.panelWidth > 0) && !hasSize)
         width = std::min(width, std::max(window.x / 2, window.x - kRoomOfPicture * ui.shared.scale));
     const float wanted = std::floor(std::clamp(width, narrowest, widest));
     ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
@@ -128,7 +130,7 @@ float panelWidth(const Ui& ui) {
 }
 
 double shapeOf(const Ui& ui) {
-    if (ui.shared.shape) return *ui.shared.shape;
+    if (ui.shared.size) return static_cast<double>(ui.shared.size->first) / ui.shared.size->second;
     if (!ui.session.hasScene()) return 0;
     const scene::Scene& scene = ui.session.live().scene();
     return static_cast<double>(scene.width) / std::max(1, scene.height);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/live/knobs.h"
@@ -56,8 +57,8 @@ struct Shared {
     bool showPanel = true, showLabels = false;
     std::optional<int>
         samples;  ///< per pixel on the screen, instead of the setting, as the command line says
-    std::optional<double>
-        shape;  ///< width / height of pictures, instead of the scene's, as the command line says
+    /// Of pictures in pixels, instead of the scene's size, as the command line says: width and height.
+    std::optional<std::pair<int, int>> size;
     std::map<std::filesystem::path, EditedFile> sources;       ///< the files that source panels have shown
     SafetyCopies copies{stateFolder()};                        ///< of those that are not saved
     std::map<std::filesystem::path, RecoveredText> recovered;  ///< offered, until the user has decided
