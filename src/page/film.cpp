@@ -394,11 +394,12 @@ class FilmMaker {
     void drawCameras() {
         render::LiveScene::Loading loading =
             render::LiveScene::load(context_, task_.scene, task_.options, nullptr);
-        if (!loading.scene || loading.scene->cameras().empty() || film_.pictures.empty()) return;
+        if (!loading.scene) return leaveOut("what the cameras see", why(loading.diagnostics));
+        if (loading.scene->cameras().empty() || film_.pictures.empty()) return;
         Result<gpu::Target> target = gpu::Target::window(
             context_.capabilities(), film_.width, film_.height, gpu::TexelFormat::rgba8,
             task_.options.samples, render::depthFormat(loading.scene->scene().reversesWindow));
-        if (!target) return;
+        if (!target) return leaveOut("what the cameras see", why(target.diagnostics));
         Knob knob;
         knob.tag = "Camera";
         knob.initial = knob.current = {0};
@@ -422,6 +423,7 @@ class FilmMaker {
             filmed.pictures[0].push_back(*added);
             knob.words.push_back(each.name);
         }
+        if (knob.words.size() == 1) return;
         filmed_.emplace(knobs_.size(), std::move(filmed));
         groups_.push_back({knobs_.size()});
         knobs_.push_back(std::move(knob));

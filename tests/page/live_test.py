@@ -536,6 +536,9 @@ class Edits(Pages):
             URL.createObjectURL = (content) => { content.text().then((text) => saved.push(text)); return "#"; };""")
         self.browser.click(".tabrow > button:last-child")
         self.assertEqual(sorted(self.browser.wait("return saved.length > 1 && saved")), sorted(["quad.frag", FRAGMENT + "// more\n"]))
+        self.assertFalse(self.browser.run(asks), "it is saved")
+        self.edit("quad.frag", FRAGMENT + "// and more\n")
+        self.assertTrue(self.browser.run(asks))
         self.browser.click(".tabrow > button")
         self.assertFalse(self.browser.run(asks))
 

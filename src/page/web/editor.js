@@ -14,7 +14,7 @@ export class Editor {
     constructor(changed, colour, save) {
         this.changed = changed;
         this.colour = colour;
-        /** @type {Map<string, { text: string, original: string, tab: HTMLButtonElement }>} */
+        /** @type {Map<string, { text: string, original: string, saved: string, tab: HTMLButtonElement }>} */
         this.sources = new Map();
         this.open = "";
         /** @type {Message[]} */
@@ -26,7 +26,7 @@ export class Editor {
             input: () => this.type(), keydown: (/** @type {KeyboardEvent} */ event) => this.key(event) });
         this.restoreButton = make("button", { type: "button", text: "Restore", title: "The text as the page has it", click: () => this.restore() });
         this.saveButton = make("button", { type: "button", text: "Save", title: "Save the text as a file",
-            click: () => save(this.open.slice(this.open.lastIndexOf("/") + 1), this.area.value) });
+            click: () => save(this.open.slice(this.open.lastIndexOf("/") + 1), /** @type {any} */ (this.sources.get(this.open)).saved = this.area.value) });
         this.code = make("div", { class: "code", role: "tabpanel" }, this.lines, this.area);
         this.element = make("section", { class: "sources", "aria-label": "Sources" }, 
             make("div", { class: "tabrow" }, this.tabs, this.restoreButton, this.saveButton), this.code);
@@ -38,7 +38,7 @@ export class Editor {
     }
 
     get isChanged() {
-        return [...this.sources.values()].some((each) => each.text !== each.original);
+        return [...this.sources.values()].some((each) => each.text !== each.original && each.text !== each.saved);
     }
 
     /**
@@ -50,7 +50,7 @@ export class Editor {
         for (const { name, text } of texts)
             if (!this.sources.has(name)) {
                 const tab = make("button", { type: "button", role: "tab", text: name.slice(name.lastIndexOf("/") + 1), title: name, click: () => this.show(name) });
-                this.sources.set(name, { text, original: text, tab });
+                this.sources.set(name, { text, original: text, saved: text, tab });
             }
         this.tabs.replaceChildren(...texts.map((each) => /** @type {any} */ (this.sources.get(each.name)).tab));
         this.element.hidden ||= texts.length === 0;
