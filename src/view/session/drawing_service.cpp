@@ -111,6 +111,7 @@ DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
             const nlohmann::json answer = nlohmann::json::parse(*text, nullptr, false);
             if (answer.is_object() && answer.contains("diagnostics")) {
                 diagnostics_ = diagnosticsOf(answer);
+                seconds_ = secondsSinceTime(begun_);
                 isWorking_ = false;
                 hasDrawn_ = true;
                 return State::drawn;

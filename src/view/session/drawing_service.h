@@ -71,6 +71,7 @@ class DrawingProcess {
     [[nodiscard]] std::span<const std::byte> pixels() const {
         return child_ ? child_->memory.bytes() : std::span<const std::byte>();
     }
+    [[nodiscard]] double seconds() const { return seconds_; }  ///< that drawing them took, without loading
     [[nodiscard]] bool isWorking() const { return isWorking_; }
     /// Ends the process. The next picture starts another one.
     void end();
@@ -87,6 +88,7 @@ class DrawingProcess {
     bool isWorking_ = false, hasDrawn_ = false;
     std::chrono::steady_clock::time_point begun_;
     double processorSeconds_ = 0;  ///< that the process had used then
+    double seconds_ = 0;
     bool isLoading_ = false;
 };
 

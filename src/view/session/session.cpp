@@ -153,7 +153,8 @@ void Session::take(render::LiveScene::Loading loading, bool sameScene) {
     }
     isReleased_ = isStopped_ = isWaiting_ = showsBefore_ = watchesLoops_ = false;
     isUnwatched_ = true;
-    slowFrames_ = 0;
+    // What was slow before an edit is tried by the other process first.
+    if (!sameScene || slowFrames_ < kMostSlowFrames) slowFrames_ = 0;
     openLoops_.reset();
     if (picked_) {
         const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());

@@ -324,6 +324,8 @@ class Session {
     std::string tried_;                            ///< what the process has drawn
     double drawLimit_ = kUsualDrawLimit;           ///< seconds
     bool isContained_ = false, isWaiting_ = false;
+    /// As many slow frames make a scene slow. Drivers compile programs in the first two.
+    static constexpr int kMostSlowFrames = 4;
     int slowFrames_ = 0;        ///< of this process, one after the other
     bool drawsItself_ = false;  ///< others read what frames leave on the device
     bool hasOtherSamples_ = false;

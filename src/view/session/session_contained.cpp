@@ -11,8 +11,8 @@
 namespace glibra::view {
 namespace {
 
-/// As many slow frames make a scene slow. Drivers compile programs in the first two.
-constexpr int kMostSlowFrames = 4;
+/// A frame that takes longer is slow, in seconds.
+constexpr double kSlow = .3;
 /// After the other process has not managed it.
 constexpr int kNeverSlow = -1'000'000;
 
@@ -92,7 +92,6 @@ void Session::stopOpenLoops(DrawingProcess::State why) {
 }
 
 void Session::noteDrawn(double seconds) {
-    constexpr double kSlow = .3;
     if (slowFrames_ >= kMostSlowFrames) return;
     const bool isSlow = seconds > kSlow && isMoving();
     slowFrames_ = isSlow ? slowFrames_ + 1 : std::min(slowFrames_, 0);
@@ -161,6 +160,8 @@ Session::Elsewhere Session::drawElsewhere() {
         isContained_ = false;
         return Elsewhere::no;
     }
+    // It has become fast: by an edit, another value, a smaller window.
+    if (!isOpen && process_.seconds() < kSlow / 2) slowFrames_ = 0;
     ++framesDrawn_;
     pictureTime_ = process_.order().time;
     isStale_ = process_.order() != order;

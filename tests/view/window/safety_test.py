@@ -254,6 +254,15 @@ void main() {
         window.key("l")
         window.wait(lambda s: s["labels"])
         self.assertLess(time.monotonic() - begun, 10)
+        # After an edit the other process draws from the first frame on; once it is fast, this one does.
+        before = window.state()
+        shader = self.files / "moving.frag"
+        shader.write_text(shader.read_text().replace("1e-3", "2e-3"))
+        after = window.wait(lambda s: s["reloads"] > before["reloads"] and s["framesPresented"] > before["framesPresented"] + 40)
+        self.assertLess(after["framesDrawn"] - before["framesDrawn"], 20)
+        shader.write_text(shader.read_text().replace("500", "5"))
+        begun = window.wait(lambda s: s["reloads"] > after["reloads"])
+        window.wait(lambda s: s["framesDrawn"] > begun["framesDrawn"] + 20)
 
     def test_a_shader_that_was_removed_can_be_saved_again(self):
         window = self.open(self.files / "one.glib", "--size", "520x560")
