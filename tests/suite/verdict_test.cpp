@@ -103,6 +103,40 @@ TEST_F(Verdicts, WithinTheToleranceOfTheGoldenButOtherThanBeforeIsChanged) {
     EXPECT_EQ(result.acceptKey, "key");
 }
 
+TEST_F(Verdicts, AToleranceThatPassesEveryPictureIsAnError) {
+    shot.statesTolerance = true;
+    const auto judged = [&](const image::Image& got, const image::Tolerance& tolerance) {
+        shot.tolerance = tolerance;
+        return decide(shot, got).result;
+    };
+    accept(shot, gradient());
+    using image::Tolerance;
+    for (const Tolerance& each : {Tolerance{.fraction = 1, .cluster = 100'000, .line = 1000, .bias = 255},
+                                  Tolerance{.fraction = 1, .cluster = 1024, .line = 32, .bias = 3},
+                                  Tolerance{.largest = 255, .bias = 255}}) {
+        const ShotResult result = judged(gradient(60), each);
+        EXPECT_NE(result.verdict, Verdict::passed);
+        EXPECT_EQ(judged(gradient(), each).verdict, Verdict::passed) << "equal pictures are equal";
+        ASSERT_FALSE(result.diagnostics.empty()) << result.reason;
+        EXPECT_EQ(result.diagnostics.back().id, "suite-E33");
+    }
+    EXPECT_EQ(judged(gradient(40), {.largest = 60, .bias = 60}).verdict, Verdict::passed);
+    EXPECT_EQ(judged(gradient(1), {.fraction = 1, .cluster = 1000, .line = 31}).verdict, Verdict::passed);
+}
+
+TEST(PassesAll, OfFloatsIsWhatPassesPicturesFarAway) {
+    using image::Tolerance;
+    for (const Tolerance& each :
+         {Tolerance{.relative = 2}, Tolerance{.relative = 1}, Tolerance{.absolute = 1e30},
+          Tolerance{.absolute = 50}, Tolerance{.fraction = 1, .cluster = 64, .line = 8}})
+        EXPECT_TRUE(image::passesAll(floats(.5F, .7F), each));
+    for (const Tolerance& each : {Tolerance{}, Tolerance{.relative = .5}, Tolerance{.absolute = 5},
+                                  Tolerance{.fraction = .9, .cluster = 64, .line = 8}})
+        EXPECT_FALSE(image::passesAll(floats(.5F, .7F), each));
+    EXPECT_FALSE(image::passesAll(floats(1e6F, 2), {.absolute = 1000}));
+    EXPECT_FALSE(image::passesAll(floats(0, NAN), {}));
+}
+
 TEST_F(Verdicts, UpdateKeepsAGoldenThatStillFitsAndAcceptsTheNewPixels) {
     accept(shot, gradient());
     const std::string before = textOf(folder / "goldens/a.png");

@@ -73,8 +73,8 @@ class LoopRecorder {
     void markCondition(Range condition, const std::string& site) {
         const std::uint32_t before = beforeValue(unit_, condition);
         const bool isEmpty = condition.end - condition.first <= 2;
-        unit_.edits.after(raw(before), isEmpty ? " glibra_goes(true" : " glibra_goes(");
-        unit_.edits.before(raw(condition.end - 1), ", " + site + ")");
+        unit_.edits.after(raw(before), isEmpty ? " glibra_goes((true" : " glibra_goes((");
+        unit_.edits.before(raw(condition.end - 1), "), " + site + ")");
     }
 
     void markBreaks(std::uint32_t id, const std::string& inLoop) {

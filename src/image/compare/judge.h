@@ -39,9 +39,9 @@ struct Tolerance {
                       ///< a value just between two steps may fall to either. Float pictures have no such test
     /// Mean FLIP (0..1) that passes where the five above fail. It sees 0..1 only: it does not decide if
     /// values outside of that range differ by more than the plain limit.
-    std::optional<double> flip;
+    std::optional<double> flip{};
     std::optional<double>
-        structure;           ///< structural difference (0..1) likewise; both must pass if both are set
+        structure{};         ///< structural difference (0..1) likewise; both must pass if both are set
     double relative = 1e-4;  ///< two float pictures, in place of `largest`: |a - b| <= absolute + relative
     double absolute = 1e-6;  ///< max(|a|, |b|), infinities equal themselves, NaN equals NaN
 };
@@ -83,6 +83,10 @@ std::string biasText(const Judgement& judged, const Tolerance& tolerance);
 /// so that single pixels beyond, which `fraction` allows, do not decide it. `everything` computes all figures
 /// even if an early one decides (for reports of failures).
 Judgement judge(const Image& expected, const Image& got, const Tolerance& tolerance, bool everything = false);
+
+/// True if a picture that differs from the expected one as far as can be, in every value, is within the
+/// tolerance: then it compares nothing.
+bool passesAll(const Image& expected, const Tolerance& tolerance);
 
 /// The pixels that differ by more than `largest`, or `relative` and `absolute`, of the tolerance, and the
 /// bias of blocks. Clusters and lines are searched if there are at most `searched` such pixels. The pictures

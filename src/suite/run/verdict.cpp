@@ -161,6 +161,11 @@ void ShotJudge::compare(const Attempt& attempt, bool everything, Findings& found
     }
     found.judgement = image::judge(*found.picture, found.seen ? *found.seen : *attempt.own.picture,
                                    shot.tolerance, everything);
+    const bool isEqual = found.judgement.decidedBy == image::Rung::bytes;
+    if (found.judgement.same && !isEqual && shot.statesTolerance &&
+        image::passesAll(*found.picture, shot.tolerance))
+        return found.problems.push_back(diagnose(
+            "suite-E33", "the tolerance passes every picture, so the shot compares nothing", shot.place));
     found.goldenHolds = found.judgement.same;
     found.exact = found.judgement.same && found.judgement.decidedBy == image::Rung::bytes && !ignores;
     found.changed = accepted && *accepted != *found.pixels;
