@@ -36,7 +36,8 @@ struct Comparison {
     int x = 0, y = 0;    ///< where, from the top left
     double rootMeanSquare = 0;                  ///< 255ths
     std::optional<double> flip{}, structure{};  ///< if the tolerance asks for them or they decided
-    Diagnostics diagnostics;  ///< why a file could not be read; then `same` is false and `reason` says it
+    Diagnostics diagnostics;  ///< why a file could not be read; then `same` is false and `reason` says it. Or
+                              ///< file-W19: other programs may show another picture of a file
 };
 
 /// Compares a picture with the expected one. Files are of any format that glibra reads. Whole numbers of 32

@@ -66,16 +66,6 @@ std::string layoutDifference(const std::vector<std::byte>& first, const std::vec
                         : fmt::format("the pixels are equal, but not the files: {}; {}", one, other);
 }
 
-/// file-W19 for a PNG file that a browser may show as another picture than the one that is compared.
-void warnOfAppearance(const std::vector<std::byte>& file, const std::string& path) {
-    if (image::formatOf(file) != image::Format::png) return;
-    if (const std::string why = image::shownOtherwise(file); !why.empty())
-        print({diagnose(
-            "file-W19",
-            fmt::format("'{}' may be shown as another picture than the one that is compared: {}", path, why),
-            {path, 1, 1})});
-}
-
 /// A pair of pictures: their files, and what messages call them if there are several.
 struct Pair {
     std::string first, second;
@@ -144,7 +134,7 @@ class Comparer {
         for (const auto& [name, file, picture] :
              {std::tie(pair.first, *first, expected), std::tie(pair.second, *second, got)}) {
             print(picture.diagnostics);
-            if (picture) warnOfAppearance(file, name);
+            if (picture) print(image::warnIfShownOtherwise(file, name));
         }
         if (!expected || !got) return kSceneIsWrong;
         image::Judgement judged = image::judge(*expected, *got, arguments_.tolerance, arguments_.everything);

@@ -13,7 +13,10 @@
 
 #include "base/text.h"
 #include "image/compare/judge.h"
+#include "image/file.h"
 #include "image/format.h"
+#include "image/limits.h"
+#include "image/png/png_reader.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "library/renderer_state.h"
@@ -196,6 +199,15 @@ Result<Picture> pictureIn(const std::filesystem::path& file) {
     return pictureOf(std::move(*read));
 }
 
+Diagnostics appearanceOf(const Picture& /*shown*/) {
+    return {};
+}
+Diagnostics appearanceOf(const std::filesystem::path& file) {
+    const std::string path = file.generic_string();
+    const auto bytes = image::readFile(file, {path, {path, 1, 1}}, image::Limits().fileBytes);
+    return bytes ? image::warnIfShownOtherwise(*bytes, path) : Diagnostics();
+}
+
 Comparison comparison(const auto& got, const auto& expected, const Tolerance& tolerance) {
     if (Diagnostics problems = problemsOf(tolerance); !problems.empty()) return refused(std::move(problems));
     Result<Picture> one = pictureIn(got);
@@ -203,7 +215,10 @@ Comparison comparison(const auto& got, const auto& expected, const Tolerance& to
     Result<Picture> other = pictureIn(expected);
     if (!other) return refused(other.diagnostics);
     if (isOfOnes(*one) || isOfOnes(*other)) return comparedByNumbers(*one, *other, tolerance);
-    return compared(imageOf(std::move(*one)), imageOf(std::move(*other)), tolerance);
+    Comparison to = compared(imageOf(std::move(*one)), imageOf(std::move(*other)), tolerance);
+    append(to.diagnostics, appearanceOf(got));
+    append(to.diagnostics, appearanceOf(expected));
+    return to;
 }
 
 }  // namespace

@@ -324,6 +324,7 @@ PYBIND11_MODULE(_core, module) {
         .def_readonly("root_mean_square", &Comparison::rootMeanSquare, "in 255ths of the range")
         .def_readonly("flip", &Comparison::flip)
         .def_readonly("structure", &Comparison::structure)
+        .def_property_readonly("diagnostics", [](const Comparison& each) { return listOf(each.diagnostics); })
         .def("__bool__", [](const Comparison& each) { return each.same; })
         .def("__repr__",
              [](const Comparison& each) {
@@ -332,7 +333,8 @@ PYBIND11_MODULE(_core, module) {
         .def(py::pickle(
             [](const Comparison& each) {
                 return py::make_tuple(each.same, each.reason, each.differingPixels, each.largest, each.x,
-                                      each.y, each.rootMeanSquare, each.flip, each.structure);
+                                      each.y, each.rootMeanSquare, each.flip, each.structure,
+                                      listOf(each.diagnostics));
             },
             [](const py::tuple& from) {
                 Comparison to;
@@ -345,6 +347,7 @@ PYBIND11_MODULE(_core, module) {
                 to.rootMeanSquare = from[6].cast<double>();
                 to.flip = from[7].cast<std::optional<double>>();
                 to.structure = from[8].cast<std::optional<double>>();
+                to.diagnostics = from[9].cast<Diagnostics>();
                 return to;
             }));
 
@@ -500,7 +503,7 @@ PYBIND11_MODULE(_core, module) {
         else
             found =
                 compare(pictureOf(got.cast<py::array>()), pictureOf(expected.cast<py::array>()), tolerance);
-        if (!found.diagnostics.empty()) throw Failure{found.diagnostics};
+        if (hasError(found.diagnostics)) throw Failure{found.diagnostics};
         return found;
     });
 }

@@ -80,8 +80,11 @@ def compare(got, expected, *, largest=3.0, fraction=0.0003, cluster=8, line=16, 
     within the tolerance; `reason` says which figure decided. ``relative`` and ``absolute`` are for float pictures, in place
     of ``largest``; whole numbers with a sign or of 32 bits may differ by ``absolute`` alone."""
     as_picture = lambda one: one if isinstance(one, numpy.ndarray) else os.fspath(one)
-    return _core.compare(as_picture(got), as_picture(expected), largest, fraction, cluster, line, bias, flip, structure,
-                         relative, absolute, exact)
+    found = _core.compare(as_picture(got), as_picture(expected), largest, fraction, cluster, line, bias, flip, structure,
+                          relative, absolute, exact)
+    for each in found.diagnostics:  # other programs may show another picture of a file
+        _warnings.warn(str(each), stacklevel=2)
+    return found
 
 
 def _float(number):

@@ -56,13 +56,16 @@ class Golden:
         if from_test:
             self._claim(golden)
         if self._request.config.getoption("--glibra-update"):
-            if not golden.exists() or not glibra.compare(picture, golden, **tolerance):
+            known = glibra.compare(picture, golden, **tolerance) if golden.exists() else None
+            if not known or known.diagnostics:
                 golden.parent.mkdir(exist_ok=True)
                 glibra.save(picture, golden)
             return
         if not golden.exists():
             pytest.fail(f"there is no golden picture {golden}; --glibra-update makes it", pytrace=False)
         found = glibra.compare(picture, golden, **tolerance)
+        for each in found.diagnostics:  # the golden may be shown as another picture than the one that was compared
+            pytest.fail(f"{name}: {each}", pytrace=False)
         if not found:
             self._note(name, picture, golden, found)
             pytest.fail(f"{name}: {found.reason}", pytrace=False)

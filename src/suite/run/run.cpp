@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/memory_limit.h"
+#include "base/text.h"
 #include "base/workers.h"
 #include "gpu/context/hardware.h"
 #include "image/file.h"
@@ -149,6 +150,7 @@ class Run {
           plan_{suites, {}, options, {}, 1},
           sharesDevice_(gpu::mayUseHardware(options.driver)) {
         accepted_.resize(suites.size());
+        passed_.resize(suites.size());
         for (const Suite& suite : suites)
             for (const Shot& shot : suite.shots)
                 if (!shot.quarantine.empty() || !shot.ignored.empty())
@@ -178,12 +180,26 @@ class Run {
             std::erase_if(open, [this](const ShotReference& each) { return done_.contains(each); });
         }
         end_.stopped = !end_.noDriver && !open.empty();
-        for (std::size_t i = 0; i < plan_.goldens.size(); ++i)
+        for (std::size_t i = 0; i < plan_.goldens.size(); ++i) {
             append(end_.diagnostics, acceptHashes(plan_.goldens[i].hashFile(), accepted_[i]));
+            noteLackOfGoldens(i);
+        }
         return std::move(end_);
     }
 
   private:
+    /// Where a folder has got another name, nobody would see that nothing is compared any more.
+    void noteLackOfGoldens(std::size_t suite) {
+        const Suite& of = plan_.suites[suite];
+        if (passed_[suite] == 0 || options_.update || plan_.goldens[suite].hasAny(of)) return;
+        end_.diagnostics.push_back(diagnose(
+            "suite-N01",
+            fmt::format("'{}' has no golden of '{}'; {} passed by what the scenes expect, and nothing else",
+                        plan_.goldens[suite].folder().generic_string(), of.name,
+                        base::counted(passed_[suite], "shot")),
+            {of.file.generic_string(), 1, 1}));
+    }
+
     bool stopped() const { return end_.noDriver || (events_.stop && events_.stop()); }
 
     double timeoutOf(const ShotReference& reference) const {
@@ -273,6 +289,9 @@ class Run {
 
     void finish(const ShotReference& shot, ShotResult result) {
         if (!done_.insert(shot).second) return;
+        const Shot& drawn = plan_.shotOf(shot);
+        passed_[shot.suite] +=
+            result.verdict == Verdict::passed && drawn.golden && !drawn.expectedError ? 1 : 0;
         // The first drawing of a shot under suspicion may have been ended by another one.
         const int innocent = suspicions_.isUnder(shot) ? 1 : 0;
         if (const auto ended = plan_.ended.find(shot);
@@ -440,6 +459,7 @@ class Run {
     std::vector<ShotClocks> clocks_;                   ///< per piece
     std::string driverKey_;                            ///< ShotResult::driverKey
     std::vector<std::vector<AcceptedHash>> accepted_;  ///< per suite
+    std::vector<std::size_t> passed_;                  ///< per suite, of the shots that want a golden
 };
 
 }  // namespace
