@@ -188,7 +188,7 @@ class Chooser {
         const ProgramFacts facts = programFacts(program);
         if (facts.hasTessellation && planned.submission.patchVertices > 0)
             tessellated_[planned.program].push_back({need.pass, need.step, &draw, size});
-        if (model == nullptr) return;
+        if (model == nullptr) return noteMesh(draw);
 
         if (draw.flatColors || facts.showsPrimitives)
             return decide(draw, "kept: its program shows individual triangles");
@@ -318,6 +318,22 @@ class Chooser {
         if (!drawn.vertices) return shape;
         return shape + "; values computed at the vertices " +
                changeText(drawn.vertices->pixels, drawn.vertices->colored);
+    }
+
+    /// The counts that a Mesh statement has stay, whoever reads its vertices.
+    void noteMesh(const scene::Draw& draw) {
+        if (!draw.attributes) return;
+        for (const scene::AttributeBinding& each : scene_.attributeSets[draw.attributes].bindings) {
+            const auto* view = std::get_if<scene::BufferView>(&each.source);
+            if (view == nullptr) continue;
+            const scene::Buffer& buffer = scene_.buffers[view->buffer];
+            const SurfaceModel* model = buffer.meshOf ? surfaceModel(*buffer.meshOf) : nullptr;
+            if (model == nullptr || model->countsUsed == 0) continue;
+            const std::string why =
+                fmt::format("'{}' has the counts that its Mesh statement states", buffer.name);
+            unknown_.push_back({&draw, why});
+            return decide(draw, "kept: " + why);
+        }
     }
 
     void noteEdges(const plan::PlannedDraw& planned) {

@@ -145,6 +145,7 @@ struct Buffer {
     FileIndex file{};                      ///< raw bytes, in place of `values`
     bool hasHistory = false;
     Place place;
+    std::optional<glib::CommandId> meshOf{};  ///< the shape that Mesh has made it of
 };
 
 /// A texture or a part of it.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "gpu/object/readback.h"
@@ -29,14 +30,18 @@ gpu::TexelType numberTypeOf(const base::TexelFormatRow& row) {
 
 namespace {
 
+/// Returns a number that no float has, if there is one.
 template <class Integer>
-void toFloats(std::vector<std::byte>& numbers) {
+std::optional<std::int64_t> toFloats(std::vector<std::byte>& numbers) {
+    std::optional<std::int64_t> lost;
     for (std::size_t i = 0; i < numbers.size(); i += sizeof(Integer)) {
         Integer number = 0;
         std::memcpy(&number, numbers.data() + i, sizeof number);
         const auto value = static_cast<float>(number);
+        if (static_cast<double>(value) != static_cast<double>(number)) lost = number;
         std::memcpy(numbers.data() + i, &value, sizeof value);
     }
+    return lost;
 }
 
 }  // namespace
@@ -64,9 +69,16 @@ Result<image::Image> DeviceTextures::imageOf(const scene::TextureView& view) {
                        std::move(numbers->data)};
     if (type == gpu::TexelType::u8) image.type = image::Component::u8;
     if (type == gpu::TexelType::u16) image.type = image::Component::u16;
-    if (type == gpu::TexelType::i32) toFloats<std::int32_t>(image.data);
-    if (type == gpu::TexelType::u32) toFloats<std::uint32_t>(image.data);
-    return image;
+    std::optional<std::int64_t> lost;
+    if (type == gpu::TexelType::i32) lost = toFloats<std::int32_t>(image.data);
+    if (type == gpu::TexelType::u32) lost = toFloats<std::uint32_t>(image.data);
+    if (!lost) return image;
+    return diagnose(
+        "draw-E10",
+        fmt::format("{} cannot be saved: it has the number {}, which no 32-bit float has; the libraries "
+                    "for C++ and Python give such numbers",
+                    plan::nameOf(scene_, view), *lost),
+        scene_.textures[view.texture].place);
 }
 
 Result<TexelNumbers> DeviceTextures::read(const scene::TextureView& view, int components,

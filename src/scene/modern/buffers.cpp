@@ -434,6 +434,7 @@ void doMesh(Interpreter& in, const Command& command) {
     if (!declareName(in, command, target.text, DeclaredName::Kind::mesh)) return;
     auto shape = shapeOf(in, command);
     if (!shape) return;
+    const glib::CommandId made = shape->command;
     const MeshContent* const mesh = meshOf(in, command, *std::move(shape));
     if (mesh == nullptr) return;
     Environment& names = in.names();
@@ -448,6 +449,7 @@ void doMesh(Interpreter& in, const Command& command) {
         Buffer buffer;
         buffer.name = target.text + "." + each.name;
         buffer.place = in.place(command);
+        buffer.meshOf = made;
         buffer.type = each.type;
         const bool isVector = buffer.type == "vec4";
         buffer.values = each.values;

@@ -84,11 +84,8 @@ struct OptionReader {
     void operator()(const NumberValue& number) const {
         // A text as on the command line, with the unit.
         if (const auto* text = value.as<std::string>(); text && !number.unit.empty()) {
-            const std::string expected = readOptionText(row, *text, to.shot);
-            if (!expected.empty())
-                reader.report("suite-E04",
-                              fmt::format("{}: expected {}, found {}", key, expected, glib::inQuotes(*text)),
-                              value);
+            if (const std::string wrong = readOptionText(row, *text, to.shot); !wrong.empty())
+                reader.report("suite-E04", fmt::format("{}: {}", key, wrong), value);
             return;
         }
         if (const auto read = reader.number(value, key, number.least, number.most))
