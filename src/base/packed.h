@@ -13,6 +13,7 @@
 
 #include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -136,20 +137,20 @@ class Unpacker {
     }
     template <class Value>
     void readAll(const auto& take) {
-        for (std::uint64_t left = count(); left > 0 && !isWrong_; --left) {
+        for (std::size_t left = count(); left > 0 && !isWrong_; --left) {
             Value each{};
             read(each);
             if (!isWrong_) take(std::move(each));
         }
     }
     /// Of bytes, or of values, which have one byte at least.
-    std::uint64_t count() {
+    std::size_t count() {
         std::uint64_t value = 0;
         read(value);
         isWrong_ = isWrong_ || value > rest_.size();
-        return isWrong_ ? 0 : value;
+        return isWrong_ ? 0 : static_cast<std::size_t>(value);
     }
-    std::string_view take(std::uint64_t size) {
+    std::string_view take(std::size_t size) {
         isWrong_ = isWrong_ || size > rest_.size();
         if (isWrong_) return {};
         const std::string_view bytes = rest_.substr(0, size);
