@@ -4,9 +4,7 @@
 #include <glibra/diagnostic.h>
 
 #include <exception>
-#include <optional>
 #include <string>
-#include <string_view>
 
 namespace glibra::base {
 
@@ -26,11 +24,6 @@ class DeviceLost : public std::exception {
         return "the graphics driver has reset the device";
     }
 };
-
-/// For the pipe between two processes.
-std::string toText(const DeviceLost& lost);
-/// Reads what toText() wrote; nothing if it is something else.
-std::optional<DeviceLost> parseDeviceLost(std::string_view text);
 
 /// " while line 7 was drawn", or nothing if no statement is known.
 std::string whileDrawn(const DeviceLost& lost);

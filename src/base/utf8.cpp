@@ -95,6 +95,16 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
+std::string onlyUtf8(std::string_view text) {
+    std::string valid;
+    while (!text.empty()) {
+        const Character next = firstCharacter(text);
+        appendUtf8(valid, next.code);
+        text.remove_prefix(next.bytes);
+    }
+    return valid;
+}
+
 void appendUtf8(std::string& text, std::uint32_t code) {
     const auto put = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
     if (code < 0x80) {

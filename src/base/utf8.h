@@ -25,6 +25,9 @@ Character firstCharacter(std::string_view text);
 /// True if all of it is UTF-8.
 bool isUtf8(std::string_view text);
 
+/// The text with kReplacement for each byte that is no UTF-8.
+std::string onlyUtf8(std::string_view text);
+
 /// Appends the character, which must be valid.
 void appendUtf8(std::string& text, std::uint32_t code);
 

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/earlier_calls.h"
+#include "base/packed.h"
 #include "system/memory.h"
 #include "system/worker.h"
 
@@ -84,7 +85,7 @@ void send(const system::File& file, MessageKind kind, const std::string& text) {
             });
             send(ends.answers, MessageKind::answer, answer);
         } catch (const DeviceLost& lost) {
-            send(ends.answers, MessageKind::deviceLost, toText(lost));
+            send(ends.answers, MessageKind::deviceLost, packed(lost));
             break;
         }
     }
@@ -302,7 +303,7 @@ class Pool {
             progress_(*worker.piece, text);
             beginStep(worker);
         } else if (isLost) {
-            std::optional<DeviceLost> lost = parseDeviceLost(text);
+            std::optional<DeviceLost> lost = unpacked<DeviceLost>(text);
             if (!lost)
                 endAsCrashed(worker);
             else

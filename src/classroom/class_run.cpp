@@ -451,13 +451,8 @@ class ClassRun {
             entry.notCompared.emplace_back("everything, because the review did not end");
             return;
         }
-        entry.programs = std::move(found->programs);
-        entry.files = std::move(found->files);
-        entry.ranges = std::move(found->ranges);
-        entry.calls = std::move(found->calls);
-        entry.readPictures = std::move(found->readPictures);
-        entry.digest = std::move(found->digest);
-        entry.notCompared = std::move(found->notCompared);
+        if (found->reactions.size() > end_.classroom.sliders.size()) found->reactions.clear();
+        static_cast<Findings&>(entry) = std::move(*found);
         if (entry.submission.scene.empty())
             entry.notCompared.emplace_back("everything, because there is no scene");
         for (std::size_t i = 0; i < std::min(found->scores.size(), entry.pictures.size()); ++i)
@@ -466,7 +461,6 @@ class ClassRun {
             entry.pictures[i].showsNothing = found->showNothing[i];
         for (std::size_t i = 0; i < std::min(found->small.size(), entry.pictures.size()); ++i)
             entry.pictures[i].small = std::move(found->small[i]);
-        if (found->reactions.size() <= end_.classroom.sliders.size()) entry.reactions = found->reactions;
     }
 
     /// A submission draws nothing if it shows nothing wherever the reference shows something.

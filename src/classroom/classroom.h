@@ -87,27 +87,31 @@ struct ReadPicture {
     bool isLikeReference = false;  ///< it looks like a picture that the reference draws
 };
 
-/// Everything about one submission, or about the reference.
-struct Entry {
-    Submission submission;
-    std::vector<Picture> pictures;  ///< one per moment; empty without a scene
-    Diagnostics diagnostics;        ///< each once
+/// What is found out about a submission without drawing it (review.h).
+struct Findings {
     std::vector<UsedProgram> programs;
-    std::vector<SourceFile> files;  ///< what runs of the shaders of its own folder
+    std::vector<SourceFile> files;  ///< what runs of the shaders, of a submission those of its own folder
     /// What was left out of the search for similar code, and why: one phrase each.
     std::vector<std::string> notCompared;
-    std::string reproduce;  ///< the command that draws its first picture
     /// For each slider of the class how its own pictures change; nothing if they were not drawn.
     std::vector<std::optional<Change>> reactions{};
     std::vector<RangedUniform> ranges{};
     std::vector<std::string> calls{};  ///< names of the functions that its pictures call, sorted
-    bool drawsNothing = false;         ///< no picture shows anything, though the reference does
-    std::vector<Mark> marks{};         ///< one per check of the rubric; empty without one
-    double lateFactor = 1;             ///< what the late rule leaves of the points
+    std::vector<ReadPicture> readPictures{};
+    std::string digest{};  ///< of the files that were handed in; empty if they were not read
+};
+
+/// Everything about one submission, or about the reference.
+struct Entry : Findings {
+    Submission submission;
+    std::vector<Picture> pictures;  ///< one per moment; empty without a scene
+    Diagnostics diagnostics;        ///< each once
+    std::string reproduce;          ///< the command that draws its first picture
+    bool drawsNothing = false;      ///< no picture shows anything, though the reference does
+    std::vector<Mark> marks{};      ///< one per check of the rubric; empty without one
+    double lateFactor = 1;          ///< what the late rule leaves of the points
     std::string lateReason{};
     std::string comment{};  ///< the teacher's own
-    std::string digest{};   ///< of the files that were handed in; empty if they were not read
-    std::vector<ReadPicture> readPictures{};
 };
 
 struct Classroom {

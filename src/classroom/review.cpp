@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 
 #include "base/contained.h"
 #include "base/files.h"
+#include "base/packed.h"
 #include "classroom/effect.h"
 #include "classroom/hand_in_digest.h"
 #include "classroom/likeness.h"
@@ -24,10 +24,39 @@
 #include "suite/run/exercise_check.h"
 
 namespace glibra::classroom {
+
+void eachMember(auto& packed, base::Is<DeclaredUniform> auto& of) {
+    packed(of.name, of.type);
+}
+void eachMember(auto& packed, base::Is<UsedProgram> auto& of) {
+    packed(of.name, of.stages, of.uniforms, of.idle);
+}
+void eachMember(auto& packed, base::Is<SourceToken> auto& of) {
+    packed(of.code, of.line, of.file);
+}
+void eachMember(auto& packed, base::Is<SourceFile> auto& of) {
+    packed(of.path, of.tokens, of.others);
+}
+void eachMember(auto& packed, base::Is<Score> auto& of) {
+    packed(of.flip, of.structure, of.likeness, of.effect, of.kept, of.unsolved);
+}
+void eachMember(auto& packed, base::Is<Change> auto& of) {
+    packed(of.mean, of.strength, of.isOtherwise);
+}
+void eachMember(auto& packed, base::Is<RangedUniform> auto& of) {
+    packed(of.name, of.least, of.largest);
+}
+void eachMember(auto& packed, base::Is<ReadPicture> auto& of) {
+    packed(of.name, of.digest, of.isLikeReference);
+}
+void eachMember(auto& packed, base::Is<Review> auto& of) {
+    packed(of.programs, of.files, of.functions, of.notCompared, of.scores, of.showNothing, of.reactions);
+    packed(of.ranges, of.calls, of.readPictures, of.digest, of.small);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr std::size_t kMostFiles = 200;         // of a submission
 constexpr std::size_t kMostCalls = 10'000;      // of a submission
@@ -420,112 +449,24 @@ Review review(const ReviewTask& task, const std::function<void()>& scored) {
 }
 
 std::string toText(const Review& review) {
-    Json json = {{"programs", Json::array()},
-                 {"files", Json::array()},
-                 {"scores", Json::array()},
-                 {"notCompared", review.notCompared}};
-    for (const UsedProgram& each : review.programs) {
-        Json uniforms = Json::array();
-        for (const DeclaredUniform& one : each.uniforms) uniforms.push_back({one.name, one.type});
-        json["programs"].push_back({{"name", each.name},
-                                    {"stages", each.stages},
-                                    {"idle", each.idle},
-                                    {"uniforms", std::move(uniforms)}});
-    }
-    for (const SourceFile& each : review.files) {
-        Json codes = Json::array(), lines = Json::array(), files = Json::array();
-        for (const SourceToken& one : each.tokens) {
-            codes.push_back(one.code);
-            lines.push_back(one.line);
-            if (!each.others.empty()) files.push_back(one.file);
-        }
-        json["files"].push_back({{"path", each.path},
-                                 {"codes", std::move(codes)},
-                                 {"lines", std::move(lines)},
-                                 {"others", each.others},
-                                 {"files", std::move(files)}});
-    }
-    for (const std::optional<Score>& each : review.scores)
-        json["scores"].push_back(each ? Json{each->flip, each->structure, each->likeness,
-                                             each->effect ? Json(*each->effect) : Json(nullptr), each->kept,
-                                             each->unsolved}
-                                      : Json(nullptr));
-    json["calls"] = review.calls;
-    json["ranges"] = Json::array();
-    for (const RangedUniform& each : review.ranges)
-        json["ranges"].push_back({each.name, each.least, each.largest});
-    json["showNothing"] = review.showNothing;
-    json["reactions"] = Json::array();
-    for (const std::optional<Change>& each : review.reactions)
-        json["reactions"].push_back(each ? Json{each->mean, each->strength, each->isOtherwise}
-                                         : Json(nullptr));
-    json["readPictures"] = Json::array();
-    for (const ReadPicture& each : review.readPictures)
-        json["readPictures"].push_back({each.name, each.digest, each.isLikeReference});
-    json["digest"] = review.digest;
-    json["functions"] = review.functions;
-    json["small"] = review.small;
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return base::packed(review, base::PackedText::utf8);
 }
 
-std::optional<Review> parseReview(std::string_view text) try {
-    const Json json = Json::parse(text);
-    Review result;
-    for (const Json& each : json.at("programs")) {
-        UsedProgram used{each.at("name").get<std::string>(),
-                         each.at("stages").get<std::vector<std::string>>(),
-                         {},
-                         each.at("idle").get<std::vector<std::string>>()};
-        for (const Json& one : each.at("uniforms"))
-            used.uniforms.push_back({one.at(0).get<std::string>(), one.at(1).get<std::string>()});
-        result.programs.push_back(std::move(used));
-    }
-    for (const Json& each : json.at("files")) {
-        SourceFile file{each.at("path").get<std::string>(), {}};
-        file.others = each.at("others").get<std::vector<std::string>>();
-        const Json& codes = each.at("codes");
-        const Json& lines = each.at("lines");
-        const Json& files = each.at("files");
-        for (std::size_t i = 0; i < codes.size(); ++i)
-            file.tokens.push_back({codes.at(i).get<std::uint32_t>(), lines.at(i).get<std::int32_t>(),
-                                   files.empty() ? 0U : files.at(i).get<std::uint32_t>()});
-        result.files.push_back(std::move(file));
-    }
-    result.notCompared = json.at("notCompared").get<std::vector<std::string>>();
-    for (const Json& each : json.at("scores")) {
-        std::optional<Score>& score = result.scores.emplace_back();
-        if (each.is_null()) continue;
-        score = Score{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<double>()};
-        if (!each.at(3).is_null()) score->effect = each.at(3).get<double>();
-        score->kept = each.at(4).get<double>();
-        score->unsolved = each.at(5).get<std::string>();
-        if (!std::isfinite(score->flip) || !std::isfinite(score->structure) ||
-            !std::isfinite(score->likeness) || !std::isfinite(score->kept))
+std::optional<Review> parseReview(std::string_view text) {
+    std::optional<Review> result = base::unpacked<Review>(text);
+    if (!result) return std::nullopt;
+    const auto areFinite = [](auto... numbers) { return (std::isfinite(numbers) && ...); };
+    for (const std::optional<Score>& each : result->scores)
+        if (each && !(areFinite(each->flip, each->structure, each->likeness, each->kept) &&
+                      areFinite(each->effect.value_or(0))))
             return std::nullopt;
-    }
-    result.calls = json.at("calls").get<std::vector<std::string>>();
-    for (const Json& each : json.at("ranges"))
-        if (each.at(1).is_number() && each.at(2).is_number())
-            result.ranges.push_back(
-                {each.at(0).get<std::string>(), each.at(1).get<double>(), each.at(2).get<double>()});
-    result.showNothing = json.at("showNothing").get<std::vector<bool>>();
-    for (const Json& each : json.at("reactions")) {
-        std::optional<Change>& change = result.reactions.emplace_back();
-        if (each.is_null()) continue;
-        change = Change{each.at(0).get<double>(), each.at(1).get<double>(), each.at(2).get<bool>()};
-        if (!std::isfinite(change->mean) || !std::isfinite(change->strength)) return std::nullopt;
-    }
-    for (const Json& each : json.at("readPictures"))
-        result.readPictures.push_back(
-            {each.at(0).get<std::string>(), each.at(1).get<std::string>(), each.at(2).get<bool>()});
-    result.digest = json.at("digest").get<std::string>();
-    result.functions = json.at("functions").get<std::vector<std::uint64_t>>();
-    result.small = json.at("small").get<std::vector<std::string>>();
-    for (std::string& each : result.small)
+    for (const std::optional<Change>& each : result->reactions)
+        if (each && !areFinite(each->mean, each->strength)) return std::nullopt;
+    std::erase_if(result->ranges,
+                  [&](const RangedUniform& each) { return !areFinite(each.least, each.largest); });
+    for (std::string& each : result->small)
         if (!isSmallPicture(each)) each.clear();
     return result;
-} catch (const Json::exception&) {
-    return std::nullopt;
 }
 
 }  // namespace glibra::classroom

@@ -34,18 +34,10 @@ struct ReviewTask {
     std::vector<std::string> shown{};                           ///< pictures that a page to be sent shows
 };
 
-struct Review {
-    std::vector<UsedProgram> programs;
-    std::vector<SourceFile> files;             ///< what runs of them, with a `within` only of that folder
+struct Review : Findings {
     std::vector<std::uint64_t> functions{};    ///< ReachedCode::functions of the reference or of given code
-    std::vector<std::string> notCompared;      ///< the other shaders, and what is too large: one phrase each
     std::vector<std::optional<Score>> scores;  ///< one per pair of pictures; nothing if one cannot be read
     std::vector<bool> showNothing{};           ///< one per picture of the submission
-    std::vector<std::optional<Change>> reactions{};  ///< one per slider
-    std::vector<RangedUniform> ranges{};
-    std::vector<std::string> calls{};  ///< functions that all its shaders call
-    std::vector<ReadPicture> readPictures{};
-    std::string digest{};              ///< of what was handed in
     std::vector<std::string> small{};  ///< smallPicture() of those that are shown; empty if it cannot be read
 };
 

@@ -98,7 +98,7 @@ base::Fields commands() {
 base::Fields primitives() {
     std::vector<base::Fields> rows;
     for (const glib::StatementRow& row : glib::commandTable()) {
-        if (glib::formOf(row) != glib::ArgumentForm::numbers) continue;
+        if (!glib::takesNumbers(row)) continue;
         const scene::Scene scene = scene::interpret(glib::parse(std::string(row.name) + "\n", "table"));
         if (scene.shapes.size() != 1) continue;
         const Result<geometry::Mesh> mesh = scene::makeMesh(scene, scene::ShapeIndex(0));

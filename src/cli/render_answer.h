@@ -26,8 +26,6 @@ struct Answer {
 };
 
 std::string pack(const Answer& answer);
-/// Reads what pack() wrote.
-Answer unpack(std::string_view packed);
 
 /// What a worker does, for messages: "drew" and "drawn".
 struct Deed {

@@ -44,7 +44,7 @@ Diagnostics overwrittenByPictures(const Selection& selection, std::span<const su
     ReadFiles read;
     read.add(selection, suite::inputsOf(selection.suites, selection.shots,
                                         inputWorkers(arguments, shots.size(), options.sandbox, stop),
-                                        arguments.timeout));
+                                        arguments.run.timeout));
     for (const suite::Suite& suite : selection.suites)
         for (const suite::Shot& shot : suite.shots)
             if (shot.golden)
@@ -62,12 +62,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
     const std::optional<Selection> selection = readSelection(arguments, status);
     if (!selection) return status;
     const bool several = selection->suites.size() > 1;
-    suite::RunOptions options;
-    options.driver = arguments.driver;
-    options.jobs = arguments.jobs;
-    options.timeout = arguments.timeout;
-    options.memory = arguments.memory;
-    options.ofAll = arguments.ofAll;
+    suite::RunOptions options = arguments.run;
     options.onlyRender = output;
     if (output.empty()) options.onlyRender = several ? "." : selection->suites.front().name;
 
@@ -86,7 +81,7 @@ int renderSuites(const SuiteArguments& arguments, const std::string& output) {
         for (const suite::Suite& each : selection->suites)
             folders.push_back(several ? system::Reach(options.onlyRender, each.name)
                                       : system::Reach(options.onlyRender));
-        sandbox = sandboxOf(*selection, arguments.driver, {}, folders);
+        sandbox = sandboxOf(*selection, options.driver, {}, folders);
         if (!sandbox) return kSceneIsWrong;
         options.sandbox = &*sandbox;
         makeWritableFolders(*sandbox);
@@ -193,9 +188,9 @@ int runRenderCommand(RenderArguments& arguments) {
     if (arguments.untrusted && !prepareUntrusted()) return kNoDriver;
     if (!arguments.suite.suites.empty()) {
         arguments.suite.untrusted = arguments.untrusted;
-        arguments.suite.driver = arguments.driver;
-        arguments.suite.jobs = arguments.jobs;
-        arguments.suite.ofAll = arguments.picture;
+        arguments.suite.run.driver = arguments.driver;
+        arguments.suite.run.jobs = arguments.jobs;
+        arguments.suite.run.ofAll = arguments.picture;
         return renderSuites(arguments.suite, arguments.output);
     }
     if (arguments.scenes.empty())
@@ -259,8 +254,8 @@ void addRender(CommandLine& program, int& status) {
          {"--frames", "--fps", "--save", "--explain", "--check-order", "--trace", "--stats"})
         suite.excludes(command.find(each));
     command.onRun([arguments, timeout = command.find("--timeout"), &status] {
-        if (timeout.isGiven()) arguments->suite.timeout = arguments->picture.timeout;
-        arguments->suite.memory = arguments->picture.memory;
+        if (timeout.isGiven()) arguments->suite.run.timeout = arguments->picture.timeout;
+        arguments->suite.run.memory = arguments->picture.memory;
         status = runRenderCommand(*arguments);
     });
 }

@@ -13,7 +13,6 @@
 #include "suite/file/selection.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
-#include "suite/run/run_options.h"
 
 namespace glibra::cli {
 
@@ -27,10 +26,10 @@ void addSelectionOptions(CommandLine& command, SuiteArguments& to) {
 
 base::WorkerOptions inputWorkers(const SuiteArguments& arguments, std::size_t shots,
                                  const system::Sandbox* sandbox, std::function<bool()> stop) {
-    const int jobs = suite::readingJobs(arguments.jobs);
+    const int jobs = suite::readingJobs(arguments.run.jobs);
     return {.workers = jobs,
-            .timeout = arguments.timeout.value_or(suite::Shot().timeout),
-            .memory = arguments.memory.value_or(base::memoryShare(jobs, shots)),
+            .timeout = arguments.run.timeout.value_or(suite::Shot().timeout),
+            .memory = arguments.run.memory.value_or(base::memoryShare(jobs, shots)),
             .stop = std::move(stop),
             .sandbox = sandbox};
 }

@@ -4,7 +4,6 @@
 #include <glibra/render.h>
 #include <glibra/result.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -13,6 +12,7 @@
 
 #include "base/workers.h"
 #include "suite/run/run.h"
+#include "suite/run/run_options.h"
 #include "suite/suite.h"
 
 namespace glibra::cli {
@@ -23,12 +23,8 @@ struct SuiteArguments {
     std::vector<std::string> suites;  ///< TOML files, or folders of scenes
     std::vector<std::string> only;
     std::string shard;
-    Driver driver = Driver::automatic;
-    int jobs = 0;                         ///< 0: gpu::usualWorkers()
-    std::optional<double> timeout;        ///< seconds; nothing: what each shot states
-    std::optional<std::uint64_t> memory;  ///< bytes; nothing: what each shot states
+    suite::RunOptions run{};
     bool resume = false;
-    suite::Shot ofAll{};  ///< options of all shots (RunOptions::ofAll)
     bool untrusted = false;
     /// Also runs the shots that others name by `match` and `differ`. With --update only the shots that --only
     /// names are replaced.

@@ -102,17 +102,8 @@ struct TestArguments {
     SuiteArguments suites;
     std::string update;  ///< "all", "missing" or empty
     bool rename = false;
-    bool prune = false;
-    bool force = false;
-    bool variant = false;
-    bool also = false;
-    bool replaceUnreadable = false;
-    bool anyDriver = false;
-    bool strictFlaky = false;
     bool strictOrphans = false;
     bool list = false;
-    bool allowOutside = false;
-    suite::Shot picture;  ///< what the options of a picture state
     std::string results = "glibra-results";
     bool resultsAreNamed = false;  ///< by the user
     ReportRequest reports;
@@ -123,7 +114,7 @@ struct TestArguments {
 
     [[nodiscard]] bool updates() const { return !update.empty(); }
     /// It may write or remove goldens.
-    [[nodiscard]] bool writesGoldens() const { return updates() || rename || prune; }
+    [[nodiscard]] bool writesGoldens() const { return updates() || rename || suites.run.prune; }
 };
 
 /// Prints the summary and writes the reports. Returns the exit status.
@@ -211,10 +202,10 @@ int merge(const TestArguments& arguments) {
         roots.pictures.add(each);
     }
     roots.areUnnamed = arguments.roots.empty();
-    if (arguments.suites.timeout) roots.decoder.seconds = *arguments.suites.timeout;
+    if (arguments.suites.run.timeout) roots.decoder.seconds = *arguments.suites.run.timeout;
     if (!merged) return status;
     suite::RunResult run = *merged;
-    if (arguments.strictFlaky)
+    if (arguments.suites.run.strictFlaky)
         for (suite::ShotResult& each : run.shots) suite::countFlakyAsFailure(each);
     return std::max(status, report(run, arguments, roots));
 }
@@ -251,22 +242,9 @@ suite::RunResult beginningOf(const TestArguments& arguments, const Selection& se
 }
 
 suite::RunOptions runOptions(const TestArguments& arguments, const std::optional<system::Sandbox>& sandbox) {
-    suite::RunOptions options;
-    options.driver = arguments.suites.driver;
-    options.jobs = arguments.suites.jobs;
-    options.timeout = arguments.suites.timeout;
-    options.memory = arguments.suites.memory;
-    options.ofAll = arguments.picture;
+    suite::RunOptions options = arguments.suites.run;
     options.update = arguments.updates();
     options.onlyMissing = arguments.update == kMissing;
-    options.force = arguments.force;
-    options.variant = arguments.variant;
-    options.also = arguments.also;
-    options.replaceUnreadable = arguments.replaceUnreadable;
-    options.anyDriver = arguments.anyDriver;
-    options.prune = arguments.prune;
-    options.strictFlaky = arguments.strictFlaky;
-    options.allowOutside = arguments.allowOutside;
     options.goldens = arguments.goldens;
     options.results = arguments.results;
     options.sandbox = sandbox ? &*sandbox : nullptr;
@@ -282,7 +260,7 @@ void moveGolden(suite::ShotResult& shot, const Selection& selection, const suite
     if (found == selection.suites.end() || !found->find(shot.shot)) return;
     const auto store = suite::GoldenStore::open(*found, options.goldens, options.allowOutside);
     const suite::Orphans& orphans =
-        *options.orphans[static_cast<std::size_t>(found - selection.suites.begin())];
+        *options.orphansBySuite[static_cast<std::size_t>(found - selection.suites.begin())];
     const Diagnostics problems = store->rename(from, *found->find(shot.shot), orphans.files());
     if (hasError(problems)) {
         shot.verdict = suite::Verdict::refused;
@@ -300,7 +278,7 @@ int test(const TestArguments& arguments) {
     int status = kDone;
     const std::optional<Selection> selection = readSelection(arguments.suites, status);
     if (!selection) return status;
-    if (arguments.writesGoldens() && !arguments.allowOutside) {
+    if (arguments.writesGoldens() && !arguments.suites.run.allowOutside) {
         Diagnostics problems;
         for (const suite::Suite& each : selection->suites)
             append(problems, suite::checkGoldenFolder(each, arguments.goldens));
@@ -312,7 +290,7 @@ int test(const TestArguments& arguments) {
         std::vector<system::Reach> folders;
         for (const suite::Suite& each : selection->suites)
             folders.emplace_back(fs::path(arguments.results), fs::path(each.name));
-        sandbox = sandboxOf(*selection, arguments.suites.driver, arguments.goldens, folders);
+        sandbox = sandboxOf(*selection, arguments.suites.run.driver, arguments.goldens, folders);
         if (!sandbox) return kSceneIsWrong;
         sandbox->listable.emplace_back(
             fs::path(arguments.results));  // pictures are written from there on, folder by folder
@@ -322,11 +300,10 @@ int test(const TestArguments& arguments) {
     const system::Interruption interruption;
     const auto isStopped = [&] { return interruption.signal() != 0; };
     suite::RunOptions options = runOptions(arguments, sandbox);
-    options.orphans = orphansOf(selection->suites, arguments.goldens);
-    const suite::ShotInputs inputs =
-        suite::inputsOf(selection->suites, selection->shots,
-                        inputWorkers(arguments.suites, selection->shots.size(), options.sandbox, isStopped),
-                        arguments.suites.timeout);
+    options.orphansBySuite = orphansOf(selection->suites, arguments.goldens);
+    const suite::ShotInputs inputs = suite::inputsOf(
+        selection->suites, selection->shots,
+        inputWorkers(arguments.suites, selection->shots.size(), options.sandbox, isStopped), options.timeout);
     if (printErrors(overwrittenBy(arguments, *selection, inputs))) return kSceneIsWrong;
     const std::map<suite::ShotReference, std::string> fingerprints =
         suite::fingerprints(selection->suites, selection->shots, inputs, options);
@@ -349,8 +326,8 @@ int test(const TestArguments& arguments) {
     if (sandbox) makeWritableFolders(*sandbox);  // opening the record has removed those of an earlier run
     std::string driver;
     if (record->hasEarlier())
-        driver = suite::keyOfDriver(arguments.suites.driver,
-                                    inputWorkers(arguments.suites, 1, options.sandbox, isStopped));
+        driver =
+            suite::keyOfDriver(options.driver, inputWorkers(arguments.suites, 1, options.sandbox, isStopped));
     std::vector<suite::ShotReference> open;
     std::map<suite::ShotKey, std::pair<suite::ShotReference, std::string>> basisOf;  // with the fingerprint
     for (const suite::ShotReference& each : selection->shots) {
@@ -441,7 +418,8 @@ int test(const TestArguments& arguments) {
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     record->collect(run, selection->suites, selection->shots);
     if (!end.stopped)
-        status = std::max(status, settleOrphans(selection->suites, options.orphans, arguments.prune, run));
+        status =
+            std::max(status, settleOrphans(selection->suites, options.orphansBySuite, options.prune, run));
     record->finish(run);
     if (record->failed()) status = kSceneIsWrong;
     if (const std::string missing = suite::shortfall(run); !missing.empty()) {
@@ -483,11 +461,11 @@ int runCommand(const TestArguments& arguments) {
     }
     if (arguments.suites.suites.empty())
         return refuse("expected a suite: a TOML file or a folder of scenes, such as `glibra test scenes/`");
-    if ((arguments.force || arguments.variant || arguments.also || arguments.replaceUnreadable ||
-         arguments.anyDriver) &&
+    const suite::RunOptions& run = arguments.suites.run;
+    if ((run.force || run.variant || run.also || run.replaceUnreadable || run.anyDriver) &&
         !arguments.updates())
         return refuse("--force, --variant, --also, --replace-unreadable and --any-driver need --update");
-    if (arguments.variant && arguments.also) return refuse("--also excludes --variant");
+    if (run.variant && run.also) return refuse("--also excludes --variant");
     if (arguments.rename && arguments.updates())
         return refuse("--rename excludes --update: rename first, then look at what is left");
     if (arguments.writesGoldens() && arguments.suites.untrusted)
@@ -507,6 +485,7 @@ void addTest(CommandLine& program, int& status) {
         "glibra test submissions/ --report out/         # out/index.html shows what differs\n"
         "glibra test scenes/start.toml --only teapot");
     TestArguments& to = *arguments;
+    suite::RunOptions& run = to.suites.run;
     command.list("SUITE", to.suites.suites, "suites: TOML files or folders of scenes");
     command.flag(
         "--update", {"all", kMissing}, to.update,
@@ -515,22 +494,22 @@ void addTest(CommandLine& program, int& status) {
     command.flag(
         "--rename", to.rename,
         "give a golden of no shot, whose picture a shot without a golden draws, the name of that shot");
-    command.flag("--prune", to.prune,
+    command.flag("--prune", run.prune,
                  "remove goldens that belong to no shot of the suites, instead of listing them");
-    command.flag("--force", to.force,
+    command.flag("--force", run.force,
                  "with --update: accept even pictures of one colour or with values that are not a number");
-    command.flag("--variant", to.variant,
+    command.flag("--variant", run.variant,
                  "with --update: write goldens for this family of drivers only, as NAME.nvidia.png");
-    command.flag("--also", to.also,
+    command.flag("--also", run.also,
                  "with --update: keep the golden, and accept the picture beside it, as NAME.also1.png");
-    command.flag("--replace-unreadable", to.replaceUnreadable,
+    command.flag("--replace-unreadable", run.replaceUnreadable,
                  "with --update: also replace goldens that cannot be read");
     command.flag(
-        "--any-driver", to.anyDriver,
+        "--any-driver", run.anyDriver,
         "with --update: also write goldens for all drivers whose suite has those of another family of "
         "drivers");
     command.flag("--list", to.list, "print the names of the selected shots, as SUITE/SHOT, and draw nothing");
-    command.flag("--strict-flaky", to.strictFlaky, "shots that are right in some of their drawings fail");
+    command.flag("--strict-flaky", run.strictFlaky, "shots that are right in some of their drawings fail");
     command.flag("--strict-orphans", to.strictOrphans, "goldens that belong to no shot make the run fail");
     addSelectionOptions(command, to.suites);
     command.option("--results", to.results, "folder for the results and the pictures of failures")
@@ -551,7 +530,7 @@ void addTest(CommandLine& program, int& status) {
                 "folder with one folder of goldens per suite, instead of the suites' own")
         .written();
     command.flag(
-        "--allow-outside", to.allowOutside,
+        "--allow-outside", run.allowOutside,
         "let --update write goldens outside of the suite's folder, and follow goldens that are links "
         "to such places");
     command.list("--merge", to.merge, "merge the results in these folders, as the shards of one run")
@@ -559,10 +538,10 @@ void addTest(CommandLine& program, int& status) {
     command.repeated("--root", to.roots,
                      "with --merge: a folder of scenes, shaders or goldens that the report may show; may be "
                      "repeated");
-    command.jobs(to.suites.jobs);
-    command.driver(to.suites.driver);
+    command.jobs(run.jobs);
+    command.driver(run.driver);
     for (const suite::OptionRow& row : suite::optionTable())
-        if (row.withSuite) addPictureOption(command, row.name, to.picture);
+        if (row.withSuite) addPictureOption(command, row.name, run.ofAll);
     addUntrustedOption(command, to.suites.untrusted);
     for (const char* each :
          {"--force", "--variant", "--replace-unreadable", "--any-driver", "--shard", "--resume", "--results",
@@ -571,8 +550,9 @@ void addTest(CommandLine& program, int& status) {
     command.onRun(
         [arguments, timeout = command.find("--timeout"), results = command.find("--results"), &status] {
             arguments->resultsAreNamed = results.isGiven();
-            if (timeout.isGiven()) arguments->suites.timeout = arguments->picture.timeout;
-            arguments->suites.memory = arguments->picture.memory;
+            suite::RunOptions& options = arguments->suites.run;
+            if (timeout.isGiven()) options.timeout = options.ofAll.timeout;
+            options.memory = options.ofAll.memory;
             arguments->command = commandLine();
             arguments->suites.withNamed = !arguments->updates();
             status = runCommand(*arguments);

@@ -253,7 +253,7 @@ void addStatementWords(Collector& words, std::string_view name) {
 /// expression.
 bool takesNumbersOnly(std::string_view name) {
     const glib::StatementRow* command = glib::findCommand(name);
-    return command && formOf(*command) == glib::ArgumentForm::numbers && !glib::modernFormOf(name);
+    return command && takesNumbers(*command) && !glib::modernFormOf(name);
 }
 
 /// What may follow the word of a statement outside of expressions.
@@ -489,7 +489,7 @@ std::vector<Completion> wordsAt(std::string_view text, std::size_t cursor, const
             if (begin < typed.begin || isInComment(text, cursor, at.language)) return found;
             Collector words(text.substr(typed.begin, typed.end - typed.begin));
             const glib::StatementRow* const command = glib::findCommand(firstWord(statement));
-            if (command && formOf(*command) == glib::ArgumentForm::file)
+            if (command && argumentsOf(*command).size() == 1)
                 addStatementWords(words, firstWord(statement));
             else
                 addGlib(words, text, typed, context);

@@ -19,20 +19,6 @@ constexpr int kParseError = -32700, kInvalidRequest = -32600, kMethodNotFound = 
               kInvalidParameters = -32602, kInternalError = -32603, kNotInitialized = -32002,
               kRequestCancelled = -32800;
 
-/// The text with U+FFFD for each byte that is no UTF-8.
-std::string repaired(std::string_view text) {
-    std::string to;
-    while (!text.empty()) {
-        const base::Character character = base::firstCharacter(text);
-        if (character.valid)
-            to += text.substr(0, character.bytes);
-        else
-            base::appendUtf8(to, 0xfffd);
-        text.remove_prefix(character.bytes);
-    }
-    return to;
-}
-
 /// How deep arrays and objects are nested.
 std::size_t nestingOf(std::string_view text) {
     std::size_t depth = 0, most = 0;
@@ -105,7 +91,8 @@ bool LanguageServer::receive(std::string_view message) {
     constexpr std::size_t kDeepest = 256;
     json read =
         nestingOf(message) > kDeepest ? json(json::value_t::discarded) : json::parse(message, nullptr, false);
-    if (read.is_discarded() && !base::isUtf8(message)) read = json::parse(repaired(message), nullptr, false);
+    if (read.is_discarded() && !base::isUtf8(message))
+        read = json::parse(base::onlyUtf8(message), nullptr, false);
     if (read.is_discarded()) {
         fail(nullptr, kParseError, "the message is no JSON");
         return false;

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <deque>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <ranges>
 #include <set>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "base/contained_call.h"
+#include "base/packed.h"
 #include "base/text.h"
 #include "editor/declared_names.h"
 #include "editor/front_end.h"
@@ -38,6 +38,24 @@
 #include "system/memory.h"
 
 namespace glibra::editor {
+
+// What the process of its own answers.
+
+void eachMember(auto& packed, base::Is<SceneProgram::Stage> auto& of) {
+    packed.upTo(glsl::Stage::compute, of.stage);
+    packed(of.file);
+}
+void eachMember(auto& packed, base::Is<SceneProgram> auto& of) {
+    packed(of.name, of.file, of.line, of.stages);
+}
+void eachMember(auto& packed, base::Is<KnownName> auto& of) {
+    packed(of.name, of.type, of.what, of.value, of.isStageVariable);
+    packed.upTo(CodeLanguage::glib, of.in);
+}
+void eachMember(auto& packed, base::Is<SceneCheck> auto& of) {
+    packed(of.diagnostics, of.files, of.names.programs, of.names.values);
+}
+
 namespace {
 
 // ---- The errors that every driver reports because the text of a shader asks for it.
@@ -102,8 +120,6 @@ Diagnostics errorDirectivesOf(const glsl::TranslatedProgram& program) {
 }
 
 // ---- The programs of a scene.
-
-using nlohmann::json;
 
 constexpr std::size_t kLargestAnswer = std::size_t{32} << 20U;  // both answers of checkContained
 constexpr double kSeconds = 10;
@@ -183,51 +199,6 @@ std::string valueText(const std::vector<double>& numbers, glib::UniformForm form
 void removeEqual(Diagnostics& diagnostics) {
     std::set<std::string> seen;
     std::erase_if(diagnostics, [&](const Diagnostic& each) { return !seen.insert(toString(each)).second; });
-}
-
-// ---- What the process of its own answers
-
-json toJson(const SceneCheck& check) {
-    json answer = {{"messages", json::array()},
-                   {"files", json::array()},
-                   {"programs", json::array()},
-                   {"values", json::array()}};
-    for (const Diagnostic& each : check.diagnostics)
-        answer["messages"].push_back({static_cast<int>(each.severity), each.id, each.text, each.place.file,
-                                      each.place.line, each.place.column});
-    for (const std::filesystem::path& each : check.files) answer["files"].push_back(each.generic_string());
-    for (const SceneProgram& each : check.names.programs) {
-        json stages = json::array();
-        for (const SceneProgram::Stage& stage : each.stages)
-            stages.push_back({static_cast<int>(stage.stage), stage.file.generic_string()});
-        answer["programs"].push_back({each.name, each.file, each.line, stages});
-    }
-    for (const KnownName& each : check.names.values)
-        answer["values"].push_back({each.name, each.type, each.what, each.value, static_cast<int>(each.in)});
-    return answer;
-}
-
-SceneCheck fromJson(const json& answer) {
-    SceneCheck check;
-    for (const json& each : answer.at("messages")) {
-        const auto severity = each.at(0).get<int>();
-        check.diagnostics.push_back({static_cast<Severity>(severity),
-                                     each.at(1),
-                                     each.at(2),
-                                     {each.at(3), each.at(4).get<int>(), each.at(5).get<int>()}});
-    }
-    for (const json& each : answer.at("files")) check.files.emplace_back(each.get<std::string>());
-    for (const json& each : answer.at("programs")) {
-        SceneProgram program{each.at(0), each.at(1), each.at(2).get<int>(), {}};
-        for (const json& stage : each.at(3))
-            program.stages.push_back(
-                {static_cast<glsl::Stage>(stage.at(0).get<int>()), stage.at(1).get<std::string>()});
-        check.names.programs.push_back(std::move(program));
-    }
-    for (const json& each : answer.at("values"))
-        check.names.values.push_back({each.at(0), each.at(1), each.at(2), each.at(3),
-                                      static_cast<CodeLanguage>(each.at(4).get<int>())});
-    return check;
 }
 
 }  // namespace
@@ -460,7 +431,7 @@ ContainedCheck checkContained(const std::filesystem::path& file, const RenderOpt
     const base::CallEnd end = base::runContained({.seconds = kSeconds}, [&] {
         std::byte* to = bytes.data();
         checkFile(file, options, Asked::driver, [&](const SceneCheck& check) {
-            const std::string answer = toJson(check).dump(-1, ' ', false, json::error_handler_t::replace);
+            const std::string answer = base::packed(check, base::PackedText::utf8);
             const std::size_t length = answer.size();
             if (length + sizeof length <= half) {
                 std::memcpy(to + sizeof length, answer.data(), length);
@@ -474,9 +445,8 @@ ContainedCheck checkContained(const std::filesystem::path& file, const RenderOpt
         std::memcpy(&length, bytes.data() + at, sizeof length);
         if (length == 0 || length > half - sizeof length) continue;
         const auto* const begin = reinterpret_cast<const char*>(bytes.data()) + at + sizeof length;
-        const json answer = json::parse(begin, begin + length, nullptr, false);
-        if (!answer.is_discarded()) {
-            result.check = fromJson(answer);
+        if (std::optional<SceneCheck> check = base::unpacked<SceneCheck>({begin, length})) {
+            result.check = *std::move(check);
             return result;
         }
     }

@@ -198,10 +198,9 @@ std::string colorText(const std::array<double, 4>& components, std::string_view 
 }
 
 bool takesFile(const glib::StatementRow& row) {
-    const glib::ArgumentForm form = formOf(row);
-    return form == glib::ArgumentForm::file || form == glib::ArgumentForm::texture ||
-           form == glib::ArgumentForm::cubeMap ||
-           hasNode(row, [](const glib::SyntaxNode& each) { return each.type == glib::ValueType::file; });
+    return hasNode(row, [](const glib::SyntaxNode& each) {
+        return each.type == glib::ValueType::file || each.type == glib::ValueType::texels;
+    });
 }
 
 std::vector<NamedFile> filesIn(std::string_view scene) {

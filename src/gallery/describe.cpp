@@ -1,12 +1,12 @@
 #include "gallery/describe.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 #include <utility>
 
 #include "base/files.h"
+#include "base/packed.h"
 #include "classroom/tokens.h"
 #include "glib/limits.h"
 #include "glib/text.h"
@@ -15,10 +15,23 @@
 #include "suite/file/exercise_file.h"
 
 namespace glibra::gallery {
+
+void eachMember(auto& packed, base::Is<Control> auto& of) {
+    packed.upTo(Control::Kind::color, of.kind);
+    packed(of.owner, of.name, of.numbers, of.words);
+}
+void eachMember(auto& packed, base::Is<SourceText> auto& of) {
+    packed(of.name, of.role, of.text);
+}
+void eachMember(auto& packed, base::Is<Description> auto& of) {
+    packed(of.head.rows, of.head.summary, of.head.text, of.width, of.height, of.mayMove, of.solution,
+           of.keys);
+    packed(of.controls, of.sources);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr std::size_t kMostSources = 100;     // of a scene
 constexpr std::size_t kMostText = 2'000'000;  // bytes of them
@@ -194,45 +207,18 @@ Description describe(const DescribeTask& task) {
 }
 
 std::string toText(const Description& description) {
-    Json json = {{"rows", description.head.rows},    {"summary", description.head.summary},
-                 {"text", description.head.text},    {"width", description.width},
-                 {"height", description.height},     {"mayMove", description.mayMove},
-                 {"solution", description.solution}, {"keys", description.keys},
-                 {"controls", Json::array()},        {"sources", Json::array()}};
-    for (const Control& each : description.controls)
-        json["controls"].push_back(
-            {each.owner, each.name, static_cast<int>(each.kind), each.numbers, each.words});
-    for (const SourceText& each : description.sources)
-        json["sources"].push_back({each.name, each.role, each.text});
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return base::packed(description, base::PackedText::utf8);
 }
 
-std::optional<Description> parseDescription(std::string_view text) try {
-    constexpr int kLastKind = static_cast<int>(Control::Kind::color);
-    const Json json = Json::parse(text);
-    Description found;
-    found.head.rows = json.at("rows").get<std::vector<std::string>>();
-    found.head.summary = json.at("summary").get<std::string>();
-    found.head.text = json.at("text").get<std::vector<std::string>>();
-    found.width = std::clamp(json.at("width").get<int>(), 0, kLargestPictureSide);
-    found.height = std::clamp(json.at("height").get<int>(), 0, kLargestPictureSide);
-    found.mayMove = json.at("mayMove").get<bool>();
-    found.solution = json.at("solution").get<std::string>();
-    found.keys = json.at("keys").get<std::vector<std::string>>();
-    for (const Json& each : json.at("controls")) {
-        const int kind = std::clamp(each.at(2).get<int>(), 0, kLastKind);
-        found.controls.push_back({each.at(0).get<std::string>(), each.at(1).get<std::string>(),
-                                  static_cast<Control::Kind>(kind), each.at(3).get<std::vector<double>>(),
-                                  each.at(4).get<std::vector<std::string>>()});
-        if (found.controls.back().numbers.empty() || (kind == 0 && found.controls.back().numbers.size() != 3))
+std::optional<Description> parseDescription(std::string_view text) {
+    std::optional<Description> found = base::unpacked<Description>(text);
+    if (!found) return std::nullopt;
+    found->width = std::clamp(found->width, 0, kLargestPictureSide);
+    found->height = std::clamp(found->height, 0, kLargestPictureSide);
+    for (const Control& each : found->controls)
+        if (each.numbers.empty() || (each.kind == Control::Kind::range && each.numbers.size() != 3))
             return std::nullopt;
-    }
-    for (const Json& each : json.at("sources"))
-        found.sources.push_back(
-            {each.at(0).get<std::string>(), each.at(1).get<std::string>(), each.at(2).get<std::string>()});
     return found;
-} catch (const Json::exception&) {
-    return std::nullopt;
 }
 
 }  // namespace glibra::gallery

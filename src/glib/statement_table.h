@@ -57,21 +57,6 @@ enum class Standing : std::uint8_t {
     notInPass,    ///< outside Pass
 };
 
-/// How the text after the word of a classic statement is read, and which members of Command it fills. The
-/// syntax says which it is (syntax.h).
-enum class ArgumentForm : std::uint8_t {
-    numbers,      ///< fills `numbers`
-    file,         ///< one file name or none: `values`
-    cubeMap,      ///< a unit and six files: `numbers`, `values`
-    units,        ///< up to eight texture units, or none: `numbers`
-    texture,      ///< a unit and a file, or a unit, sizes and a format: `numbers`, `values`
-    topology,     ///< a word of the row, with or without gl_: `values`, without gl_, in lower case
-    switchWord,   ///< on, off, 1, 0, true, false: `numbers` (1 or 0), `values`
-    message,      ///< the raw text to the end of the line: `values`
-    pointGroups,  ///< points in `numbers`, a multiple of the row's number
-    program,      ///< a name and pairs: `values`, `tags`, `uniforms`
-};
-
 /// What a single number of a classic statement means where the row has several.
 enum class LoneNumber : std::uint8_t {
     first,       ///< the first argument

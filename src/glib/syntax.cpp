@@ -194,6 +194,7 @@ class Compiler {
         SyntaxNode node;
         if (all.starts_with("pairs")) {
             node.kind = NodeKind::pairs;
+            node.type = ValueType::any;
             node.text = "tags";
             node.needsOne = all.ends_with('+');
             return node;
@@ -318,36 +319,11 @@ void forEachNode(const SyntaxNode& node, const Visit& visit) {
     for (const SyntaxNode& each : node.children) forEachNode(each, visit);
 }
 
-/// How a classic statement of these arguments is read.
-ArgumentForm formOfArguments(std::span<const SyntaxNode* const> arguments) {
-    if (arguments.empty()) return ArgumentForm::numbers;
-    if (arguments.back()->kind == NodeKind::pairs) return ArgumentForm::program;
-    switch (arguments.back()->type) {
-        case ValueType::file:
-            return arguments.size() > 1 ? ArgumentForm::cubeMap : ArgumentForm::file;
-        case ValueType::unit:
-            return ArgumentForm::units;
-        case ValueType::texels:
-            return ArgumentForm::texture;
-        case ValueType::oneOf:
-            return ArgumentForm::topology;
-        case ValueType::truth:
-            return ArgumentForm::switchWord;
-        case ValueType::line:
-            return ArgumentForm::message;
-        case ValueType::points:
-            return ArgumentForm::pointGroups;
-        default:
-            return ArgumentForm::numbers;
-    }
-}
-
 std::vector<Syntax> compiled(std::span<const StatementRow> rows) {
     std::vector<Syntax> all(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         all[i].root = Compiler(expanded(rows[i].syntax)).compile();
         finishNode(all[i].root, {}, all[i]);
-        all[i].form = formOfArguments(all[i].arguments);
     }
     return all;
 }

@@ -13,7 +13,18 @@
 namespace glibra::glib {
 
 enum class ValueType : std::uint8_t {
-    number,      ///< a number or an expression
+    number,  ///< a number or an expression
+    // Numbers of classic statements with rules of their own (language, 1.7). `number` is every finite number.
+    size,       ///< negative: the absolute value is used (glib-W28); 0: the shape draws nothing (glib-W42)
+    count,      ///< an integer; below `low`: raised to it (glib-W28); above `high`: glib-E15
+    integer,    ///< outside low..high: glib-E05
+    between,    ///< not strictly between low and high: glib-E05
+    positive,   ///< not above 0: glib-E05; outside low..high: glib-E15
+    component,  ///< of a colour; outside 0..1: kept (glib-W26)
+    // Numbers that say how the other arguments are read.
+    texels,  ///< an integer; negative: as a size; 0: glib-E05; above `high`: glib-E15
+    unit,    ///< an integer, a texture unit; outside low..high: glib-E12
+    // Arguments of modern statements, and words of classic ones.
     name,        ///< a new name: letters, digits and _
     array,       ///< a new name, or name[count]
     object,      ///< the name of an object with parts: slice[i], life.prev, glow.level(2)
@@ -29,15 +40,6 @@ enum class ValueType : std::uint8_t {
     color,       ///< {r g b} or an expression
     components,  ///< {...}, [...] or an expression
     oneOf,       ///< one of `words`, or an expression
-    // Numbers of classic statements with rules of their own (language, 1.7). `number` is every finite number.
-    size,       ///< negative: the absolute value is used (glib-W28); 0: the shape draws nothing (glib-W42)
-    count,      ///< an integer; below `low`: raised to it (glib-W28); above `high`: glib-E15
-    integer,    ///< outside low..high: glib-E05
-    between,    ///< not strictly between low and high: glib-E05
-    positive,   ///< not above 0: glib-E05; outside low..high: glib-E15
-    texels,     ///< an integer; negative: as a size; 0: glib-E05; above `high`: glib-E15
-    component,  ///< of a colour; outside 0..1: kept (glib-W26)
-    unit,       ///< an integer, a texture unit; outside low..high: glib-E12
     // Other arguments of classic statements.
     points,  ///< groups of three or four numbers; their number is a multiple of `most`
     truth,   ///< on, off, 1, 0, true, false
@@ -67,9 +69,8 @@ struct SyntaxNode {
 struct Syntax {
     SyntaxNode root;
     std::vector<const SyntaxNode*> arguments;  ///< the values and pairs in order
-    ArgumentForm form = ArgumentForm::numbers;
-    std::vector<std::string> keys;       ///< all keys, each once, without suffixes
-    std::vector<std::string> outerKeys;  ///< those that may stand without another key before them
+    std::vector<std::string> keys;             ///< all keys, each once, without suffixes
+    std::vector<std::string> outerKeys;        ///< those that may stand without another key before them
 };
 
 /// The compiled syntax of a row of the tables.
@@ -80,9 +81,14 @@ inline std::span<const SyntaxNode* const> argumentsOf(const StatementRow& row) {
     return syntaxOf(row).arguments;
 }
 
-/// How the arguments of a classic statement are read.
-inline ArgumentForm formOf(const StatementRow& row) {
-    return syntaxOf(row).form;
+/// The type of the last argument, which says how a classic statement is read; `number` if there is none.
+inline ValueType lastTypeOf(const StatementRow& row) {
+    return argumentsOf(row).empty() ? ValueType::number : argumentsOf(row).back()->type;
+}
+
+/// True for a classic statement of numbers alone, or without arguments.
+inline bool takesNumbers(const StatementRow& row) {
+    return lastTypeOf(row) <= ValueType::component;
 }
 
 /// True if the syntax has such a node.

@@ -13,7 +13,6 @@
 #include "base/workers.h"
 #include "image/convert.h"
 #include "image/module/abi.h"
-#include "system/library.h"
 #include "system/memory.h"
 #include "system/places.h"
 
@@ -27,32 +26,15 @@ struct Module {
     GlibraWritePicture write = nullptr;
 };
 
-/// Loading a library that is already loaded takes microseconds, so nothing is cached here. The library is
-/// never unloaded: OpenImageIO does not survive that. A text says why there is no module: "is not installed",
-/// or what keeps the first one that is there from being loaded, such as a library of the system that it
-/// needs.
+/// A text says why there is no module. OpenImageIO does not survive being unloaded, and is not.
 std::variant<Module, std::string> loadModule(std::span<const fs::path> folders) {
     std::string why;
-    for (const fs::path& folder : folders) {
-        const fs::path file = folder / system::moduleName("glibra_openimageio");
-        std::error_code failed;
-        if (!fs::exists(file, failed)) continue;
-        std::string problem;
-        const auto library =
-            system::Library::open(file.generic_string(), system::Library::When::allNow, problem);
-        if (!library) {
-            if (why.empty()) why = fmt::format("cannot be loaded: {}", problem);
-            continue;
-        }
-        const auto version = library.find<GlibraModuleVersion>("glibraModuleVersion");
-        const Module module{library.find<GlibraReadPicture>("glibraReadPicture"),
-                            library.find<GlibraWritePicture>("glibraWritePicture")};
-        if (version != nullptr && version() == kGlibraModuleVersion && module.read != nullptr &&
-            module.write != nullptr)
-            return module;
-        if (why.empty()) why = fmt::format("is of another version of glibra: {}", file.generic_string());
-    }
-    return why.empty() ? "is not installed" : why;
+    const system::Library library =
+        openModule(folders, "glibra_openimageio", "glibraModuleVersion", kGlibraModuleVersion,
+                   {"glibraReadPicture", "glibraWritePicture"}, why);
+    if (!library) return why;
+    return Module{library.find<GlibraReadPicture>("glibraReadPicture"),
+                  library.find<GlibraWritePicture>("glibraWritePicture")};
 }
 
 Diagnostic noModule(Format format, const FileLabel& label, const std::string& why) {
@@ -273,6 +255,28 @@ fs::path librariesOfPackage(const fs::path& folder) {
 }
 
 }  // namespace
+
+system::Library openModule(std::span<const fs::path> folders, std::string_view name, const char* versionOf,
+                           int version, std::initializer_list<const char*> functions, std::string& why) {
+    why.clear();
+    for (const fs::path& folder : folders) {
+        const fs::path file = folder / system::moduleName(name);
+        std::error_code failed;
+        if (!fs::exists(file, failed)) continue;
+        std::string problem;
+        const auto library =
+            system::Library::open(file.generic_string(), system::Library::When::allNow, problem);
+        const auto itsVersion = library ? library.find<GlibraModuleVersion>(versionOf) : nullptr;
+        const auto has = [&](const char* each) { return library.address(each) != nullptr; };
+        if (itsVersion != nullptr && itsVersion() == version && std::ranges::all_of(functions, has))
+            return library;
+        if (why.empty())
+            why = library ? fmt::format("is of another version of glibra: {}", file.generic_string())
+                          : fmt::format("cannot be loaded: {}", problem);
+    }
+    if (why.empty()) why = "is not installed";
+    return {};
+}
 
 std::vector<fs::path> moduleFoldersOf(const fs::path& program, const fs::path& library) {
     std::vector<fs::path> folders;

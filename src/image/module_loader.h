@@ -5,14 +5,17 @@
 #include <glibra/result.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/contained_call.h"
 #include "image/format.h"
 #include "image/image.h"
 #include "image/limits.h"
+#include "system/library.h"
 
 namespace glibra::image {
 
@@ -24,6 +27,14 @@ std::vector<std::filesystem::path> moduleFoldersOf(const std::filesystem::path& 
                                                    const std::filesystem::path& library);
 /// Those of this process.
 std::vector<std::filesystem::path> defaultModuleFolders();
+
+/// The first module of ours in the folders that says by its function `versionOf` that it is of this version,
+/// and has all functions. Without one, `why` says "is not installed", or what keeps the first that is there
+/// from being loaded, such as a library of the system that it needs. Loading a library that is loaded already
+/// takes microseconds, so nothing is cached.
+system::Library openModule(std::span<const std::filesystem::path> folders, std::string_view name,
+                           const char* versionOf, int version, std::initializer_list<const char*> functions,
+                           std::string& why);
 
 /// What may be read, and by whom.
 struct ReadOptions {

@@ -9,7 +9,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <system_error>
@@ -18,6 +17,7 @@
 
 #include "base/device_lost.h"
 #include "base/files.h"
+#include "base/packed.h"
 #include "base/text.h"
 #include "image/convert.h"
 #include "image/png/png_writer.h"
@@ -30,10 +30,18 @@
 #include "suite/run/run_options.h"
 
 namespace glibra::page {
+
+void eachMember(auto& packed, base::Is<PageFile> auto& of) {
+    packed(of.name, of.content, of.isConverted);
+}
+void eachMember(auto& packed, base::Is<PageScene> auto& of) {
+    packed(of.name, of.files, of.read, of.head.rows, of.head.summary, of.head.text, of.width, of.height);
+    packed(of.picture, of.diagnostics, of.isLive, of.film.pictures, of.film.state, of.noDriver);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr int kSmallest = 9;  // the level of PngOptions for what is written once and loaded often
 
@@ -175,14 +183,6 @@ void noteSize(const PageTask& task, PageScene& page) {
     page.diagnostics.push_back(std::move(note));
 }
 
-Json binary(std::string_view text) {
-    return Json::binary({text.begin(), text.end()});
-}
-std::string textOf(const Json& json) {
-    const auto& bytes = json.get_binary();
-    return {bytes.begin(), bytes.end()};
-}
-
 }  // namespace
 
 std::pair<int, int> fitting(int windowWidth, int windowHeight, int width, int height) {
@@ -317,63 +317,15 @@ void makePages(std::span<const PageTask> tasks, Driver driver, const base::Worke
 }
 
 std::string toText(const PageScene& scene) {
-    Json json = {{"name", binary(scene.name)},
-                 {"rows", scene.head.rows},
-                 {"summary", scene.head.summary},
-                 {"text", scene.head.text},
-                 {"width", scene.width},
-                 {"height", scene.height},
-                 {"picture", binary(scene.picture)},
-                 {"isLive", scene.isLive},
-                 {"noDriver", scene.noDriver},
-                 {"files", Json::array()},
-                 {"read", Json::array()},
-                 {"messages", Json::array()},
-                 {"film", Json::array()},
-                 {"filmState", binary(scene.film.state)}};
-    for (const std::string& each : scene.film.pictures) json["film"].push_back(binary(each));
-    for (const PageFile& each : scene.files)
-        json["files"].push_back({binary(each.name), binary(each.content), each.isConverted});
-    for (const fs::path& each : scene.read) json["read"].push_back(binary(each.generic_string()));
-    for (const Diagnostic& each : scene.diagnostics)
-        json["messages"].push_back({static_cast<int>(each.severity), binary(each.id), binary(each.text),
-                                    binary(each.place.file), each.place.line, each.place.column,
-                                    binary(each.subject), binary(each.suggestion)});
-    const std::vector<std::uint8_t> packed = Json::to_cbor(json);
-    return {packed.begin(), packed.end()};
+    return base::packed(scene);
 }
 
-std::optional<PageScene> parsePageScene(std::string_view text) try {
-    const Json json = Json::from_cbor(text.begin(), text.end());
-    PageScene scene;
-    scene.name = textOf(json.at("name"));
-    scene.head.rows = json.at("rows").get<std::vector<std::string>>();
-    scene.head.summary = json.at("summary").get<std::string>();
-    scene.head.text = json.at("text").get<std::vector<std::string>>();
-    scene.width = std::clamp(json.at("width").get<int>(), 0, kLargestPictureSide);
-    scene.height = std::clamp(json.at("height").get<int>(), 0, kLargestPictureSide);
-    scene.picture = textOf(json.at("picture"));
-    scene.isLive = json.at("isLive").get<bool>();
-    scene.noDriver = json.at("noDriver").get<bool>();
-    for (const Json& each : json.at("files"))
-        scene.files.push_back({textOf(each.at(0)), textOf(each.at(1)), each.at(2).get<bool>()});
-    for (const Json& each : json.at("film")) scene.film.pictures.push_back(textOf(each));
-    scene.film.state = textOf(json.at("filmState"));
-    scene.film.width = scene.width;
-    scene.film.height = scene.height;
-    for (const Json& each : json.at("read")) scene.read.emplace_back(textOf(each));
-    for (const Json& each : json.at("messages")) {
-        const int severity = std::clamp(each.at(0).get<int>(), 0, static_cast<int>(Severity::error));
-        scene.diagnostics.push_back({static_cast<Severity>(severity),
-                                     textOf(each.at(1)),
-                                     textOf(each.at(2)),
-                                     {textOf(each.at(3)), each.at(4).get<int>(), each.at(5).get<int>()},
-                                     textOf(each.at(6)),
-                                     textOf(each.at(7))});
-    }
+std::optional<PageScene> parsePageScene(std::string_view text) {
+    std::optional<PageScene> scene = base::unpacked<PageScene>(text);
+    if (!scene) return std::nullopt;
+    scene->film.width = scene->width = std::clamp(scene->width, 0, kLargestPictureSide);
+    scene->film.height = scene->height = std::clamp(scene->height, 0, kLargestPictureSide);
     return scene;
-} catch (const Json::exception&) {
-    return std::nullopt;
 }
 
 }  // namespace glibra::page

@@ -149,7 +149,7 @@ void SceneRenderer::drawAhead(double time, Stats& stats) {
     }
     state.endFrame(diagnostics, stats);
     ahead.condition = conductor.stopsWith(diagnostics) ? Condition::stopped : conductor.condition;
-    if (ahead.condition != Condition::stopped) ahead.labels = state.labels();
+    if (ahead.condition != Condition::stopped) ahead.finish = state.finish();
 }
 
 Result<image::Image> SceneRenderer::takeDrawn(Stats& stats) {
@@ -166,8 +166,8 @@ Result<image::Image> SceneRenderer::takeDrawn(Stats& stats) {
         append(ahead.diagnostics, std::move(unread));
     }
     if (ahead.condition == Condition::stopped) return std::move(ahead.diagnostics);
-    SceneState::finishPicture(picture, ahead.labels, ahead.condition == Condition::incomplete);
-    return {std::move(picture), std::move(ahead.diagnostics)};
+    ahead.finish.isIncomplete = ahead.condition == Condition::incomplete;
+    return {ahead.finish.finished(std::move(picture)), std::move(ahead.diagnostics)};
 }
 
 Result<image::Image> SceneRenderer::drawFirst(std::size_t draws, std::size_t pass, int color, double time,

@@ -337,9 +337,17 @@ Diagnostics SceneState::readTile(std::size_t index, image::Image& picture, Stats
     return std::move(pixels.diagnostics);
 }
 
-std::optional<LabelBlock> SceneState::labels() const {
-    if (conductor.options.labels == LabelCorner::none) return std::nullopt;
-    return labelBlock(width, height, labelsOf(conductor.scene, conductor.plans()), conductor.options.labels);
+SceneState::Finish SceneState::finish() const {
+    Finish finish{.labels = std::nullopt, .isIncomplete = conductor.condition == Condition::incomplete};
+    if (const LabelCorner corner = conductor.options.labels; corner != LabelCorner::none)
+        finish.labels = labelBlock(width, height, labelsOf(conductor.scene, conductor.plans()), corner);
+    return finish;
+}
+
+image::Image SceneState::Finish::finished(image::Image picture) const {
+    if (labels) drawLabels(picture, *labels, labels->left, labels->top);
+    if (isIncomplete) markIncomplete(picture);
+    return picture;
 }
 
 image::Image SceneState::emptyPicture() const {
@@ -355,12 +363,6 @@ image::Image SceneState::emptyPicture() const {
 gpu::PixelLayout SceneState::pixelLayout() const {
     return {conductor.options.alpha ? 4 : 3,
             conductor.options.floatPixels ? gpu::TexelType::f32 : gpu::TexelType::u8};
-}
-
-void SceneState::finishPicture(image::Image& picture, const std::optional<LabelBlock>& labels,
-                               bool isIncomplete) {
-    if (labels) drawLabels(picture, *labels, labels->left, labels->top);
-    if (isIncomplete) markIncomplete(picture);
 }
 
 void SceneState::endFrame(Diagnostics& diagnostics, Stats& stats) {
@@ -382,8 +384,7 @@ Result<image::Image> SceneState::draw(double time, Stats& stats) {
     }
     endFrame(diagnostics, stats);
     if (conductor.stopsWith(diagnostics)) return diagnostics;
-    finishPicture(picture, labels(), conductor.condition == Condition::incomplete);
-    return {std::move(picture), std::move(diagnostics)};
+    return {finish().finished(std::move(picture)), std::move(diagnostics)};
 }
 
 }  // namespace glibra::render

@@ -42,10 +42,18 @@ struct SceneState {
     std::vector<Tile> tileParts;  ///< the part of each tile that goes into the picture
     std::optional<gpu::Target> window;
     int width = 0, height = 0;
+    /// What becomes of the pixels of a frame once they are read, on the CPU. A later frame may be drawn
+    /// before.
+    struct Finish {
+        std::optional<LabelBlock> labels;  ///< the values of uniform variables (options.labels)
+        bool isIncomplete = false;
+
+        [[nodiscard]] image::Image finished(image::Image picture) const;
+    };
     /// A picture that is drawn, and not yet read.
     struct Ahead {
         Diagnostics diagnostics;
-        std::optional<LabelBlock> labels;
+        Finish finish;
         Condition condition = Condition::whole;
         bool isRead = false;  ///< by `stream`
     };
@@ -68,14 +76,11 @@ struct SceneState {
 
     /// SceneRenderer::draw.
     Result<image::Image> draw(double time, Stats& stats);
-    /// The values of uniform variables, which are written over the picture (options.labels).
-    [[nodiscard]] std::optional<LabelBlock> labels() const;
+    /// Of the frame that was drawn last.
+    [[nodiscard]] Finish finish() const;
     /// A picture of the right size and type.
     [[nodiscard]] image::Image emptyPicture() const;
     [[nodiscard]] gpu::PixelLayout pixelLayout() const;
-    /// Draws over a picture what belongs to it.
-    static void finishPicture(image::Image& picture, const std::optional<LabelBlock>& labels,
-                              bool isIncomplete);
     /// Draws a tile into `window`, and adds what it reports.
     void drawTile(std::size_t index, Diagnostics& diagnostics, Stats& stats);
     /// What is true after a frame, whether it could be drawn or not.

@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "base/packed.h"
 #include "base/workers.h"
 #include "system/process.h"
 
@@ -63,14 +64,17 @@ Ends runAllOf(std::size_t count, WorkerOptions options, const Work& work) {
 
 TEST(DeviceLostText, IsReadBackAsItWasWritten) {
     for (const ResetCause cause : {ResetCause::own, ResetCause::other, ResetCause::unknown}) {
-        const auto read = parseDeviceLost(toText(lostBy(cause)));
+        const auto read = unpacked<DeviceLost>(packed(lostBy(cause)));
         ASSERT_TRUE(read);
         EXPECT_EQ(read->cause, cause);
         EXPECT_EQ(read->place, (Place{"a scene.glib", 3, 1}));
         EXPECT_EQ(read->lastLine, 7);
     }
-    for (const char* wrong : {"", "1", "1 2 3", "7 1 1 1 a.glib", "-1 1 1 1 a.glib", "x 1 1 1 a.glib"})
-        EXPECT_FALSE(parseDeviceLost(wrong)) << wrong;
+    const std::string right = packed(lostBy(ResetCause::unknown));
+    for (std::size_t length = 0; length < right.size(); ++length)
+        EXPECT_FALSE(unpacked<DeviceLost>(right.substr(0, length))) << length;
+    EXPECT_FALSE(unpacked<DeviceLost>(right + "x"));
+    EXPECT_FALSE(unpacked<DeviceLost>(char(right[0] + 1) + right.substr(1))) << "there is no such cause";
 }
 
 TEST(DeviceLostText, NamesTheSceneOnlyIfItIsToBlame) {

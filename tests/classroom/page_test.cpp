@@ -49,7 +49,7 @@ Classroom sample() {
     room.entries[1].pictures = {drawn("pictures/0002-1.png", Score{0, 0, 1}), Picture{}};
     room.entries[1].pictures[1].verdict = Verdict::crashed;
     room.entries[1].pictures[1].reason = "the process that drew it ended, by signal 11";
-    room.entries.push_back({{"cem", "class/cem", {}, "the folder has no scene"}, {}, {}, {}, {}, {}, {}});
+    room.entries.emplace_back().submission = {"cem", "class/cem", {}, "the folder has no scene"};
     room.fingerprints.resize(3);
     return room;
 }

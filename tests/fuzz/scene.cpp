@@ -47,8 +47,7 @@ void checkAlone(const glibra::glib::Command& command, std::string_view text) {
     check(alone.commands.size() == 1, "a statement alone is one command");
     const glibra::glib::Command& again = alone.commands.front();
     // A Program without a name takes it from a file of an earlier statement.
-    const bool takesName =
-        formOf(*glibra::glib::findCommand(command.word)) == glibra::glib::ArgumentForm::program;
+    const bool takesName = command.id == glibra::glib::CommandId::program;
     check(again.id == command.id && again.numbers == command.numbers &&
               (takesName || again.text() == command.text()) && again.values.size() == command.values.size() &&
               again.uniforms.size() == command.uniforms.size(),

@@ -96,7 +96,7 @@ TEST(CommandTable, EveryRowAndArgumentIsDescribed) {
     for (const StatementRow& row : commandTable()) {
         EXPECT_FALSE(row.summary.empty()) << row.name;
         for (const SyntaxNode* each : argumentsOf(row)) EXPECT_FALSE(each->text.empty()) << row.name;
-        EXPECT_EQ(formOf(row) == ArgumentForm::topology, !wordsOf(row).empty()) << row.name;
+        EXPECT_EQ(lastTypeOf(row) == ValueType::oneOf, !wordsOf(row).empty()) << row.name;
     }
 }
 

@@ -98,7 +98,7 @@ std::vector<std::vector<double>> trials(std::size_t arguments) {
 TEST(EvaluatedNumbers, MeanWhatTheSameNumbersInTheFileMean) {
     std::size_t compared = 0;
     for (const StatementRow& row : commandTable()) {
-        if (formOf(row) != ArgumentForm::numbers) continue;
+        if (!takesNumbers(row)) continue;
         for (const std::vector<double>& numbers : trials(argumentsOf(row).size())) {
             std::string text(row.name);
             std::vector<EvaluatedNumber> evaluated;

@@ -284,27 +284,26 @@ class ArgumentReader {
           command_(command),
           log_(log) {}
 
-    void read(ArgumentForm form) {
-        if (form == ArgumentForm::pointGroups) return readPointGroups();
-        if (form == ArgumentForm::message) {
+    /// By the type of the last argument.
+    void read() {
+        const ValueType last = lastTypeOf(row_);
+        if (last == ValueType::points) return readPointGroups();
+        if (last == ValueType::line) {
             command_.values.push_back(wordOf(statement_.message, statement_.messagePosition));
             return;
         }
         takePlainArguments();
-        switch (form) {
-            case ArgumentForm::cubeMap:
-                return readCubeMap();
-            case ArgumentForm::units:
+        switch (last) {
+            case ValueType::file:
+                return readFiles();
+            case ValueType::unit:
                 return readUnits();
-            case ArgumentForm::texture:
+            case ValueType::texels:
                 return readTexture();
-            case ArgumentForm::topology:
+            case ValueType::oneOf:
                 return readTopology();
-            case ArgumentForm::switchWord:
+            case ValueType::truth:
                 return readSwitch();
-            case ArgumentForm::file:
-                if (!tokens_.empty()) takeWord(tokens_.front());
-                return ignoreFrom(1);
             default:
                 return readNumbers();
         }
@@ -380,14 +379,15 @@ class ArgumentReader {
         finishNumbers(row_, command_, places, log_);
     }
 
-    void readCubeMap() {
-        const std::size_t faces = arguments_.back()->most;
-        const std::size_t files = tokens_.empty() ? 0 : tokens_.size() - 1;
-        if (files < faces)
-            return lacks(fmt::format("a unit and {} files, found {}", faces, base::counted(files, "file")));
-        takeNumber(0);
-        for (std::size_t i = 1; i <= faces; ++i) takeWord(tokens_[i]);
-        ignoreFrom(faces + 1);
+    /// A file or none, or a unit and the faces of a cube.
+    void readFiles() {
+        const std::size_t most = arguments_.back()->most, first = arguments_.size() - 1;
+        const std::size_t files = tokens_.size() - std::min(tokens_.size(), first);
+        if (first > 0 && files < most)
+            return lacks(fmt::format("a unit and {} files, found {}", most, base::counted(files, "file")));
+        if (first > 0) takeNumber(0);
+        for (std::size_t i = first; i < std::min(first + most, tokens_.size()); ++i) takeWord(tokens_[i]);
+        ignoreFrom(first + most);
     }
 
     void readUnits() {
@@ -519,7 +519,7 @@ class ArgumentReader {
 }  // namespace
 
 void readArguments(const Statement& statement, Command& command, MessageLog& log) {
-    ArgumentReader(statement, command, log).read(formOf(*statement.row));
+    ArgumentReader(statement, command, log).read();
 }
 
 void evaluateNumbers(const StatementRow& row, Command& command, std::span<const EvaluatedNumber> numbers,

@@ -41,15 +41,13 @@ struct Event {
 };
 
 bool isName(const Event& event) {
-    if (event.node->kind == SyntaxNode::Kind::pairs) return true;
     const ValueType type = event.node->type;
     return type == ValueType::object || type == ValueType::array || type == ValueType::any;
 }
 
 /// `true` is a truth only where any value may stand. The words of a list have one spelling.
 void finishValue(Value& value, const SyntaxNode& node) {
-    const bool isAny = node.kind == SyntaxNode::Kind::pairs || node.type == ValueType::any ||
-                       node.type == ValueType::constant;
+    const bool isAny = node.type == ValueType::any || node.type == ValueType::constant;
     if (value.kind == Value::Kind::truth) {
         if (isAny) {
             value.text.clear();

@@ -391,9 +391,8 @@ class Parser {
     }
 
     void read(const Statement& statement, Command& command) {
-        const ArgumentForm form = formOf(*statement.row);
-        if (form == ArgumentForm::pointGroups && refusesExpressions(statement)) return;
-        if (form != ArgumentForm::program) return readArguments(statement, command, log_);
+        if (lastTypeOf(*statement.row) == ValueType::points && refusesExpressions(statement)) return;
+        if (statement.row->id != CommandId::program) return readArguments(statement, command, log_);
         if (++programs_ <= kMostPrograms) return readProgram(statement, fragmentFile_, command, log_);
         log_.report("glib-E15", fmt::format("more than {} programs", kMostPrograms), command.position);
     }
@@ -401,7 +400,7 @@ class Parser {
     /// Reports glib-E19 for a declared name or an expression without parentheses among the numbers of a
     /// classic command, which would count as 0 or be cut. Classic scenes keep such expressions.
     bool refusesNames(const Statement& statement) {
-        if (formOf(*statement.row) != ArgumentForm::numbers) return false;
+        if (!takesNumbers(*statement.row)) return false;
         if (lacksClosing(statement)) return true;
         for (const Token& token : statement.arguments) {
             const std::string_view head = token.text.substr(0, token.text.find('.'));

@@ -53,13 +53,13 @@ bool fitsAsTag(const Line& line) {
 
 /// True for the commands among whose arguments an expression may stand.
 bool takesExpressions(const StatementRow& row) {
-    const ArgumentForm form = formOf(row);
-    return form == ArgumentForm::numbers || form == ArgumentForm::program ||
-           form == ArgumentForm::pointGroups;
+    const ValueType last = lastTypeOf(row);
+    return takesNumbers(row) || last == ValueType::any || last == ValueType::points;
 }
 
-bool isTextureForm(const StatementRow& row) {
-    return formOf(row) == ArgumentForm::texture || formOf(row) == ArgumentForm::cubeMap;
+/// True for a classic statement that begins with a texture unit.
+bool takesUnit(const StatementRow& row) {
+    return !argumentsOf(row).empty() && argumentsOf(row).front()->type == ValueType::unit;
 }
 
 /// What parentheses mean on a line, which may continue a statement.
@@ -68,7 +68,7 @@ Parentheses parenthesesOf(std::string_view text, const LineRange& range, const S
     const LineStart start = startOf(text, range);
     if (!pending && findStatement(start.word)) return Parentheses::expressions;
     const StatementRow* row = findCommand(start.word);
-    if (!pending && row && isTextureForm(*row) && modernFormOf(start.word) && isIdentifier(start.next))
+    if (!pending && row && takesUnit(*row) && modernFormOf(start.word) && isIdentifier(start.next))
         return Parentheses::expressions;
     if (pending && (!row || isCommand(*pending, CommandId::program))) row = pending->row;
     return !row || takesExpressions(*row) ? Parentheses::byContent : Parentheses::brackets;
@@ -273,9 +273,9 @@ const StatementRow* StatementReader::modernRowOf(const Statement& statement) {
     const StatementRow* form = modernFormOf(statement.row->name);
     if (!form || statement.arguments.empty() || isCommand(statement, CommandId::program)) return nullptr;
     const Token& first = statement.arguments.front();
-    if (formOf(*statement.row) == ArgumentForm::file)
+    if (isStageRow(form))
         return first.kind == TokenKind::word && sameWord(first.text, "inline") ? form : nullptr;
-    if (isTextureForm(*statement.row))
+    if (takesUnit(*statement.row))
         return first.kind == TokenKind::word && isIdentifier(first.text) ? form : nullptr;
     wasAmbiguous_ = true;  // Clear with arguments
     return isModern_ ? form : nullptr;
@@ -386,9 +386,8 @@ void StatementReader::readBody(Statement& statement) {
 
 /// Refuses a stage without a file whose next line is `#version`, and skips that shader.
 bool StatementReader::refuseShader(Statement& statement) {
-    const bool isStage =
-        statement.row ? formOf(*statement.row) == ArgumentForm::file && modernFormOf(statement.row->name)
-                      : statement.modern && statement.modern->id == CommandId::compute;
+    const bool isStage = statement.row ? isStageRow(modernFormOf(statement.row->name))
+                                       : statement.modern && statement.modern->id == CommandId::compute;
     if (!isStage || !statement.arguments.empty()) return false;
     LineSplitter after = lines_;
     const std::optional<LineRange> line = after.next();

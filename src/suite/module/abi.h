@@ -43,7 +43,6 @@ struct GlibraServerCalls {
     size_t largestBody;
 };
 
-using GlibraServerVersion = int (*)();
 using GlibraServerOpen = void* (*)(const GlibraServerCalls*, int*);
 using GlibraServerDo = void (*)(void*);
 

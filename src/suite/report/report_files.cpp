@@ -49,16 +49,6 @@ bool isOurs(std::string_view name) {
     return rest == ".js" || rest == ".got.png" || rest == ".expected.png" || rest == ".difference.png";
 }
 
-std::string onlyUtf8(std::string_view text) {
-    std::string valid;
-    while (!text.empty()) {
-        const base::Character next = base::firstCharacter(text);
-        base::appendUtf8(valid, next.code);
-        text.remove_prefix(next.bytes);
-    }
-    return valid;
-}
-
 }  // namespace
 
 bool isPlain(const ShotResult& shot) {
@@ -183,7 +173,7 @@ void ReportFiles::addSource(const fs::path& path, ShownShot& shown) {
         const std::string_view text = base::asText(*bytes);
         if (text.find('\0') != std::string_view::npos) return;
         known = sourceOf_.emplace(file, sources_.size()).first;
-        sources_.push_back({file, onlyUtf8(text)});
+        sources_.push_back({file, base::onlyUtf8(text)});
     }
     if (std::ranges::find(shown.sources, known->second) == shown.sources.end())
         shown.sources.push_back(known->second);

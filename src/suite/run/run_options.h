@@ -16,6 +16,7 @@
 #include "base/workers.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
+#include "suite/run/verdict.h"
 #include "suite/suite.h"
 #include "system/sandbox.h"
 
@@ -67,27 +68,17 @@ int readingJobs(int wanted);
 /// `jobs` workers, of which at most `pieces` have work. A value that the user has set stays.
 void shareProcessors(int jobs, std::size_t pieces);
 
-class Orphans;
-
-struct RunOptions {
+/// With `update`, goldens are replaced; `results` is the folder for the pictures of failures.
+struct RunOptions : JudgeOptions {
     Driver driver = Driver::automatic;
     int jobs = 0;                         ///< worker processes; 0: gpu::usualWorkers()
     std::optional<double> timeout;        ///< seconds for every shot, instead of its own; 0: no limit
     std::optional<std::uint64_t> memory;  ///< bytes for every shot, instead of its own; 0: no limit
-    bool update = false;                  ///< pictures that differ replace their goldens
-    bool force = false;                   ///< ... even pictures of one colour or with NaN
     Shot ofAll;                           ///< options of all shots, as giveToAll() takes them
-    bool onlyMissing = false;             ///< ... only where there is no golden
-    bool variant = false;                 ///< ... for this family of drivers alone
-    bool also = false;                    ///< ... and are accepted beside them instead
-    bool replaceUnreadable = false;       ///< ... even of goldens that cannot be read
-    bool anyDriver = false;  ///< ... even of goldens for all drivers that another family of drivers drew
-    bool prune = false;      ///< goldens of no shot are removed after the run
-    std::vector<std::shared_ptr<const Orphans>> orphans{};  ///< one per suite, or none
-    bool strictFlaky = false;                               ///< flaky shots are unstable
+    std::vector<std::shared_ptr<const Orphans>> orphansBySuite{};  ///< JudgeOptions::orphans, or none
+    bool strictFlaky = false;                                      ///< flaky shots are unstable
     bool allowOutside = false;        ///< goldens may be links to places outside of their folder
     std::filesystem::path goldens{};  ///< folder with one folder per suite, instead of the suites' own
-    std::filesystem::path results{};  ///< folder for the pictures of failures
     bool refusesMisspelt = false;  ///< with `onlyRender`: misspelt names are errors (render/consequences.h)
     std::filesystem::path onlyRender{};  ///< if not empty: no goldens, pictures are written here by name
     const system::Sandbox* sandbox = nullptr;  ///< if given, what confines the workers; excludes `update`

@@ -66,17 +66,9 @@ std::string ShotWorker::openContext() {
     const gpu::Capabilities& driver = context_->capabilities();
     driver_ = driver.renderer + ", " + driver.version;
     driverKey_ = driverKey(driver);
-    JudgeOptions options{.update = plan_.options.update,
-                         .onlyMissing = plan_.options.onlyMissing,
-                         .force = plan_.options.force,
-                         .variant = plan_.options.variant,
-                         .also = plan_.options.also,
-                         .replaceUnreadable = plan_.options.replaceUnreadable,
-                         .anyDriver = plan_.options.anyDriver,
-                         .prune = plan_.options.prune,
-                         .results = plan_.options.results};
+    JudgeOptions options(plan_.options);
     for (std::size_t i = 0; i < plan_.goldens.size(); ++i) {
-        if (i < plan_.options.orphans.size()) options.orphans = plan_.options.orphans[i];
+        if (i < plan_.options.orphansBySuite.size()) options.orphans = plan_.options.orphansBySuite[i];
         judges_.emplace_back(plan_.suites[i], plan_.goldens[i], driver.family, driverKey_, options);
     }
     return {};

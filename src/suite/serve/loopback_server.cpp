@@ -16,7 +16,6 @@
 #include "base/text.h"
 #include "image/module_loader.h"
 #include "suite/module/abi.h"
-#include "system/library.h"
 #include "system/places.h"
 
 namespace glibra::suite {
@@ -39,29 +38,14 @@ GlibraText plainOf(std::string_view text) {
 }
 
 Result<ServerModule> loadServerModule(const std::vector<fs::path>& folders) {
-    std::string why = "is not installed";
-    for (const fs::path& folder : folders) {
-        const fs::path file = folder / system::moduleName("glibra_server");
-        std::error_code failed;
-        if (!fs::exists(file, failed)) continue;
-        std::string problem;
-        const auto library =
-            system::Library::open(file.generic_string(), system::Library::When::allNow, problem);
-        if (!library) {
-            why = fmt::format("cannot be loaded: {}", problem);
-            continue;
-        }
-        const auto version = library.find<GlibraServerVersion>("glibraServerVersion");
-        if (version == nullptr || version() != kGlibraServerVersion) {
-            why = fmt::format("is of another version of glibra: {}", file.generic_string());
-            continue;
-        }
-        return ServerModule{library.find<GlibraServerOpen>("glibraServerOpen"),
-                            library.find<GlibraServerDo>("glibraServerRun"),
-                            library.find<GlibraServerDo>("glibraServerStop"),
-                            library.find<GlibraServerDo>("glibraServerClose")};
-    }
-    return diagnose("suite-E28", "cannot serve a page: the module that speaks HTTP " + why);
+    std::string why;
+    const system::Library library = image::openModule(
+        folders, "glibra_server", "glibraServerVersion", kGlibraServerVersion,
+        {"glibraServerOpen", "glibraServerRun", "glibraServerStop", "glibraServerClose"}, why);
+    if (!library) return diagnose("suite-E28", "cannot serve a page: the module that speaks HTTP " + why);
+    return ServerModule{
+        library.find<GlibraServerOpen>("glibraServerOpen"), library.find<GlibraServerDo>("glibraServerRun"),
+        library.find<GlibraServerDo>("glibraServerStop"), library.find<GlibraServerDo>("glibraServerClose")};
 }
 
 /// 128 random bits as 32 hexadecimal digits, or nothing.
