@@ -184,6 +184,30 @@ TEST(LibraryValues, IncludeUniformsThatTheSceneDoesNotSet) {
     EXPECT_FALSE(scene->set("uNothing", 1.));
 }
 
+TEST(LibraryValues, IncludeTagsWithSubscripts) {
+    Renderer renderer = opened();
+    const char* text =
+        "WindowSize 4 4\nFragment inline\n#version 330\nstruct S { vec3 c; float w; };\n"
+        "uniform S lights[2]; uniform vec3 cs[3]; out vec4 color;\n"
+        "void main() { color = vec4(lights[1].c * lights[1].w + cs[0] + cs[1], 1.); }\n"
+        "EndFragment\nLet half .5\nProgram P lights[1].w <0 .5 1> lights[1].c [.4 0 0] "
+        "cs [(half * 0) .2 0 0 0 0 0 0 0] cs[1] [0 0 .6]\nFill window with P\n";
+    Result<Scene> scene = renderer.loadText(text, "tags.glib");
+    ASSERT_TRUE(scene) << scene.message();
+    const auto pixel = [&] {
+        const Result<Picture> picture = scene->draw();
+        EXPECT_TRUE(picture) << picture.message();
+        return picture ? firstPixel(*picture) : std::vector<int>();
+    };
+    EXPECT_EQ(pixel(), (std::vector<int>{51, 51, 153})) << "an element comes after the whole";
+    ASSERT_TRUE(scene->set("lights[1].w", 1.));
+    ASSERT_TRUE(scene->set("lights[1].c", {.2, .4, 0.}));
+    EXPECT_EQ(pixel(), (std::vector<int>{51, 153, 153}));
+    std::set<std::string> names;
+    for (const Value& each : scene->values()) names.insert(each.name);
+    EXPECT_TRUE(names.contains("lights[1].w") && names.contains("lights[1].c"));
+}
+
 TEST(LibraryValues, IncludeMembersOfBlocksThatTheSceneDoesNotSet) {
     Renderer renderer = opened();
     // The second block is in a buffer, which has its values.

@@ -43,8 +43,8 @@ void readProgram(const Statement& statement, std::string_view fragmentFile, Comm
 /// .5`. Classic scenes read such a subscript as the value.
 bool hasSubscriptedTag(std::span<const Token> tokens);
 
-/// Moves the tags of a modern Program whose values are plain numbers to `uniforms`, as readProgram fills it;
-/// with `takesParts` also those with members and constant subscripts.
-void takeUniforms(Command& command, bool takesParts = false);
+/// Moves the tags of a modern Program whose values are plain numbers to `uniforms`, as readProgram fills it,
+/// but those with computed subscripts.
+void takeUniforms(Command& command);
 
 }  // namespace glibra::glib

@@ -279,7 +279,7 @@ class Parser {
                       {[](std::string_view) { return false; }, [](std::string_view) { return false; }},
                       command, unused);
         if (unused.errorCount() > 0 || command.values.empty()) return false;
-        takeUniforms(command, true);
+        takeUniforms(command);
         if (!command.tags.empty() || ++programs_ > kMostPrograms) return false;
         command.isModern = false;
         noteName(statement);

@@ -214,15 +214,13 @@ bool hasComputedSubscript(const KeyedValues& tag) {
     });
 }
 
-/// The tag as a UniformSpec; nothing if its value is not made of plain numbers, or if it has parts. With
-/// `takesParts` only parts whose subscripts are computed are refused.
-std::optional<UniformSpec> uniformOf(const KeyedValues& tag, bool takesParts) {
+/// The tag as a UniformSpec; nothing if its value is not made of plain numbers, or a subscript is computed.
+std::optional<UniformSpec> uniformOf(const KeyedValues& tag) {
     const Value& value = tag.values.front();
     UniformSpec spec{tag.key, UniformForm::number, {}, tag.position, value.position};
     const bool isPlain =
         std::ranges::all_of(value.items, [](const Value& each) { return each.kind == Value::Kind::number; });
-    if ((takesParts ? hasComputedSubscript(tag) : !tag.path.empty()) || !isPlain || !value.count.empty())
-        return std::nullopt;
+    if (hasComputedSubscript(tag) || !isPlain || !value.count.empty()) return std::nullopt;
     switch (value.kind) {
         case Value::Kind::number:
             break;
@@ -248,10 +246,15 @@ std::optional<UniformSpec> uniformOf(const KeyedValues& tag, bool takesParts) {
 
 }  // namespace
 
-void takeUniforms(Command& command, bool takesParts) {
+void takeUniforms(Command& command) {
     std::vector<KeyedValues> rest;
+    const auto root = [](const KeyedValues& tag) -> std::string_view {
+        return tag.path.empty() ? tag.key : tag.path.front().name;
+    };
     for (KeyedValues& tag : command.tags) {
-        if (std::optional<UniformSpec> spec = uniformOf(tag, takesParts))
+        // An element stays behind the whole that another tag gives.
+        const bool isLater = !tag.path.empty() && std::ranges::find(rest, root(tag), root) != rest.end();
+        if (std::optional<UniformSpec> spec = isLater ? std::nullopt : uniformOf(tag))
             command.uniforms.push_back(std::move(*spec));
         else
             rest.push_back(std::move(tag));
