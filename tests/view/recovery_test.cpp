@@ -80,6 +80,14 @@ TEST_F(SafetyCopiesTest, OfAWindowThatWasKilledAreOfferedTheNewestFirst) {
     EXPECT_EQ(countIn(folder / "windows"), 0U) << "locks of windows that have ended";
 }
 
+TEST_F(SafetyCopiesTest, AreOfferedUnderEachNameOfTheFile) {
+    fs::create_directory_symlink(files / ".", files / "link");
+    keepAndDie(folder, files / "link" / "a.frag", "by the link");
+    const SafetyCopies::Others seen = SafetyCopies(folder).othersOf(file);
+    ASSERT_TRUE(seen.left);
+    EXPECT_EQ(seen.left->text, "by the link");
+}
+
 TEST_F(SafetyCopiesTest, OfAnEndedWindowAreOfferedBesideThoseOfALivingOne) {
     SafetyCopies living(folder), third(folder);
     living.keep(file, "of the living");

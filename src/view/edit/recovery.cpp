@@ -24,10 +24,12 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::uint64_t kLargestKept = 8ULL << 20;
 
-/// Names the copies of a file, after its absolute path.
+/// Names the copies of a file, after its absolute path without links.
 std::string nameOf(const fs::path& file) {
     std::error_code failure;
-    const std::string path = fs::absolute(file, failure).lexically_normal().generic_string();
+    const fs::path absolute = fs::absolute(file, failure).lexically_normal(),
+                   whole = fs::weakly_canonical(absolute, failure);
+    const std::string path = (failure ? absolute : whole).generic_string();
     return suite::toText(suite::hashOf(std::as_bytes(std::span(path))));
 }
 
