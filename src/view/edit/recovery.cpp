@@ -17,6 +17,7 @@
 #include "suite/golden/hash.h"
 #include "system/places.h"
 #include "system/process.h"
+#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {
@@ -26,8 +27,7 @@ constexpr std::uint64_t kLargestKept = 8ULL << 20;
 
 /// Names the copies of a file, after its absolute path.
 std::string nameOf(const fs::path& file) {
-    std::error_code failure;
-    const std::string path = fs::absolute(file, failure).lexically_normal().generic_string();
+    const std::string path = system::wholePath(file).generic_string();
     return suite::toText(suite::hashOf(std::as_bytes(std::span(path))));
 }
 
