@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "base/text.h"
