@@ -36,14 +36,8 @@ CodeLanguage languageOf(const std::filesystem::path& file, const std::string& id
 std::filesystem::path fileOf(std::string_view uri) {
     namespace fs = std::filesystem;
     const bool isFile = uri.starts_with(kFileScheme);
-    if (isFile) uri.remove_prefix(kFileScheme.size());
     std::string path;
-    if (isFile && !uri.starts_with('/')) {  // a host, which paths of Windows can name
-        if (fs::path("//host").has_root_name())
-            path = "//";
-        else
-            uri.remove_prefix(std::min(uri.find('/'), uri.size()));
-    }
+    if (isFile) uri.remove_prefix(std::min(uri.find('/', kFileScheme.size()), uri.size()));  // with a host
     for (std::size_t i = 0; i < uri.size(); ++i) {
         const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
         const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;

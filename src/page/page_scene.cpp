@@ -28,6 +28,7 @@
 #include "render/scene_renderer.h"
 #include "scene/file_lookup.h"
 #include "suite/run/run_options.h"
+#include "system/spelling.h"
 
 namespace glibra::page {
 
@@ -45,11 +46,6 @@ namespace fs = std::filesystem;
 
 constexpr int kSmallest = 9;  // the level of PngOptions for what is written once and loaded often
 
-fs::path whole(const fs::path& path) {
-    std::error_code failure;
-    return fs::absolute(path, failure).lexically_normal();
-}
-
 /// The path from the folder; nothing if it leads outside.
 std::optional<fs::path> below(const fs::path& folder, const fs::path& file) {
     const fs::path inside = file.lexically_relative(folder);
@@ -61,7 +57,7 @@ std::optional<fs::path> below(const fs::path& folder, const fs::path& file) {
 class Names {
   public:
     explicit Names(const PageTask& task) : roots_(task.options.libraryRoots) {
-        const fs::path folder = whole(task.scene).parent_path();
+        const fs::path folder = system::wholePath(task.scene).parent_path();
         top_ = folder.has_filename() ? folder.parent_path() : folder;
         for (fs::path each = folder; each.has_relative_path(); each = each.parent_path()) {
             std::error_code failure;
@@ -70,11 +66,11 @@ class Names {
             top_ = each;
             break;
         }
-        for (fs::path& each : roots_) each = whole(each);
+        for (fs::path& each : roots_) each = system::wholePath(each);
     }
 
     [[nodiscard]] std::string of(const fs::path& path) const {
-        const fs::path file = whole(path);
+        const fs::path file = system::wholePath(path);
         if (const auto inside = below(top_, file)) return inside->generic_string();
         for (const fs::path& root : roots_)
             if (const auto inside = below(root, file)) return inside->generic_string();

@@ -16,6 +16,13 @@ namespace {
 Result<std::string> readScene(const std::filesystem::path& path) {
     const Place place{path.generic_string(), 1, 1};
     std::error_code failure;
+    // Windows: the C++ library takes "\\server\share" for the folder "\server\share" of the current drive.
+    if (path.has_root_directory() && !path.is_absolute() &&
+        !std::filesystem::exists(std::filesystem::absolute(path, failure), failure))
+        return diagnose("glib-E14",
+                        "cannot read the scene: its path must begin with a drive, which "
+                        "'net use S: \\\\server\\share' gives to a folder of another machine",
+                        place);
     // Messages about a scene quote it. A folder of scenes may come from somebody else, with a link to a file
     // that is none.
     const auto isNamedAsScene = [](const std::filesystem::path& file) {

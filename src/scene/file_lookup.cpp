@@ -139,9 +139,10 @@ class FolderSearch {
 
   private:
     /// True if folders have the last names of the path in this case.
-    static bool isSpelledSo(fs::path path, std::size_t count) {
-        for (; count > 0; --count, path = path.parent_path())
-            if (path.filename() != ".." && system::nameInFolder(path) != path.filename()) return false;
+    static bool isSpelledSo(const fs::path& path, std::size_t count) {
+        const fs::path known = system::asInFolders(path);
+        for (auto there = known.end(), here = path.end(); count > 0; --count)
+            if (*--there != *--here) return false;
         return true;
     }
 

@@ -7,6 +7,7 @@
 #include "system/child_process.h"
 #include "system/file.h"
 #include "system/process.h"
+#include "system/spelling.h"
 #include "system/worker.h"
 
 namespace glibra::system {
@@ -28,6 +29,11 @@ FileIdentity identityOf(const fs::path& path) {
     FileFacts facts;
     factsOf(path, Links::followed, facts);
     return {facts.device, facts.number, facts.size, facts.seconds, facts.nanoseconds};
+}
+
+fs::path wholePath(const fs::path& path) {
+    std::error_code failure;
+    return asInFolders(fs::absolute(path, failure).lexically_normal());
 }
 
 Process& Process::operator=(Process&& other) noexcept {

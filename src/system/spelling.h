@@ -5,8 +5,10 @@
 
 namespace glibra::system {
 
-/// The last part of a path as its folder has it. That of the path, where the system tells names in other
-/// cases apart, or has no such file.
-std::filesystem::path nameInFolder(const std::filesystem::path& path);
+/// A path whose parts are as their folders have them. They are those of the path, where the system tells
+/// names in other cases apart, or has no such file.
+std::filesystem::path asInFolders(const std::filesystem::path& path);
+/// The same, absolute and without "." and "..": one path for all names of a file but links.
+std::filesystem::path wholePath(const std::filesystem::path& path);
 
 }  // namespace glibra::system

@@ -155,6 +155,23 @@ TEST(InputQueue, AFrameHasAWordAtMost) {
     EXPECT_EQ(words, (std::vector<std::string>{"ab  ", "c "}));
 }
 
+TEST(InputQueue, ControlTypesNoBlankAsWindowsHasItButAltGrDoes) {
+    constexpr int kBlank = 32, kControl = 341, kAlt = 342;
+    InputQueue queue;
+    std::string typed;
+    for (const InputQueue::Frame& each : framesOf(queue, {key(kControl, true),
+                                                          key(kBlank, true),
+                                                          {Event::Kind::character, ' ', true, {}},
+                                                          key(kBlank, false),
+                                                          key(kAlt, true),
+                                                          {Event::Kind::character, '@', true, {}},
+                                                          key(kAlt, false),
+                                                          key(kControl, false),
+                                                          {Event::Kind::character, 'a', true, {}}}))
+        typed.append(each.characters.begin(), each.characters.end());
+    EXPECT_EQ(typed, "@a");
+}
+
 TEST(InputQueue, AltIsDownForAFrameBeforeItGoesUp) {
     constexpr int kAlt = 342;
     InputQueue queue;

@@ -19,6 +19,9 @@
 //   curl --disable ... --output FILE ... --url ADDRESS
 //       under this name, as glibra starts it: a server whose files lie in the folder that the variable SERVED
 //       names
+//
+//   ffmpeg -nostdin ... file:FILE
+//       under this name, too: writes its words, one a line, and its input to the file
 
 #include <windows.h>
 
@@ -70,6 +73,23 @@ int download(int count, wchar_t** words) {
     folder.resize(GetEnvironmentVariableW(L"SERVED", folder.data(), MAX_PATH));
     const std::wstring served = folder + L'\\' + address.substr(address.rfind(L'/') + 1);
     return CopyFileW(served.c_str(), file.c_str(), FALSE) ? 0 : 22;
+}
+
+/// Opens the file as ffmpeg does, so that others may have it open, too, but not remove it.
+int writeFilm(int count, wchar_t** words) {
+    std::string content;
+    for (int i = 1; i < count; ++i) {
+        char bytes[1024];
+        WideCharToMultiByte(CP_UTF8, 0, words[i], -1, bytes, sizeof bytes, nullptr, nullptr);
+        content += std::string(bytes) + '\n';
+    }
+    char bytes[4096];
+    DWORD length = 0;
+    while (ReadFile(GetStdHandle(STD_INPUT_HANDLE), bytes, sizeof bytes, &length, nullptr) && length > 0)
+        content.append(bytes, length);
+    const HANDLE film = CreateFileW(words[count - 1] + std::wstring(L"file:").size(), GENERIC_WRITE,
+                                    FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr, CREATE_ALWAYS, 0, nullptr);
+    return WriteFile(film, content.data(), static_cast<DWORD>(content.size()), &length, nullptr) ? 0 : 1;
 }
 
 std::wstring quoted(const std::wstring& word) {
@@ -144,6 +164,7 @@ int main() {
         return 0;
     }
     if (what == L"--disable") return download(count, words);
+    if (what == L"-nostdin") return writeFilm(count, words);
     if (count < 4) return 2;
     return trouble(what, words[2], count - 3, words + 3);
 }

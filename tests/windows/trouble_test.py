@@ -10,6 +10,7 @@ import filecmp
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -26,6 +27,7 @@ SOURCES = pathlib.Path(__file__).resolve().parents[2]
 TEAPOT = SOURCES / "glib/start/teapot.glib"
 LINUX = TROUBLE = None  # from the command line
 VERTEX = "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n"
+# The driver ends its loops after 65,535 rounds, which takes minutes in a large picture.
 ENDLESS = """#version 330 compatibility
 uniform float Timer;
 void main() {
@@ -88,7 +90,7 @@ class Workers(Case):
 
     def ended(self, action):
         self.write("endless.frag", ENDLESS)
-        self.write("endless.glib", SCENE.replace("a.frag", "endless.frag"))
+        self.write("endless.glib", SCENE.replace("a.frag", "endless.frag").replace("64 64", "2000 2000"))
         return self.trouble(action, "out/a.png", "render", "endless.glib", "a.glib", "--timeout", 100, "--jobs", 2, "-o", "out")
 
     def test_a_crash_costs_its_own_scene(self):
@@ -105,8 +107,6 @@ class Workers(Case):
         self.assertEqual(self.names(), ["a.png"])
 
     def test_control_c_ends_a_batch_at_once_with_whole_files(self):
-        self.write("endless.frag", ENDLESS)
-        self.write("endless.glib", SCENE.replace("a.frag", "endless.frag"))
         begin = time.monotonic()
         status, errors = self.ended("ctrl-c")
         self.assertLess(time.monotonic() - begin, 90, "it did not wait for the shader without an end")
@@ -141,6 +141,16 @@ class Files(Case):
         self.assertEqual(self.names("."), ["a.frag", "a.glib", "a.png", "a.vert"])
         self.assertEqual(self.windows("render", "a.glib", "-o", "a.png").returncode, 0)
         self.assertWhole(file)
+
+    def test_that_a_scene_reads_are_not_written_over_by_names_in_another_case(self):
+        self.assertEqual(self.windows("render", "a.glib", "-o", "wood.png").returncode, 0)
+        self.write("wood.glib", SCENE.replace("Program P", "Texture2D 5 Wood.png\nProgram P"))
+        before = (self.folder / "wood.png").read_bytes()
+        for name in ("WOOD.png", dos(self.folder / "wood.png").replace("Z:", "z:"), f"../{self.folder.name.upper()}/wood.PNG"):
+            ran = self.windows("render", "wood.glib", "--size", "20x20", "-o", name)
+            self.assertEqual(ran.returncode, 3, ran.stderr)
+            self.assertIn("the scene reads 'Wood.png', so nothing is written over it", ran.stderr)
+        self.assertEqual((self.folder / "wood.png").read_bytes(), before)
 
     def mount(self, *words):
         (self.folder / "there").mkdir()
@@ -218,6 +228,23 @@ class Texts(Case):
         self.assertEqual(ran.returncode, 0)
         # Of another machine it would ask with the name and the secret of the user.
         self.assertIn("far.glib:4:10: warning: '\\\\nowhere.invalid\\share\\a.frag' found as 'a.frag' beside the scene", ran.stderr)
+
+    def test_name_folders_of_other_machines(self):
+        share = pathlib.Path(os.environ["WINEPREFIX"]) / "dosdevices/unc/server"  # what Wine takes for a machine
+        share.mkdir(parents=True)
+        self.addCleanup(shutil.rmtree, share.parent)
+        (share / "share").symlink_to(self.folder)
+        for name in ("a.glib", "gone.glib"):
+            for scene in (f"\\\\server\\share\\{name}", f"//server/share/{name}", f"\\\\?\\UNC\\server\\share\\{name}"):
+                ran = self.windows("render", scene, "-o", "b.png")
+                self.assertEqual(ran.returncode, 3, ran.stderr)
+                self.assertRegex(ran.stderr, r"^/.*a?.glib:1:1: error: cannot read the scene: its path must begin with a drive, which "
+                                 r"'net use S: \\\\server\\share' gives to a folder of another machine \[glib-E14\]\n$")
+        self.write("sub/a.vert", VERTEX)
+        for name in ("\\\\server\\share\\a.frag", "'//server/share/a.frag'", "\\??\\UNC\\server\\share\\a.frag",
+                     "\\\\?\\UNC\\server\\share\\a.frag", "\\\\.\\UNC\\server\\share\\a.frag", "\\server\\share\\a.frag"):
+            self.write("sub/far.glib", SCENE.replace("Fragment a.frag", f"Fragment {name}"))
+            self.assertIn("cannot find", self.assertSame("check", "sub/far.glib").stderr)
 
     def test_on_the_command_line_may_have_backslashes(self):
         self.write("sub/a.glib", SCENE)
@@ -323,6 +350,27 @@ class Pages(Case):
             pages.append((ran.returncode, ran.stdout, ran.stderr, (self.folder / "a.html").read_bytes()))
             (self.folder / "a.html").unlink()
         self.assertEqual(*pages)
+
+
+class Films(Case):
+    def test_are_given_to_ffmpeg(self):
+        """Stand-ins for it write their words and the pixels that they are given."""
+        shutil.copy(TROUBLE, self.folder / "ffmpeg.exe")
+        self.write("ffmpeg", "#!/bin/sh\nfor last; do :; done\n{ printf '%s\\n' \"$@\"; cat; } >\"${last#file:}\"\n").chmod(0o755)
+        film = self.folder / "ein Ördner/a.mp4"
+        film.parent.mkdir()
+        films = []
+        for program, variables in ((LINUX, {"PATH": f"{self.folder}:{os.environ['PATH']}"}), (WINDOWS, {"WINEPATH": dos(self.folder)})):
+            ran = self.run_program(program, "render", "a.glib", "--frames", "3", "-o", "ein Ördner/a.mp4",
+                                   env=dict(os.environ, **variables))
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            words, name, pixels = re.split(rb"(\nfile:.*\n)", film.read_bytes(), maxsplit=1)
+            self.assertRegex(name.decode(), "\nfile:ein Ördner/[.]glibra-.*[.]mp4\n")
+            films.append((ran.stdout, ran.stderr, words, pixels))
+            self.assertEqual(self.names("ein Ördner"), ["a.mp4"])
+            film.unlink()
+        self.assertEqual(*films)
+        self.assertEqual(len(films[0][3]), 3 * 64 * 64 * 3)
 
 
 class LanguageServer(Case):

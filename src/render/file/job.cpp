@@ -31,6 +31,7 @@
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 #include "scene/texture_name.h"
+#include "system/spelling.h"
 
 namespace glibra::render {
 namespace {
@@ -94,7 +95,7 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
 
 std::filesystem::path filePlaceOf(const std::filesystem::path& file) {
     std::error_code failure;
-    const std::filesystem::path absolute = std::filesystem::absolute(file, failure).lexically_normal();
+    const std::filesystem::path absolute = system::wholePath(file);
     const std::filesystem::path folder = std::filesystem::weakly_canonical(absolute.parent_path(), failure);
     return failure ? absolute : folder / absolute.filename();
 }

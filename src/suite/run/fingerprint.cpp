@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "base/files.h"
@@ -21,6 +20,7 @@
 #include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
 #include "system/places.h"
+#include "system/spelling.h"
 
 namespace glibra::suite {
 namespace {
@@ -28,9 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string portablePathOf(const fs::path& folder, const fs::path& file) {
-    std::error_code failed;
-    const fs::path base = fs::absolute(folder, failed).lexically_normal();
-    return fs::absolute(file, failed).lexically_normal().lexically_relative(base).generic_string();
+    return system::wholePath(file).lexically_relative(system::wholePath(folder)).generic_string();
 }
 
 std::string portableSettingsOf(const Shot& shot) {

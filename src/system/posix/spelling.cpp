@@ -2,8 +2,8 @@
 
 namespace glibra::system {
 
-std::filesystem::path nameInFolder(const std::filesystem::path& path) {
-    return path.filename();
+std::filesystem::path asInFolders(const std::filesystem::path& path) {
+    return path;
 }
 
 }  // namespace glibra::system

@@ -54,8 +54,8 @@ int factsOf(const fs::path& path, Links /*links*/, FileFacts& facts) {
     return 0;
 }
 
-fs::path nameInFolder(const fs::path& path) {
-    return path.filename();
+fs::path asInFolders(const fs::path& path) {
+    return path;
 }
 
 }  // namespace glibra::system

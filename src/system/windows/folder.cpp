@@ -30,8 +30,7 @@ bool isPlain(std::wstring_view name) {
     // Devices, with any suffix: "nul.png" may be the null device.
     std::wstring begin(name.substr(0, name.find(L'.')));
     while (!begin.empty() && begin.back() == L' ') begin.pop_back();
-    for (wchar_t& each : begin)
-        if (each >= L'a' && each <= L'z') each = static_cast<wchar_t>(each - L'a' + L'A');
+    ::CharUpperW(begin.data());
     static constexpr std::wstring_view kDevices[] = {L"CON", L"PRN", L"AUX", L"NUL", L"CONIN$", L"CONOUT$"};
     if (std::ranges::find(kDevices, begin) != std::end(kDevices)) return false;
     const bool isPort = begin.size() == 4 && (begin.starts_with(L"COM") || begin.starts_with(L"LPT"));

@@ -18,6 +18,7 @@
 #include "system/memory.h"
 #include "system/places.h"
 #include "system/process.h"
+#include "system/spelling.h"
 #include "view/scene/window_target.h"
 #include "view/session/session.h"
 
@@ -33,8 +34,7 @@ constexpr std::uint64_t kLargestRecord = 1ULL << 20;
 
 /// The cache file for a scene, named after its absolute path.
 fs::path entryFile(const fs::path& folder, const fs::path& scene, const char* ending) {
-    std::error_code failure;
-    const std::string path = fs::absolute(scene, failure).lexically_normal().generic_string();
+    const std::string path = system::wholePath(scene).generic_string();
     return folder / (suite::toText(suite::hashOf(std::as_bytes(std::span(path)))) + ending);
 }
 
@@ -50,7 +50,7 @@ std::int64_t timeOf(const fs::path& file) {
 
 Json recordOf(const fs::path& file) {
     std::error_code failure;
-    const fs::path whole = fs::absolute(file, failure).lexically_normal();
+    const fs::path whole = system::wholePath(file);
     return {{"file", whole.generic_string()},
             {"bytes", fs::file_size(whole, failure)},
             {"time", timeOf(whole)},

@@ -1,9 +1,9 @@
 #include "view/edit/example_folders.h"
 
-#include <iterator>
 #include <system_error>
 
 #include "base/own_library.h"
+#include "base/text.h"
 
 namespace glibra::view {
 
@@ -22,10 +22,13 @@ bool isExample(const fs::path& file) {
     static const fs::path kRoot = base::ownLibrary();
     if (kRoot.empty() || file.empty()) return false;
     std::error_code failure;
-    const fs::path inside = fs::weakly_canonical(file, failure).lexically_relative(kRoot);
-    const fs::path first = inside.empty() ? inside : *inside.begin();
-    return first == "glib" || first == "shaders" || first == "textures" ||
-           (first == "scenes" && *std::next(inside.begin()) == "models");
+    // Windows has the folder by names in any case, too.
+    for (fs::path at = fs::weakly_canonical(file, failure); at.has_relative_path(); at = at.parent_path())
+        for (const fs::path each : {"glib", "shaders", "textures", "scenes/models"})
+            if (base::sameWord(at.filename().string(), each.filename().string()) &&
+                fs::equivalent(at, kRoot / each, failure))
+                return true;
+    return false;
 }
 
 Diagnostics writingProblem(const fs::path& file) {

@@ -7,6 +7,7 @@
 
 #include "base/suggest.h"
 #include "scene/file_lookup.h"
+#include "system/spelling.h"
 #include "view/edit/text_search.h"
 
 namespace glibra::view {
@@ -137,10 +138,8 @@ std::string searchedFor(const Diagnostic& message, const render::LiveScene& live
     if (message.id != "file-E01" || message.subject.empty()) return {};
     const scene::SearchFolders folders = live.searchFolders();
     std::string text;
-    std::error_code failure;
     const auto add = [&](const fs::path& folder) {
-        text += (text.empty() ? "Looked for in " : ", ") +
-                fs::absolute(folder, failure).lexically_normal().generic_string();
+        text += (text.empty() ? "Looked for in " : ", ") + system::wholePath(folder).generic_string();
     };
     for (const fs::path& each : folders.beside) add(each.empty() ? fs::path(".") : each);
     for (const fs::path& each : folders.library) add(each);

@@ -17,6 +17,7 @@
 #include "suite/golden/hash.h"
 #include "system/places.h"
 #include "system/process.h"
+#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {
@@ -27,9 +28,8 @@ constexpr std::uint64_t kLargestKept = 8ULL << 20;
 /// Names the copies of a file, after its absolute path without links.
 std::string nameOf(const fs::path& file) {
     std::error_code failure;
-    const fs::path absolute = fs::absolute(file, failure).lexically_normal(),
-                   whole = fs::weakly_canonical(absolute, failure);
-    const std::string path = (failure ? absolute : whole).generic_string();
+    const fs::path whole = system::wholePath(file), real = fs::weakly_canonical(whole, failure);
+    const std::string path = (failure ? whole : real).generic_string();
     return suite::toText(suite::hashOf(std::as_bytes(std::span(path))));
 }
 

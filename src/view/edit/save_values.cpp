@@ -11,6 +11,7 @@
 
 #include "base/files.h"
 #include "image/file.h"
+#include "system/spelling.h"
 #include "view/edit/example_folders.h"
 
 namespace glibra::view {
@@ -166,16 +167,13 @@ std::optional<ChosenFile> chosenFile(std::string_view text, const Place& place,
     for (std::string_view rest = text; !rest.empty();) lines.push_back(trimmed(withoutEnd(takeLine(rest))));
     const auto index = static_cast<std::size_t>(place.line - 1);
     if (place.line < 1 || index >= lines.size()) return std::nullopt;
-    std::error_code failure;
-    const auto whole = [&](const std::filesystem::path& path) {
-        return std::filesystem::absolute(path, failure).lexically_normal();
-    };
-    const std::filesystem::path near = whole(file).lexically_relative(whole(place.file).parent_path());
+    const std::filesystem::path whole = system::wholePath(file);
+    const auto near = whole.lexically_relative(system::wholePath(place.file).parent_path());
     const bool isBelow = !near.empty() && *near.begin() != "..";
     const auto before = lines.begin() + static_cast<std::ptrdiff_t>(index);
     return ChosenFile{std::string(lines[index]),
                       static_cast<int>(std::count(lines.begin(), before, lines[index])),
-                      (isBelow ? near : whole(file)).generic_string()};
+                      (isBelow ? near : whole).generic_string()};
 }
 
 std::string withFiles(std::string_view text, std::span<const ChosenFile> files) {

@@ -7,16 +7,12 @@
 
 #include "image/file.h"
 #include "scene/file_lookup.h"
+#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path whole(const fs::path& file) {
-    std::error_code failure;
-    return fs::absolute(file, failure).lexically_normal();
-}
 
 bool isSameFile(const fs::path& a, const fs::path& b) {
     std::error_code failure;
@@ -25,7 +21,7 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
 
 /// The path relative to the folder; empty if it is not below it.
 fs::path below(const fs::path& file, const fs::path& folder) {
-    const fs::path inside = whole(file).lexically_relative(whole(folder));
+    const fs::path inside = system::wholePath(file).lexically_relative(system::wholePath(folder));
     return inside.empty() || *inside.begin() == ".." ? fs::path() : inside;
 }
 
@@ -69,10 +65,11 @@ Result<std::vector<std::byte>> bytesOf(const fs::path& file) {
 std::vector<CopiedFile> filesOfCopy(const render::LiveScene& live, const fs::path& target, bool all,
                                     const std::vector<fs::path>& libraryRoots) {
     const scene::Scene& scene = live.scene();
-    const fs::path from = whole(scene.path).parent_path();
-    const fs::path to = whole(target).parent_path();
+    const fs::path from = system::wholePath(scene.path).parent_path();
+    const fs::path to = system::wholePath(target).parent_path();
     if (from == to) return {};
-    const scene::SearchFolders folders = scene::searchFolders(whole(target), {.libraryRoots = libraryRoots});
+    const scene::SearchFolders folders =
+        scene::searchFolders(system::wholePath(target), {.libraryRoots = libraryRoots});
     std::vector<CopiedFile> copied;
     std::vector<fs::path> included;
     for (const fs::path& file : live.files()) {
@@ -105,7 +102,7 @@ Diagnostics writeCopy(std::string_view text, const fs::path& target, const std::
         wanted.emplace_back(each.to, std::move(*content));
     }
     std::error_code failure;
-    fs::create_directories(whole(target).parent_path(), failure);
+    fs::create_directories(system::wholePath(target).parent_path(), failure);
     for (const auto& [file, content] : wanted) {
         fs::create_directories(file.parent_path(), failure);
         if (Diagnostics problems = image::writeFileAtomically(file, content, image::NamedBy::program);

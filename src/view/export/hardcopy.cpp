@@ -19,6 +19,7 @@
 #include "render/live/knobs.h"
 #include "render/scene_renderer.h"
 #include "suite/options/option_words.h"
+#include "system/spelling.h"
 
 namespace glibra::view {
 
@@ -186,10 +187,7 @@ std::string HardcopyJob::filesWritten() const {
     const Hardcopy& wanted = state_->wanted;
     const int count = state_->written;
     if (count == 0 || (state_->film && count < wanted.frames)) return {};
-    std::error_code failure;
-    const auto whole = [&](const std::filesystem::path& file) {
-        return std::filesystem::absolute(file, failure).lexically_normal().generic_string();
-    };
+    const auto whole = [](const auto& file) { return system::wholePath(file).generic_string(); };
     const std::string size = fmt::format("{} x {} pixels", state_->options.width, state_->options.height);
     if (state_->film) return fmt::format("{}: {} frames of {}", whole(wanted.file), count, size);
     const std::string first = whole(firstFile(wanted));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {
@@ -21,11 +22,6 @@ constexpr int kQuietMilliseconds = 1;
 constexpr int kMostQuietWaits = 20;
 /// A removed file that an editor writes anew is there again after this time.
 constexpr std::chrono::milliseconds kAway{200};
-
-fs::path absolutePath(const fs::path& path) {
-    std::error_code failure;
-    return fs::absolute(path, failure).lexically_normal();
-}
 
 }  // namespace
 
@@ -51,7 +47,7 @@ void FileWatch::watch(const std::vector<fs::path>& files) {
     const std::scoped_lock lock(mutex_);
     files_.clear();
     for (const fs::path& each : files) {
-        const fs::path file = absolutePath(each);
+        const fs::path file = system::wholePath(each);
         const Identity identity = files_[file] = system::identityOf(file);
         if (identity != Identity()) gone_.erase(file);
     }

@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "image/file.h"
 #include "suite/golden/hash.h"
+#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {
@@ -108,8 +109,7 @@ constexpr std::size_t kMostScenes = 1000;
 constexpr std::uint64_t kLargestKept = 8ULL << 20;
 
 fs::path fileOf(const fs::path& folder, const fs::path& scene) {
-    std::error_code failure;
-    const std::string path = fs::absolute(scene, failure).lexically_normal().generic_string();
+    const std::string path = system::wholePath(scene).generic_string();
     return folder / (suite::toText(suite::hashOf(std::as_bytes(std::span(path)))) + ".json");
 }
 

@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <system_error>
 #include <utility>
 
+#include "system/spelling.h"
 #include "view/edit/names_apart.h"
 
 namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path whole(const fs::path& file) {
-    std::error_code failure;
-    return fs::absolute(file, failure).lexically_normal();
-}
 
 /// The files of the scene, and those that it lacks, where they would be found.
 std::vector<fs::path> allFiles(const render::LiveScene& live) {
@@ -33,7 +28,8 @@ Tabs::Tabs(gpu::Context& context, RenderOptions options, Shared& shared)
 
 std::size_t Tabs::find(const fs::path& scene) const {
     const auto found = std::ranges::find_if(tabs_, [&](const std::unique_ptr<Tab>& each) {
-        return each->session.hasScene() && whole(each->session.path()) == whole(scene);
+        return each->session.hasScene() &&
+               system::wholePath(each->session.path()) == system::wholePath(scene);
     });
     return static_cast<std::size_t>(found - tabs_.begin());
 }
@@ -139,7 +135,8 @@ void Tabs::markOutdated(const std::vector<fs::path>& files) {
     for (const std::unique_ptr<Tab>& each : tabs_) {
         if (!each->session.hasScene()) continue;
         for (const fs::path& own : allFiles(each->session.live()))
-            each->isOutdated = each->isOutdated || std::ranges::find(files, whole(own)) != files.end();
+            each->isOutdated =
+                each->isOutdated || std::ranges::find(files, system::wholePath(own)) != files.end();
     }
 }
 

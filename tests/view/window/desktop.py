@@ -128,12 +128,18 @@ class Window:
     # What a user does. Positions are relative to the window's content.
 
     def is_whole(self, widget):
-        """True if the widget is on the screen, and not cut off at the lower edge of the window."""
+        """True if the widget is on the screen, and not cut off at the lower edge of the window or below the status line."""
         state = self.state() or {}
-        if widget not in state.get("widgets", {}):
+        widgets = state.get("widgets", {})
+        if widget not in widgets:
             return False
-        _, top, _, height = state["widgets"][widget]
-        return top >= 0 and top + height <= state["window"][1]
+        left, top, width, height = widgets[widget]
+        end = state["window"][1]
+        if "notice" in widgets and not widget.startswith("notice"):
+            begin, line, wide, _ = widgets["notice"]
+            if left < begin + wide and begin < left + width:
+                end = min(end, line)
+        return top >= 0 and top + height <= end
 
     def scroll_to(self, widget):
         """Scrolls the panel until the widget is on the screen, if it has any."""

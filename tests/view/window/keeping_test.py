@@ -162,6 +162,7 @@ class Hardcopies(KeepingTest):
         window.click("hardcopy/format/mp4")
         window.wait(lambda s: s["hardcopyFile"] == "moving.mp4")
         self.type_into(window, "hardcopy/frames", "4")
+        window.wait(lambda s: "hardcopy/rate" in s["widgets"])
         window.click("hardcopy/write")
         window.wait(lambda s: s["hardcopyMessage"].startswith(f"written: {self.here / 'moving.mp4'}: 4 frames"))
         pixels = (self.here / "moving.mp4").read_bytes()
@@ -178,6 +179,7 @@ class Hardcopies(KeepingTest):
         window.click("hardcopy")
         window.settle()
         self.type_into(window, "hardcopy/frames", "3")
+        window.wait(lambda s: "hardcopy/rate" in s["widgets"])  # which moves what is below
         window.click("hardcopy/write")
         state = window.wait(lambda s: s["notice"].startswith("written: ") and "hardcopy/show" in s["widgets"])
         self.assertFalse(state["noticeIsError"])

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "base/text.h"
+#include "system/spelling.h"
 #include "view/edit/example_folders.h"
 #include "view/edit/external_editor.h"
 #include "view/window/panels/icons.h"
@@ -30,9 +30,7 @@ bool fileHasError(const Ui& ui, const std::filesystem::path& file) {
 }  // namespace
 
 bool isSame(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code failure;
-    return a == b || std::filesystem::absolute(a, failure).lexically_normal() ==
-                         std::filesystem::absolute(b, failure).lexically_normal();
+    return a == b || system::wholePath(a) == system::wholePath(b);
 }
 
 void fileTabs(Ui& ui, SourceState& panel) {

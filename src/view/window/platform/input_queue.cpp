@@ -62,7 +62,10 @@ InputQueue::Frame InputQueue::next() {
         }
         if (hasButton || !frame.way.empty()) break;
         hasKeys = true;
+        const bool control = isEitherDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+        const bool alt = isEitherDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
         if (event.kind == EventKind::character) {
+            if (control && !alt) continue;  // Windows has a blank for Ctrl+Space
             // A word at most, so that undo goes by words however slow frames are.
             if (event.code != ' ' && !frame.characters.empty() && frame.characters.back() == ' ') break;
             frame.characters.push_back(static_cast<unsigned>(event.code));
@@ -70,10 +73,8 @@ InputQueue::Frame InputQueue::next() {
         }
         // A key must be up for one frame before it can be pressed again.
         if (event.isDown && std::ranges::find(released, event.code) != released.end()) break;
-        const bool control = isEitherDown(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
         const bool edits =
-            event.isDown && !isModifier(event.code) &&
-            (control || !isPrinted(event.code) || isEitherDown(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT));
+            event.isDown && !isModifier(event.code) && (control || alt || !isPrinted(event.code));
         // Alt alone opens the menu; ImGui has to see it down.
         const bool isAlt = event.code == GLFW_KEY_LEFT_ALT || event.code == GLFW_KEY_RIGHT_ALT;
         if (isAlt && !event.isDown && hasAlt) break;

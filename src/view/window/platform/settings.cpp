@@ -9,6 +9,7 @@
 
 #include "image/file.h"
 #include "system/places.h"
+#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {
@@ -21,8 +22,7 @@ constexpr std::size_t kMostTabs = 50;
 }  // namespace
 
 void Settings::addRecent(const fs::path& scene) {
-    std::error_code failure;
-    const std::string whole = fs::absolute(scene, failure).lexically_normal().generic_string();
+    const std::string whole = system::wholePath(scene).generic_string();
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
     if (recent.size() > kMostRecent) recent.resize(kMostRecent);
