@@ -37,19 +37,20 @@ bool changes(std::string_view text) {
 
 }  // namespace
 
-Value constantValue(const CodeTree& tree, std::uint32_t expression, const KnownValues& known) {
+Value constantValue(const CodeTree& tree, std::uint32_t expression, const KnownValues& known,
+                    const OwnFunctions& own) {
     using enum glsl::NodeKind;
     const glsl::Node& it = tree.node(expression);
     const std::string_view text = it.kind == number || it.kind == name ? tree.text(expression) : "";
     if (it.kind == number) return glsl::numberValue(text);
-    if (it.kind == group) return constantValue(tree, it.child, known);
+    if (it.kind == group) return constantValue(tree, it.child, known, own);
     if (it.kind == name) {
         if (text == "true" || text == "false") return text == "true" ? 1 : 0;
         const auto found = known.find(text);
         return found == known.end() ? std::nullopt : Value(found->second);
     }
     if (it.kind == prefix) {
-        Value value = constantValue(tree, it.child, known);
+        Value value = constantValue(tree, it.child, known, own);
         const std::span<const CodeToken> signs =
             tree.code(expression).first(tree.node(it.child).first - it.first);
         for (const CodeToken& each : signs | std::views::reverse) {
@@ -60,13 +61,17 @@ Value constantValue(const CodeTree& tree, std::uint32_t expression, const KnownV
         return value;
     }
     if (it.kind != chain) return std::nullopt;
-    Value value = constantValue(tree, it.child, known);
-    for (std::uint32_t each = tree.node(it.child).next; each != glsl::kNone; each = tree.node(each).next)
-        value = applied(tree.before(each), value, constantValue(tree, each, known));
+    Value value = constantValue(tree, it.child, known, own);
+    for (std::uint32_t each = tree.node(it.child).next; each != glsl::kNone; each = tree.node(each).next) {
+        const bool isOpen = !value;
+        value = applied(tree.before(each), value, constantValue(tree, each, known, own));
+        if (isOpen && value && hasEffect(tree.code(expression).first(tree.node(each).first - it.first), own))
+            return std::nullopt;
+    }
     return value;
 }
 
-KnownValues knownValues(const CodeTree& tree, std::span<const CodeToken> code) {
+KnownValues knownValues(const CodeTree& tree, std::span<const CodeToken> code, const OwnFunctions& own) {
     static const std::set<std::string_view> kTypes{"bool", "int", "uint", "float"};
     const auto text = [&](std::size_t i) { return i < code.size() ? code[i].text : std::string_view{}; };
     std::set<std::string_view> declared, repeated, constant, changed;
@@ -90,7 +95,7 @@ KnownValues knownValues(const CodeTree& tree, std::span<const CodeToken> code) {
         if (!kTypes.contains(text(at - 1)) || text(at + 1) != "=" || repeated.contains(name) ||
             (changed.contains(name) && !constant.contains(name)))
             continue;
-        if (const Value value = constantValue(tree, expression, known)) known[name] = *value;
+        if (const Value value = constantValue(tree, expression, known, own)) known[name] = *value;
     }
     return known;
 }
