@@ -293,22 +293,46 @@ TEST(Copies, AreFoundInStatementsThatRunOnce) {
         {"for (int k = 2; k <= 2; k += 1) {", "}"},
         {"for (float k = 0.; k < 1.; k = k + 1.) {", "}"},
         {"if (vST.s > -9.) {", "}"},
+        // conditions that another arithmetic decides otherwise
+        {"if (2147483647 + 1 < 0) {", "}"},
+        {"if (.1 + .2 == .3) {", "}"},
+        {"if (16777216. + 1. == 16777216.) {", "}"},
+        {"if (0u - 1u > 5u) {", "}"},
+        {"if (-1u > 5u) {", "}"},
+        {"if (.1lf != .1) {", "}"},
+        {"if (!(1e-45 > 0.)) {", "}"},
+        {"bool go = false; (go) = true; if (go) {", "}"},
+        {"bool go = false; ((go)) = true; if (go) {", "}"},
         {"do { switch (0) { default: for (int k = 0; k < 1; ++k) { {", "} } } } while (false);"},
         {"switch (0) { default: switch (1) { case 1: do {", "} while (false); } }"},
     };
     for (const SurroundedBy& each : kAround) {
         EXPECT_GE(ownSimilarity(own, shaderOf(std::string(each.before) + "\n") + each.after + "}\n"), .8)
             << each.before;
-        // Around each part, too.
+        // Around each part, too, unless the condition stays.
+        if (std::string(each.before).find("if (") != std::string::npos) continue;
         std::string parts = std::string(kHead) + kBlend + "void main() {\n";
         for (const std::string& line : kLines)
             parts += line.starts_with("vec3") || line.starts_with("f =")
                          ? std::string(each.before) + line + each.after + "\n"
                          : line + "\n";
-        const std::string before = each.before;
-        const bool isDecided =
-            before.find("vST") == std::string::npos && before.find("77") == std::string::npos;
+        const bool isDecided = std::string(each.before).find("77") == std::string::npos;
         EXPECT_TRUE(!isDecided || ownSimilarity(own, parts) >= .8) << parts;
+    }
+}
+
+TEST(Copies, AreFoundInConditionsThatActBesidesTheirValue) {
+    const std::string own = shaderOf("");
+    EXPECT_GE(ownSimilarity(own, shaderOf("bool go = false; start((go)); if (go) {\n", "",
+                                          "void start(out bool b) { b = true; }\n") +
+                                     "}\n"),
+              .8);
+    for (const char* each :
+         {"if (g() && false) discard;", "if (g() || true) ;", "for (g(); false; ) discard;",
+          "switch (int(g())) { default: }", "switch (int(g())) { }", "f *= g() || true ? 1. : 2.;"}) {
+        std::string hidden = std::string(kHead) + kBlend + "bool g() {\n";
+        for (const std::string& line : kLines) hidden += line + "\n";
+        EXPECT_GE(ownSimilarity(own, hidden + "return true; }\nvoid main() { " + each + " }\n"), .7) << each;
     }
 }
 
