@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 constexpr unsigned kEncrypted = 1U;
 constexpr std::size_t kLongestPath = 1'000;
 constexpr int kDeepestEntry = 32;
+constexpr unsigned kStored = 0;
 
 struct CloseArchive {
     void operator()(void* file) const { unzClose(file); }
@@ -97,8 +98,7 @@ std::string writeEntry(unzFile file, const fs::path& to, UnpackLimits& limits, s
     std::ofstream out(to, std::ios::binary | std::ios::trunc);
     if (!out) return {};  // a file of this name is a folder already; the scene misses it and says so
     if (unzOpenCurrentFile(file) != UNZ_OK)
-        return fmt::format("'{}' in the zip file is packed in a way that is not known",
-                           to.filename().generic_string());
+        return fmt::format("the zip file is damaged at '{}'", to.filename().generic_string());
     std::vector<char> buffer(std::size_t{1} << 16U);
     for (;;) {
         const int count = unzReadCurrentFile(file, buffer.data(), static_cast<unsigned>(buffer.size()));
@@ -156,6 +156,10 @@ std::string unpackArchive(const fs::path& archive, const fs::path& into, UnpackL
         if (!path) continue;
         if (text.back() == '/' || text.back() == '\\') continue;
         if ((info.flag & kEncrypted) != 0) return "the zip file is encrypted";
+        // minizip gives the packed bytes of some that it does not know.
+        if (info.compression_method != kStored && info.compression_method != Z_DEFLATED)
+            return fmt::format("'{}' in the zip file is packed in a way that is not known",
+                               path->filename().generic_string());
         if (std::string problem = writeEntry(file.get(), into / *path, limits, allowed); !problem.empty())
             return problem;
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"
@@ -37,7 +38,19 @@ class Blocks {
         std::size_t at = tree_.node(id).first + 1;
         const std::size_t end = tree_.node(id).end - (isClosed ? 1 : 0);
         std::vector<Code> statements;
+        Code made{whole.front()};
+        const auto finish = [&] {
+            change_(statements);
+            append(made, joinedCode(std::exchange(statements, {})));
+        };
         for (const std::uint32_t each : tree_.children(id)) {
+            if (tree_.is(each, glsl::NodeKind::label)) {
+                finish();
+                append(made, {tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                              tokens_.begin() + static_cast<std::ptrdiff_t>(tree_.node(each).end)});
+                at = tree_.node(each).end;
+                continue;
+            }
             statements.push_back(tree_.changed(at, tree_.node(each).end, std::array{each},
                                                [&](std::uint32_t one) { return statement(one, depth); }));
             at = tree_.node(each).end;
@@ -45,18 +58,16 @@ class Blocks {
         if (at < end)
             statements.emplace_back(tokens_.begin() + static_cast<std::ptrdiff_t>(at),
                                     tokens_.begin() + static_cast<std::ptrdiff_t>(end));
-        change_(statements);
-        Code made{whole.front()};
-        append(made, joinedCode(statements));
+        finish();
         if (isClosed) made.push_back(whole.back());
         return made;
     }
 
-    /// With its blocks changed, unless it is a `switch`.
+    /// With its blocks changed.
     Code statement(std::uint32_t id, int depth) {
         const glsl::Node& it = tree_.node(id);
         if (depth < kDeepestBlock && it.kind == glsl::NodeKind::block) return block(id, depth + 1);
-        const bool isControl = it.kind >= glsl::NodeKind::branch && it.kind <= glsl::NodeKind::doLoop;
+        const bool isControl = it.kind >= glsl::NodeKind::branch && it.kind <= glsl::NodeKind::choice;
         const auto code = tree_.code(id);
         if (depth >= kDeepestBlock || !isControl) return {code.begin(), code.end()};
         return tree_.changed(it.first, it.end, tree_.children(id),

@@ -9,8 +9,9 @@
 
 namespace glibra::classroom {
 
-/// Calls `change` with the statements of every block of every function, inner blocks first, and of the parts
-/// of `switch` never. What is no function stays. Blocks that are nested deeper than anybody writes stay, too.
+/// Calls `change` with the statements of every block of every function, inner blocks first, and of `switch`
+/// with those between labels. What is no function stays. Blocks that are nested deeper than anybody writes
+/// stay, too.
 Code withBlocks(std::span<const CodeToken> tokens,
                 const std::function<void(std::vector<Code>& statements)>& change);
 

@@ -15,10 +15,12 @@ using KnownValues = std::map<std::string_view, double>;
 
 /// Finds variables of the types bool, int, uint and float whose declaration gives them a constant value and
 /// that nothing changes afterwards. Names that are declared several times are left out.
-KnownValues knownValues(const CodeTree& tree, std::span<const CodeToken> code);
+KnownValues knownValues(const CodeTree& tree, std::span<const CodeToken> code, const OwnFunctions& own);
 
 /// The value of an expression, where true is 1; nothing if it depends on anything else. `false && a` and
-/// `true || a` have a value whatever `a` is.
-std::optional<double> constantValue(const CodeTree& tree, std::uint32_t expression, const KnownValues& known);
+/// `true || a` have a value whatever `a` is, and so have `a && false` and `a || true` unless `a` has an
+/// effect.
+std::optional<double> constantValue(const CodeTree& tree, std::uint32_t expression, const KnownValues& known,
+                                    const OwnFunctions& own);
 
 }  // namespace glibra::classroom

@@ -37,7 +37,7 @@ class DeadCode {
             read += tokens_.size();
             dead_.assign(tokens_.size(), false);
             tree_.emplace(tokens_);
-            known_ = knownValues(*tree_, tokens_);
+            known_ = knownValues(*tree_, tokens_, own_);
             outer_.clear();
             for (const std::uint32_t each : tree_->functions()) cleanBody(each);
             killUnreadGlobals();
@@ -67,7 +67,7 @@ class DeadCode {
     [[nodiscard]] const glsl::Node& node(std::uint32_t id) const { return tree_->node(id); }
     [[nodiscard]] bool isBlock(std::uint32_t id) const { return tree_->is(id, NodeKind::block); }
     [[nodiscard]] std::optional<double> valueOf(std::uint32_t expression) const {
-        return constantValue(*tree_, expression, known_);
+        return constantValue(*tree_, expression, known_, own_);
     }
 
     void cleanBody(std::uint32_t body) {
@@ -77,7 +77,7 @@ class DeadCode {
             if (isVariable(i)) ++occurrences[tokens_[i].text];
         locals_.clear();
         writes_.clear();
-        statements(body);
+        statements(node(body).child);
         killUnread(std::move(occurrences));
         for (auto& [name, found] : writes_)
             if (!locals_.contains(name)) outer_[name].insert(outer_[name].end(), found.begin(), found.end());
@@ -97,39 +97,38 @@ class DeadCode {
         if (*value != 0) kill(yes.end, node(id).end);
     }
 
-    /// The statements of a block.
-    void statements(std::uint32_t block) {
-        std::string_view before = "{";
-        for (const std::uint32_t each : tree_->children(block)) {
-            if (tree_->is(each, NodeKind::jump)) return afterJump(each);
-            if (isBlock(each) && before != ":") unwrap(each);
+    /// The statements of a block from one on. What nothing reaches behind one that always leaves the block is
+    /// removed, up to a label. True: so does the last one.
+    bool statements(std::uint32_t each) {
+        bool isAfterJump = false;
+        for (; each != glsl::kNone; each = node(each).next) {
+            isAfterJump = isAfterJump && !tree_->is(each, NodeKind::label);
+            if (isAfterJump) kill(node(each).first, node(each).end);
+            isAfterJump = isAfterJump || tree_->is(each, NodeKind::jump);
+            if (isAfterJump) continue;
+            if (isBlock(each)) unwrap(each);
             if (tree_->is(each, NodeKind::declaration) || tree_->is(each, NodeKind::evaluation) ||
                 tree_->is(each, NodeKind::empty))
                 take({node(each).first, node(each).end});
             else
-                control(each, before == ":", false);
-            before = text(node(each).end - 1);
+                isAfterJump = control(each, false, false);
         }
-    }
-
-    /// Removes what follows a jump in its block, unless a label is there.
-    void afterJump(std::uint32_t jump) {
-        std::uint32_t last = jump;
-        for (std::uint32_t each = jump; each != glsl::kNone; each = node(each).next) {
-            if (tree_->is(each, NodeKind::label)) return;
-            last = each;
-        }
-        kill(node(jump).end, node(last).end);
+        return isAfterJump;
     }
 
     /// A block, or a statement that controls others. The one statement of "if (a) b;" has to stay, or the
-    /// next one would take its place.
-    void control(std::uint32_t id, bool isControlled, bool isElse) {
-        if (isBlock(id)) return statements(id);
-        if (decided(id, isControlled, isElse)) return;
+    /// next one would take its place. True: it always leaves the block around it.
+    bool control(std::uint32_t id, bool isControlled, bool isElse) {
+        if (isBlock(id)) return statements(node(id).child);
+        if (tree_->is(id, NodeKind::jump)) return true;
+        if (decided(id, isControlled, isElse) || unwrappedLoop(id, isControlled) ||
+            decidedChoice(id, isControlled, isElse))
+            return false;  // the next round knows
         const bool isBranch = tree_->is(id, NodeKind::branch);
+        int leaving = 0;
         for (const std::uint32_t each : tree_->children(id))
-            control(each, true, isBranch && each == tree_->child(id, 2));
+            leaving += control(each, true, isBranch && each == tree_->child(id, 2)) ? 1 : 0;
+        return isBranch && leaving == 2;
     }
 
     /// Assignments to variables outside of functions that nothing reads. Outputs are not declared here
@@ -161,19 +160,15 @@ class DeadCode {
     void take(const Statement& statement) {
         const auto [begin, end] = statement;
         std::size_t assigned = end, count = 0;
-        bool calls = false;
         if (text(end - 1) != ";") return;
         for (std::size_t i = begin; i < end; ++i) {
             if (text(i) == "{") return;
             if (isAssignment(tokens_[i].text)) {
                 if (count++ == 0) assigned = i;
             }
-            if (!tokens_[i].isWord || text(i + 1) != "(") continue;
-            const auto own = own_.find(tokens_[i].text);
-            calls = calls || (own == own_.end() ? hasEffect(tokens_[i].text) : own->second);
         }
         if (end - begin == 1) return kill(begin, end);
-        if (calls || count > 1) return;
+        if (count > 1 || callsWithEffect(std::span(tokens_).subspan(begin, end - begin), own_)) return;
         // float a = ...;   const vec3 a;
         std::size_t first = begin;
         if (text(first) == "const") ++first;
@@ -248,10 +243,7 @@ class DeadCode {
         const bool isBranch = tree_->is(id, NodeKind::branch), isFor = tree_->is(id, NodeKind::forLoop);
         if (!isBranch && !isFor && !tree_->is(id, NodeKind::whileLoop)) return false;
         const glsl::Node& it = node(id);
-        const KnownValues known = known_;
-        if (isFor) noteCounter(it.child);
-        const std::optional<double> value = valueOf(isFor ? node(it.child).next : it.child);
-        known_ = known;
+        const std::optional<double> value = isFor ? firstCondition(id) : valueOf(it.child);
         if (!value || (*value != 0 && !isBranch)) return false;
         const std::uint32_t then = isBranch ? node(it.child).next : it.lastChild;
         const std::uint32_t otherwise = isBranch ? node(then).next : glsl::kNone;
@@ -262,19 +254,160 @@ class DeadCode {
             control(then, true, false);
             return true;
         }
-        // Without it, the statement after it would be what "if (a)" before it controls.
-        if (!hasElse && !isElse && isControlled) return false;
-        kill(hasElse || !isElse ? it.first : it.first - 1, hasElse ? node(otherwise).first : it.end);
-        if (hasElse) control(otherwise, true, true);
+        if (isFor && acts(it.child)) {
+            keepStart(id, it.end);
+            return true;
+        }
+        if (!hasElse) return killWhole(id, isControlled, isElse);
+        kill(it.first, node(otherwise).first);
+        control(otherwise, true, true);
         return true;
     }
 
-    /// for (int i = 0; i < 0; ++i)
-    void noteCounter(std::uint32_t start) {
-        if (!tree_->is(start, NodeKind::declaration) || node(start).child != node(start).lastChild) return;
-        const std::uint32_t counter = node(start).child;
-        if (counter == glsl::kNone || node(counter).child == glsl::kNone) return;
-        if (const auto value = valueOf(node(counter).child)) known_[tree_->text(counter)] = *value;
+    /// False: without it, the statement after it would be what "if (a)" before it controls.
+    bool killWhole(std::uint32_t id, bool isControlled, bool isElse) {
+        if (isElse || !isControlled) kill(node(id).first - (isElse ? 1 : 0), node(id).end);
+        return isElse || !isControlled;
+    }
+
+    /// Leaves what a `for` begins with, and what follows `end`.
+    void keepStart(std::uint32_t id, std::size_t end) {
+        const glsl::Node& start = node(node(id).child);
+        kill(node(id).first, start.first);
+        kill(start.end + (text(start.end) == ";" ? 1 : 0), end);
+    }
+
+    /// True if the code of a node has an effect besides its value.
+    [[nodiscard]] bool acts(std::uint32_t id) const { return hasEffect(tree_->code(id), own_); }
+
+    /// The condition of a `for` before its first round, or, where it holds there, after `rounds`: for (int i
+    /// = 0; i < 1; ++i).
+    std::optional<double> firstCondition(std::uint32_t id, int rounds = 0) {
+        const std::uint32_t start = node(id).child, condition = node(start).next;
+        if (condition != glsl::kNone && node(condition).first == node(condition).end) return 1;
+        const KnownValues known = known_;
+        std::string_view counter;
+        if (tree_->is(start, NodeKind::declaration) && node(start).child == node(start).lastChild) {
+            const std::uint32_t one = node(start).child;
+            const auto value = one == glsl::kNone || node(one).child == glsl::kNone
+                                   ? std::nullopt
+                                   : valueOf(node(one).child);
+            if (value) known_[counter = tree_->text(one)] = *value;
+        }
+        std::optional<double> value = valueOf(condition);
+        if (rounds > 0 && value && *value != 0) {
+            const auto by = counter.empty() ? std::nullopt : stepOf(tree_->child(id, 2), counter);
+            if (by) known_[counter] += *by;
+            value = by ? valueOf(condition) : std::nullopt;
+        }
+        known_ = known;
+        return value;
+    }
+
+    /// What ++i, i--, i += 2 and i = i + 2 add to i.
+    [[nodiscard]] std::optional<double> stepOf(std::uint32_t id, std::string_view counter) const {
+        const std::span<const CodeToken> code = tree_->code(id);
+        if (code.size() == 2 && (code[0].text == counter || code[1].text == counter)) {
+            const std::string_view sign = code[code[0].text == counter ? 1 : 0].text;
+            return sign == "++" ? std::optional(1.) : sign == "--" ? std::optional(-1.) : std::nullopt;
+        }
+        if (!tree_->is(id, NodeKind::assignment) || code[0].text != counter) return std::nullopt;
+        const std::optional<double> value = valueOf(node(id).lastChild);
+        if (!value || code[1].text == "+=") return value;
+        if (code[1].text == "-=") return -*value;
+        const auto before = known_.find(counter);
+        return code[1].text == "=" && before != known_.end() ? std::optional(*value - before->second)
+                                                             : std::nullopt;
+    }
+
+    /// True if a `break`, or a `continue`, leaves a statement from within this one.
+    [[nodiscard]] bool leaves(std::uint32_t id, bool breaks, bool continues) const {
+        if (tree_->is(id, NodeKind::jump)) {
+            const std::string_view word = text(node(id).first);
+            return (breaks && word == "break") || (continues && word == "continue");
+        }
+        const bool isChoice = tree_->is(id, NodeKind::choice);
+        breaks = breaks && !isChoice;
+        if ((!breaks && !continues) || (!isChoice && !isBlock(id) && !tree_->is(id, NodeKind::branch)))
+            return false;
+        return std::ranges::any_of(tree_->children(id),
+                                   [&](std::uint32_t each) { return leaves(each, breaks, continues); });
+    }
+
+    /// Removes the words of a loop that runs once: do { } while (false), for (int i = 0; i < 1; ++i), while
+    /// (true) { ... break; } or return.
+    bool unwrappedLoop(std::uint32_t id, bool isControlled) {
+        const bool isFor = tree_->is(id, NodeKind::forLoop), isDo = tree_->is(id, NodeKind::doLoop);
+        if (!isFor && !isDo && !tree_->is(id, NodeKind::whileLoop)) return false;
+        const glsl::Node& it = node(id);
+        const std::uint32_t body = isDo ? it.child : it.lastChild;
+        const auto is = [](std::optional<double> value, bool truth) {
+            return value && (*value != 0) == truth;
+        };
+        const std::uint32_t final = isBlock(body) ? node(body).lastChild : glsl::kNone;
+        const bool isBroken = tree_->is(final, NodeKind::jump) && text(node(final).first) != "continue";
+        const auto runsOnce = [&] {
+            if (isDo) return isBroken || (it.lastChild != body && is(valueOf(it.lastChild), false));
+            if (isBroken) return is(isFor ? firstCondition(id) : valueOf(it.child), true);
+            return isFor && is(firstCondition(id), true) && is(firstCondition(id, 1), false);
+        };
+        const bool hasStart = isFor && node(it.child).first < node(it.child).end;
+        if (body == glsl::kNone || (hasStart && isControlled) || !runsOnce()) return false;
+        const bool isLeft = isBlock(body) ? std::ranges::any_of(tree_->children(body),
+                                                                [&](std::uint32_t each) {
+                                                                    return !(isBroken && each == final) &&
+                                                                           leaves(each, true, true);
+                                                                })
+                                          : leaves(body, true, true);
+        if (isLeft) return false;
+        if (hasStart)
+            keepStart(id, node(body).first);
+        else
+            kill(it.first, node(body).first);
+        if (isBroken && text(node(final).first) == "break") kill(node(final).first, node(final).end);
+        kill(node(body).end, it.end);
+        control(body, true, false);
+        return true;
+    }
+
+    /// Removes the parts of a `switch` that its constant value does not choose, and, unless a `break` in
+    /// other statements leaves it, the words around the others.
+    bool decidedChoice(std::uint32_t id, bool isControlled, bool isElse) {
+        if (!tree_->is(id, NodeKind::choice) || !isBlock(node(id).lastChild)) return false;
+        const glsl::Node& it = node(id);
+        const std::uint32_t body = it.lastChild;
+        const std::optional<double> value = valueOf(it.child);
+        std::uint32_t chosen = glsl::kNone, fallback = glsl::kNone;
+        for (const std::uint32_t each : tree_->children(body)) {
+            if (!tree_->is(each, NodeKind::label)) continue;
+            const bool isDefault = node(each).child == glsl::kNone;
+            const std::optional<double> label = isDefault ? std::nullopt : valueOf(node(each).child);
+            if (isDefault)
+                fallback = each;
+            else if (!value || !label)
+                return false;
+            else if (*label == *value && chosen == glsl::kNone)
+                chosen = each;
+        }
+        if (chosen == glsl::kNone) chosen = fallback;
+        if (acts(it.child)) return false;
+        if (chosen == glsl::kNone) return killWhole(id, isControlled, isElse);
+        const std::size_t end = node(body).end - (text(node(body).end - 1) == "}" ? 1 : 0);
+        bool isLeft = false;
+        std::size_t last = end;
+        for (std::uint32_t each = node(chosen).next; each != glsl::kNone && last == end;
+             each = node(each).next) {
+            if (tree_->is(each, NodeKind::label)) kill(node(each).first, node(each).end);
+            if (tree_->is(each, NodeKind::jump))
+                last = text(node(each).first) == "break" ? node(each).first : node(each).end;
+            else
+                isLeft = isLeft || leaves(each, true, false);
+        }
+        kill(last, std::max(last, end));
+        kill(isLeft ? node(body).first + 1 : it.first, isLeft ? node(chosen).first : node(body).first);
+        if (!isLeft) kill(node(body).first + 1, node(chosen).end);
+        statements(node(chosen).next);
+        return true;
     }
 
     std::vector<CodeToken> tokens_;

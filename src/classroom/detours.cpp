@@ -349,16 +349,6 @@ class Detours {
         return inParentheses(replaced(body.result, replacements), line);
     }
 
-    /// True if a call in the code has an effect besides its value.
-    [[nodiscard]] bool callsWithEffect(std::span<const CodeToken> code) const {
-        for (std::size_t i = 0; i + 1 < code.size(); ++i) {
-            if (!code[i].isWord || code[i + 1].text != "(") continue;
-            const auto function = own_.find(code[i].text);
-            if (function == own_.end() ? hasEffect(code[i].text) : function->second) return true;
-        }
-        return false;
-    }
-
     static std::set<std::string_view> writesOf(const Code& code) {
         std::set<std::string_view> writes;
         for (std::size_t i = 0; i < code.size(); ++i) {
@@ -381,7 +371,7 @@ class Detours {
         for (std::size_t i = 0; i < statements.size(); ++i) {
             Code& declared = statements[i];
             if (declared.size() < 3 || !declared[0].isWord || !isDeclaredName(declared, 1) ||
-                (declared[2].text != ";" && declared[2].text != "=") || callsWithEffect(declared))
+                (declared[2].text != ";" && declared[2].text != "=") || callsWithEffect(declared, own_))
                 continue;
             const std::string_view name = declared[1].text;
             std::size_t at = i + 1;
@@ -403,7 +393,7 @@ class Detours {
         for (std::size_t i = 0; i < statements.size(); ++i) {
             const Code& set = statements[i];
             if (set.size() < 5 || set[2].text != "=" || set.back().text != ";" || !set[0].isWord ||
-                !isDeclaredName(set, 1) || set[3].text == "{" || callsWithEffect(set))
+                !isDeclaredName(set, 1) || set[3].text == "{" || callsWithEffect(set, own_))
                 continue;
             const auto count = counts.find(set[1].text);
             if (count == counts.end() || count->second != 2) continue;
@@ -431,7 +421,7 @@ class Detours {
             Code& statement = statements[at];
             const std::size_t use = placeOf(name.text, statement);
             const bool isUsed = use < statement.size();
-            if (callsWithEffect(statement)) return false;
+            if (callsWithEffect(statement, own_)) return false;
             const std::set<std::string_view> writes = writesOf(statement);
             if (writes.contains(name.text)) return false;
             const bool changes =
@@ -471,6 +461,45 @@ std::vector<CodeToken> withoutLists(std::span<const CodeToken> tokens) {
         }
         statements = std::move(made);
     });
+}
+
+std::vector<CodeToken> withLocalVariables(const std::vector<CodeToken>& tokens) {
+    const std::vector<CodeItem> items = itemsOf(tokens);
+    std::map<std::string_view, std::set<std::size_t>> users;
+    for (std::size_t item = 0; item < items.size(); ++item) {
+        std::set<std::string_view> used, own;
+        for (std::size_t i = items[item].begin; i < items[item].end; ++i) {
+            if (isVariableName(tokens, i)) used.insert(tokens[i].text);
+            if (items[item].isFunction && isDeclaredName(tokens, i)) own.insert(tokens[i].text);
+        }
+        for (const std::string_view each : used)
+            if (!own.contains(each)) users[each].insert(item);
+    }
+    std::map<std::size_t, Code> moved;  // to these functions
+    std::vector<Code> made(items.size());
+    for (std::size_t item = 0; item < items.size(); ++item) {
+        made[item].assign(tokens.begin() + static_cast<std::ptrdiff_t>(items[item].begin),
+                          tokens.begin() + static_cast<std::ptrdiff_t>(items[item].end));
+        static const std::set<std::string_view> kAfterName{"=", ",", ";", "["};
+        // Constants stay: declarations() has them without "const".
+        if (items[item].parameters.data() || made[item].front().text == "const" || made[item].size() < 3 ||
+            !kAfterName.contains(made[item][2].text))
+            continue;
+        const std::vector<Code> parts = declarations(made[item]);
+        if (!parts.empty()) made[item].clear();
+        for (const Code& each : parts) {
+            std::set<std::size_t> of = users[each[1].text];
+            of.erase(item);
+            const bool moves = of.size() == 1 && items[*of.begin()].isFunction;
+            Code& to = moves ? moved[*of.begin()] : made[item];
+            to.insert(to.end(), each.begin(), each.end());
+        }
+    }
+    for (const auto& [function, code] : moved) {
+        const auto body = std::ranges::find(made[function], std::string_view("{"), &CodeToken::text);
+        made[function].insert(body + (body == made[function].end() ? 0 : 1), code.begin(), code.end());
+    }
+    return joinedCode(made);
 }
 
 std::vector<CodeToken> withoutDetours(std::vector<CodeToken> tokens, const OwnFunctions& own,

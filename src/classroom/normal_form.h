@@ -58,6 +58,12 @@ std::uint32_t codeOfText(std::string_view text);
 
 /// True for the built-in functions whose call has an effect besides its value.
 bool hasEffect(std::string_view builtIn);
+/// True if code calls such a function; if it does, or assigns anything.
+bool callsWithEffect(std::span<const CodeToken> code, const OwnFunctions& own);
+bool hasEffect(std::span<const CodeToken> code, const OwnFunctions& own);
+
+/// Moves variables that stand outside of functions and that one function alone mentions to its beginning.
+std::vector<CodeToken> withLocalVariables(const std::vector<CodeToken>& tokens);
 
 /// Splits the declarations of several local variables: "float a, b = 2.;" is "float a; float b = 2.;".
 std::vector<CodeToken> withoutLists(std::span<const CodeToken> tokens);

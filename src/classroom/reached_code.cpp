@@ -177,7 +177,7 @@ void read(const glsl::StageSource& stage, const glsl::IncludeReader& include, co
     glsl::readSource(stage, text, report);
     for (const Diagnostic& each : report.take())
         result.isWhole = result.isWhole && each.id != "glsl-E11" && each.id != "file-E09";
-    const Code written = codeOf(text);
+    const Code written = withLocalVariables(codeOf(text));
     const OwnFunctions own = ownFunctions(written);
     const Code code = withoutDeadCode(withoutLists(comparedCode(written, own)), own);
     const std::vector<CodeItem> items = itemsOf(code);
@@ -218,6 +218,21 @@ bool hasEffect(std::string_view name) {
     return glsl::builtinOutputs(name) != 0 || name.starts_with("image") || name.starts_with("atomic") ||
            name.starts_with("emit") || name.starts_with("Emit") || name.starts_with("End") ||
            name.ends_with("arrier");
+}
+
+bool callsWithEffect(std::span<const CodeToken> code, const OwnFunctions& own) {
+    for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+        if (!code[i].isWord || code[i + 1].text != "(") continue;
+        const auto function = own.find(code[i].text);
+        if (function == own.end() ? hasEffect(code[i].text) : function->second) return true;
+    }
+    return false;
+}
+
+bool hasEffect(std::span<const CodeToken> code, const OwnFunctions& own) {
+    return callsWithEffect(code, own) || std::ranges::any_of(code, [](const CodeToken& each) {
+               return glsl::isAssignment(each.text) || glsl::isStep(each.text);
+           });
 }
 
 OwnFunctions ownFunctions(std::span<const CodeToken> tokens) {

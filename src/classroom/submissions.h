@@ -4,6 +4,7 @@
 #include <glibra/result.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "classroom/archive.h"
 #include "classroom/names.h"
 #include "system/sandbox.h"
 
@@ -88,10 +90,10 @@ ChosenScene chooseScene(std::span<const std::filesystem::path> scenes, const Sub
 /// Where zip files are unpacked, and who does it.
 struct UnpackOptions {
     std::filesystem::path site;  ///< SITE/unpacked/NAME is the folder of a submission
-    int jobs = 0;
-    double timeout = 0;  ///< seconds for each submission; 0: no limit
+    double timeout = 0;          ///< seconds for each submission; 0: no limit
     const system::Sandbox* sandbox = nullptr;
     std::function<bool()> stop{};
+    UnpackLimits ofClass{std::uint64_t{4} << 30U, 200'000};  ///< all together; each has its own, too
 };
 
 inline constexpr const char* kUnpacked = "unpacked";
@@ -104,7 +106,8 @@ Result<std::filesystem::path> unpackExport(const std::filesystem::path& archive,
                                            const UnpackOptions& options);
 
 /// Makes the folders of the submissions that have `parts` and finds their scenes. Those that cannot be
-/// unpacked have a `problem`. Removes what an earlier run has unpacked. Error: file-E10.
+/// unpacked have a `problem`, and so have those that do not fit beside those before them. Removes what an
+/// earlier run has unpacked. Error: file-E10.
 Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions& find,
                               const UnpackOptions& options);
 

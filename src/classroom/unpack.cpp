@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -14,7 +14,6 @@
 #include "classroom/names.h"
 #include "classroom/submissions.h"
 #include "image/file.h"
-#include "suite/run/run_options.h"
 #include "system/folder.h"
 
 namespace glibra::classroom {
@@ -22,9 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  // of a class
-constexpr std::size_t kMostEntries = 200'000;                  // likewise
-constexpr std::size_t kLeastEntries = 200;                     // of each submission of a large class
 constexpr const char* kMark = ".made-by-glibra";
 constexpr const char* kFormerMark = "made-by-glibra";
 
@@ -66,8 +62,7 @@ std::string copy(const fs::path& from, const fs::path& to, UnpackLimits& limits)
     return out ? std::string() : fmt::format("cannot write '{}'", to.generic_string());
 }
 
-std::string unpack(const Submission& submission, const UnpackLimits& allowed) {
-    UnpackLimits limits = allowed;
+std::string unpack(const Submission& submission, UnpackLimits& limits) {
     for (const Submission::Part& each : submission.parts) {
         if (isArchive(each.file)) {
             if (std::string why = unpackArchive(each.file, submission.folder, limits); !why.empty())
@@ -105,7 +100,7 @@ Result<fs::path> unpackExport(const fs::path& archive, const UnpackOptions& opti
     base::runInWorkers(
         1, {.memory = base::memoryShare(1, 1), .stop = options.stop, .sandbox = options.sandbox},
         [&](std::size_t, const base::Step&) {
-            UnpackLimits limits{kMostBytes, kMostEntries};
+            UnpackLimits limits = options.ofClass;
             return unpackArchive(archive, folder, limits);
         },
         [&](std::size_t, const base::Outcome& outcome) {
@@ -136,23 +131,37 @@ Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions&
         fs::create_directory(packed[i]->folder, failure);
         if (failure) return {image::cannotWrite(packed[i]->folder, failure.message())};
     }
-    UnpackLimits allowed;
-    allowed.bytes = std::min(allowed.bytes, kMostBytes / packed.size());
-    allowed.entries = std::min(allowed.entries, std::max(kLeastEntries, kMostEntries / packed.size()));
-    const int jobs = suite::readingJobs(options.jobs);
+    // One after another, so that what the class may unpack goes to the same of them in every run, and no more
+    // than that and one submission ever lies there. The answer has what is left of a submission's own limits.
+    UnpackLimits left = options.ofClass;
     base::runInWorkers(
         packed.size(),
-        {.workers = jobs,
-         .timeout = options.timeout,
-         .memory = base::memoryShare(jobs, packed.size()),
+        {.timeout = options.timeout,
+         .memory = base::memoryShare(1, 1),
          .stop = options.stop,
          .sandbox = options.sandbox},
-        [&](std::size_t index, const base::Step&) { return unpack(*packed[index], allowed); },
+        [&](std::size_t index, const base::Step&) {
+            UnpackLimits own;
+            const std::string why = unpack(*packed[index], own);
+            return fmt::format("{} {} {}", own.bytes, own.entries, why);
+        },
         [&](std::size_t index, const base::Outcome& outcome) {
-            packed[index]->problem = outcome.end == base::Outcome::End::finished
-                                         ? outcome.answer
-                                         : "the zip file could not be unpacked within the limits";
-            if (!packed[index]->problem.empty()) empty(packed[index]->folder);
+            UnpackLimits own;
+            std::istringstream answer(outcome.answer);
+            std::string& why = packed[index]->problem;
+            if (outcome.end != base::Outcome::End::finished || !(answer >> own.bytes >> own.entries))
+                why = "the zip file could not be unpacked within the limits";
+            else
+                std::getline(answer.ignore(), why, '\0');
+            const std::uint64_t bytes = UnpackLimits{}.bytes - own.bytes;
+            const std::size_t entries = UnpackLimits{}.entries - own.entries;
+            if (why.empty() && (bytes > left.bytes || entries > left.entries))
+                why =
+                    fmt::format("with those before it, it unpacks to more than {} MB or {} files and folders",
+                                options.ofClass.bytes >> 20U, options.ofClass.entries);
+            if (!why.empty()) return empty(packed[index]->folder);
+            left.bytes -= bytes;
+            left.entries -= entries;
         },
         [](std::size_t, const std::string&) {});
     for (Submission* each : packed)

@@ -173,8 +173,8 @@ bool unpackExport(const ClassArguments& arguments, fs::path& from, const fs::pat
     std::error_code failure;
     if (!classroom::isArchive(from) || !fs::is_regular_file(from, failure)) return true;
     const auto sandbox = unpackingSandbox(arguments, from, site, classroom::kExport);
-    Result<fs::path> folder = classroom::unpackExport(
-        from, {.site = site, .jobs = 1, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
+    Result<fs::path> folder =
+        classroom::unpackExport(from, {.site = site, .timeout = 0, .sandbox = sandbox ? &*sandbox : nullptr});
     print(folder.diagnostics);
     if (folder) from = std::move(*folder);
     return folder.value.has_value();
@@ -188,7 +188,6 @@ int unpackAll(const ClassArguments& arguments, classroom::Submissions& submissio
     const Diagnostics problems =
         classroom::unpackSubmissions(submissions, find,
                                      {.site = site,
-                                      .jobs = arguments.made.jobs,
                                       .timeout = arguments.made.timeout,
                                       .sandbox = sandbox ? &*sandbox : nullptr,
                                       .stop = [&] { return interruption.signal() != 0; }});

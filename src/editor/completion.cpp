@@ -13,11 +13,13 @@
 #include "editor/scene_places.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
+#include "glib/diagnostic_catalogue.h"
 #include "glib/statement_table.h"
 #include "glib/syntax.h"
 #include "glib/text.h"
 #include "glsl/read/words.h"
 #include "scene/shader_names.h"
+#include "scene/statement_words.h"
 #include "source/inline_shaders.h"
 
 namespace glibra::editor {
@@ -239,6 +241,43 @@ bool hasFormat(std::string_view name) {
            });
 }
 
+/// The words that a value may be which its syntax does not list.
+std::vector<std::string_view> wordsOfValue(const glib::SyntaxNode& value) {
+    if (value.type == glib::ValueType::truth) return {"on", "off"};
+    if (value.type == glib::ValueType::key) return {std::begin(scene::kKeyNames), std::end(scene::kKeyNames)};
+    std::vector<std::string_view> words;
+    if (value.type != glib::ValueType::word) return words;
+    if (value.text == "type") return scene::bufferTypes();
+    if (value.text == "shape") return scene::meshShapes();
+    if (value.text == "role") return {scene::kAttributeRoles.begin(), scene::kAttributeRoles.end()};
+    if (value.text == "preset") std::ranges::copy(scene::materialNames(), std::back_inserter(words));
+    if (value.text == "format")
+        std::ranges::transform(base::texelFormats(), std::back_inserter(words), &base::TexelFormatRow::name);
+    if (value.text == "id")
+        std::ranges::transform(glib::diagnosticCatalogue(), std::back_inserter(words),
+                               &glib::CatalogueRow::id);
+    return words;
+}
+
+/// A value that follows a key is proposed behind that key alone.
+void addValueWords(Collector& words, std::string_view before) {
+    const std::string_view name = firstWord(before);
+    before = before.substr(0, before.find_last_not_of(" \t") + 1);
+    const TextRange last = wordBefore(before, before.size());
+    const std::string_view key = before.substr(last.begin, last.end - last.begin);
+    for (const glib::StatementRow* row :
+         {glib::findCommand(name), glib::modernFormOf(name), glib::findStatement(name)}) {
+        std::string_view needed;
+        const auto add = [&](const glib::SyntaxNode& each) {
+            if (needed.empty() || glib::sameWord(needed, key))
+                for (const std::string_view word : wordsOfValue(each)) words.add(word, each.text);
+            needed = each.kind == glib::SyntaxNode::Kind::key ? each.text : std::string_view();
+            return false;
+        };
+        if (row) (void)hasNode(*row, add);
+    }
+}
+
 void addStatementWords(Collector& words, std::string_view name) {
     const glib::StatementRow* command = glib::findCommand(name);
     const glib::StatementRow* statement = command ? glib::modernFormOf(name) : glib::findStatement(name);
@@ -334,6 +373,12 @@ std::string_view declaringStatement(std::string_view text, std::string_view name
 void addParts(Collector& words, std::string_view text, std::size_t point) {
     const std::string_view name = nameBefore(text, point);
     if (name.empty() || base::isDigit(name.front())) return;
+    if (const glib::StatementRow* row = glib::findStatement(firstWord(statementBefore(text, point))))
+        (void)hasNode(*row, [&](const glib::SyntaxNode& each) {
+            if (each.kind == glib::SyntaxNode::Kind::key && glib::sameWord(each.text, name))
+                for (const std::string& word : each.words) words.add(word, each.text);
+            return false;
+        });
     const std::string statement = glib::lower(declaringStatement(text, name));
     const bool isCamera = statement == "camera" || name == "camera" || name == "eye";
     const bool isCube = statement == "cubemap";
@@ -381,8 +426,7 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed, co
     const auto open = std::ranges::count(before, '(');
     const bool isExpression = open > std::ranges::count(before, ')');
     if (!isExpression) {
-        if (hasFormat(statement))
-            for (const base::TexelFormatRow& each : base::texelFormats()) words.add(each.name, "format");
+        addValueWords(words, before);
         if (hasFormat(statement) && isAfterSize(before)) return;
         addStatementWords(words, statement);
         words.nextGroup();

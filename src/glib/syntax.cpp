@@ -339,7 +339,7 @@ const Syntax& syntaxOf(const StatementRow& row) {
                      : kModern[static_cast<std::size_t>(&row - statementTable().data())];
 }
 
-bool hasNode(const StatementRow& row, bool (*isSuch)(const SyntaxNode&)) {
+bool hasNode(const StatementRow& row, const std::function<bool(const SyntaxNode&)>& isSuch) {
     bool found = false;
     forEachNode(syntaxOf(row).root, [&](const SyntaxNode& each) { found = found || isSuch(each); });
     return found;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -92,6 +93,6 @@ inline bool takesNumbers(const StatementRow& row) {
 }
 
 /// True if the syntax has such a node.
-bool hasNode(const StatementRow& row, bool (*isSuch)(const SyntaxNode&));
+bool hasNode(const StatementRow& row, const std::function<bool(const SyntaxNode&)>& isSuch);
 
 }  // namespace glibra::glib

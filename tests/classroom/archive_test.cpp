@@ -132,6 +132,22 @@ TEST_F(ArchiveTest, DamagedFilesAreNamed) {
     }
 }
 
+TEST_F(ArchiveTest, FilesThatArePackedInAnotherWayAreNamed) {
+    writeZip(made / "a.zip", {{"p/a.glib", "Sphere\nSphere\n"}});
+    const std::string whole = suite::textOf(made / "a.zip");
+    const std::size_t central = whole.find("PK\1\2");
+    ASSERT_NE(central, std::string::npos);
+    // shrunk, reduced, imploded, deflate64, bzip2, LZMA, Zstandard, xz, ...; 0 and 8 are read
+    for (int method = 1; method < 100; ++method) {
+        if (method == Z_DEFLATED) continue;
+        std::string other = whole;
+        other[8] = other[central + 10] = static_cast<char>(method);
+        suite::writeText(made / "a.zip", other);
+        EXPECT_EQ(unpacked(), "'a.glib' in the zip file is packed in a way that is not known") << method;
+        EXPECT_FALSE(fs::exists(to / "p/a.glib")) << method;
+    }
+}
+
 class UnpackTest : public testing::Test {
   protected:
     Submissions find(const std::string& rule = {}) {
@@ -140,12 +156,35 @@ class UnpackTest : public testing::Test {
         Result<Submissions> found = findSubmissions(made / "all", options);
         EXPECT_TRUE(found);
         if (!found) return {};
-        EXPECT_TRUE(unpackSubmissions(*found, options, {.site = made / "site", .jobs = 2}).empty());
+        EXPECT_TRUE(unpackSubmissions(*found, options, {.site = made / "site", .ofClass = ofClass}).empty());
         return std::move(*found);
     }
     suite::Folder made;
     SubmissionOptions options;
+    UnpackLimits ofClass = UnpackOptions{}.ofClass;
 };
+
+TEST_F(UnpackTest, AClassHasItsSumAndOneSubmissionItsOwnLimit) {
+    for (int i = 0; i < 60; ++i)
+        writeZip(made / "all" / (std::to_string(i) + ".zip"),
+                 {{"a.glib", i == 7 ? std::string(90'000'000, ' ') : "Sphere\n"}});
+    for (const Submission& each : find().all) EXPECT_EQ(each.problem, "") << each.name;
+    // In the order of the names; one that does not fit takes nothing from those after it.
+    fs::remove_all(made / "all");
+    const char* const kText[] = {"Sphere # 17 bytes", "Sphere", "Sphere # 17 bytes", "Cone"};
+    for (int i = 0; i < 4; ++i) writeZip(made / "all" / (std::to_string(i) + ".zip"), {{"a.glib", kText[i]}});
+    for (const UnpackLimits& each : {UnpackLimits{30, 100}, UnpackLimits{100, 2}}) {
+        ofClass = each;
+        const Submissions found = find();
+        ASSERT_EQ(found.all.size(), 4U);
+        const bool isFull = each.entries < 4;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const bool fits = isFull ? i < 2 : i != 2;
+            EXPECT_EQ(found.all[i].problem.empty(), fits) << i << found.all[i].problem;
+            EXPECT_EQ(fs::is_empty(made / "site/unpacked" / std::to_string(i)), !fits);
+        }
+    }
+}
 
 TEST_F(UnpackTest, NothingStaysOfOneThatReachesALimit) {
     zipFile file = zipOpen64((made / "ana.zip").c_str(), APPEND_STATUS_CREATE);

@@ -63,6 +63,21 @@ TEST(Calls, AreThoseThatRun) {
              "void s(inout vec4 c) { c *= smoothstep(0., 1., vST.x); }\nvoid main() { " + red + " s(f); }",
              "float smoothstep(float a) { return a; }\nvoid main() { f = vec4(smoothstep(0., 1., "
              "smoothstep(1.))); }",
+             "void main() { switch (int(uA)) { case 0: " + use + " break; default: " + red + " } }",
+             "void main() { switch (0) { case 0: " + red + " case 1: " + use + " } }",
+             "void main() { switch (5) { case 0: " + red + " default: " + use + " } }",
+             "void main() { switch (1) { case 1: if (uA > 0.) break; " + use + " } }",
+             "void main() { switch (1) { case 1: for (int i = 0; i < 2; ++i) { break; } " + use + " } }",
+             "void main() { for (int i = 0; i < 9; ++i) { switch (1) { case 1: if (uA > 0.) continue; } " +
+                 use + " } }",
+             "void main() { do { if (uA > 0.) break; " + use + " } while (false); }",
+             "void main() { do { if (uA > 0.) return; } while (false); " + use + " }",
+             "void main() { while (true) { if (uA > 0.) break; return; } " + use + " }",
+             "void main() { if (uA > .5) return; else f.x = 1.; " + use + " }",
+             // what a condition that has a value does besides
+             "bool g() { " + use + " return true; }\nvoid main() { if (g() && false) discard; }",
+             "bool g() { " + use + " return true; }\nvoid main() { for (g(); false; ) discard; }",
+             "int g() { " + use + " return 1; }\nvoid main() { switch (g()) { default: } }",
              "subroutine float Way();\nsubroutine uniform Way uWay;\n"
              "subroutine(Way) float one() { return smoothstep(0., 1., vST.x); }\nvoid main() { f = "
              "vec4(uWay()); }",
@@ -90,6 +105,38 @@ TEST(Calls, AreThoseThatRun) {
              "void main() { for (int i = 0; i < 2; ++i) { " + red + " break; " + use + " } }",
              "void main() { " + red + " float a = smoothstep(0., 1., vST.x); }",
              "void main() { " + red + " smoothstep(0., 1., vST.x); }",
+             // a switch of a constant value, whose parts fall through up to a break
+             "void main() { switch (1) { case 0: " + use + " break; default: " + red + " } }",
+             "void main() { switch (0) { case 0: " + red + " break; case 1: " + use + " default: " + use +
+                 " } }",
+             "void main() { switch (0) { case 0: { " + red + " break; } default: " + use + " } }",
+             "void main() { switch (2) { case 0: " + use + " case 1: " + use + " break; case 2: " + red +
+                 " } }",
+             "void main() { " + red + " switch (3) { case 0: " + use + " } }",
+             "void main() { " + red + " switch (3) { case 0: " + use + " break; case 1: " + use + " } }",
+             "void main() { " + red + " switch (1) { case 1: if (true) break; " + use + " } }",
+             "void main() { " + red + " switch (1) { case 1: if (uA > 0.) break; else break; " + use + " } }",
+             "void main() { switch (1) { case 1: if (uA > 0.) break; " + red + " break; case 2: " + use +
+                 " } }",
+             "const int kWay = 1;\nvoid main() { switch (kWay) { case 0: " + use + " break; case 1: " + red +
+                 " } }",
+             "void main() { switch (1) { default: " + use + " break; case 1: " + red + " } }",
+             "void main() { switch (0) { default: switch (1) { case 0: " + use + " break; case 1: " + red +
+                 " } } }",
+             // parts of a switch that the value may choose
+             "void main() { switch (int(uA)) { case 0: " + red + " break; default: if (false) " + use +
+                 " } }",
+             "void main() { switch (int(uA)) { case 0: " + red + " break; " + use + " default: " + red +
+                 " } }",
+             // loops that run once, and what always leaves
+             "void main() { do { " + red + " break; " + use + " } while (true); }",
+             "void main() { do { " + red + " return; } while (false); " + use + " }",
+             "void main() { while (true) { " + red + " return; } " + use + " }",
+             "void main() { for (int i = 0; i < 1; ++i) { " + red + " return; } " + use + " }",
+             "void main() { " + red + " if (uA > .5) return; else { return; } " + use + " }",
+             "void main() { " + red + " if (uA > .5) discard; else if (uA > .4) return; else return; " + use +
+                 " }",
+             "void main() { " + red + " for (f.x = 0.; false; ) { " + use + " } }",
              "void main() { f = vec4(false ? smoothstep(0., 1., vST.x) : 1.); }",
              "float junk;\nvoid main() { junk = smoothstep(0., 1., vST.x); " + red + " }",
              "const float k = smoothstep(0., 1., .5);\nvoid main() { " + red + " }",
@@ -180,6 +227,11 @@ TEST(Copies, AreFoundBehindThePreprocessor) {
     EXPECT_GE(similarity(own, included + "}\n", include), .8) << "each line in a file of its own";
 }
 
+struct SurroundedBy {
+    const char* before;
+    const char* after;
+};
+
 /// The same with functions written out, as for a student's own file.
 double ownSimilarity(const std::string& a, const std::string& b, const std::set<std::uint64_t>& given = {}) {
     const InlineRule rule{.isOwn = [](const std::string&) { return true; }, .given = given};
@@ -219,6 +271,99 @@ TEST(Copies, AreFoundWithFunctionsWrittenOutAndStatementsInAnotherOrder) {
               1U);
 }
 
+TEST(Copies, AreFoundInStatementsThatRunOnce) {
+    const std::string own = shaderOf("");
+    const SurroundedBy kAround[] = {
+        {"switch (0) { default:", "}"},
+        {"switch (0) { default:", "break; }"},
+        {"switch (0) { default: {", "break; } }"},
+        {"switch (int(uAd)) { default:", "}"},
+        {"switch (3) { case 1: f.x = 1.; break; case 3:", "break; case 4: f = vec4(2.); }"},
+        {"switch (1 + 1) { case 2: case 3:", "}"},
+        {"switch (2) { case 2: case 3: if (vST.s > 2.) break;", "}"},
+        {"switch (int(uAd)) { case 77: discard; default:", "}"},
+        {"do {", "} while (false);"},
+        {"do {", "} while (1 > 2);"},
+        {"do {", "break; } while (true);"},
+        {"{ {", "} }"},
+        {"while (true) {", "break; }"},
+        {"for (;;) {", "break; }"},
+        {"for (int k = 0; k < 1; ++k) {", "}"},
+        {"for (int k = 1; k > 0; k--) {", "}"},
+        {"for (int k = 2; k <= 2; k += 1) {", "}"},
+        {"for (float k = 0.; k < 1.; k = k + 1.) {", "}"},
+        {"if (vST.s > -9.) {", "}"},
+        // conditions that another arithmetic decides otherwise
+        {"if (2147483647 + 1 < 0) {", "}"},
+        {"if (.1 + .2 == .3) {", "}"},
+        {"if (16777216. + 1. == 16777216.) {", "}"},
+        {"if (0u - 1u > 5u) {", "}"},
+        {"if (-1u > 5u) {", "}"},
+        {"if (.1lf != .1) {", "}"},
+        {"if (!(1e-45 > 0.)) {", "}"},
+        {"bool go = false; (go) = true; if (go) {", "}"},
+        {"bool go = false; ((go)) = true; if (go) {", "}"},
+        {"do { switch (0) { default: for (int k = 0; k < 1; ++k) { {", "} } } } while (false);"},
+        {"switch (0) { default: switch (1) { case 1: do {", "} while (false); } }"},
+    };
+    for (const SurroundedBy& each : kAround) {
+        EXPECT_GE(ownSimilarity(own, shaderOf(std::string(each.before) + "\n") + each.after + "}\n"), .8)
+            << each.before;
+        // Around each part, too, unless the condition stays.
+        if (std::string(each.before).find("if (") != std::string::npos) continue;
+        std::string parts = std::string(kHead) + kBlend + "void main() {\n";
+        for (const std::string& line : kLines)
+            parts += line.starts_with("vec3") || line.starts_with("f =")
+                         ? std::string(each.before) + line + each.after + "\n"
+                         : line + "\n";
+        const bool isDecided = std::string(each.before).find("77") == std::string::npos;
+        EXPECT_TRUE(!isDecided || ownSimilarity(own, parts) >= .8) << parts;
+    }
+}
+
+TEST(Copies, AreFoundInConditionsThatActBesidesTheirValue) {
+    const std::string own = shaderOf("");
+    EXPECT_GE(ownSimilarity(own, shaderOf("bool go = false; start((go)); if (go) {\n", "",
+                                          "void start(out bool b) { b = true; }\n") +
+                                     "}\n"),
+              .8);
+    for (const char* each :
+         {"if (g() && false) discard;", "if (g() || true) ;", "for (g(); false; ) discard;",
+          "switch (int(g())) { default: }", "switch (int(g())) { }", "f *= g() || true ? 1. : 2.;"}) {
+        std::string hidden = std::string(kHead) + kBlend + "bool g() {\n";
+        for (const std::string& line : kLines) hidden += line + "\n";
+        EXPECT_GE(ownSimilarity(own, hidden + "return true; }\nvoid main() { " + each + " }\n"), .7) << each;
+    }
+}
+
+TEST(Copies, AreFoundWithVariablesOutsideOfFunctions) {
+    const std::string own = shaderOf("");
+    std::string statements, declared;
+    for (std::string each : kLines) {
+        for (const char* type : {"float ", "int ", "vec3 "})
+            if (each.starts_with(type)) {
+                each.erase(0, std::string(type).size());
+                const std::size_t second = each.find("Br");
+                declared += type + each.substr(0, each.find(' ')) + (second < each.size() ? ", Br" : "") +
+                            (declared.empty() ? ";\n" : "; ");
+                if (second < each.size()) each.replace(second - 2, 1, ";");
+            }
+        statements += each + "\n";
+    }
+    const std::string blend =
+        "float t0;\nfloat blend(float a, float b, float x) { t0 = clamp((x - a) / (b - "
+        "a), 0., 1.);\n  return t0 * t0 * (3. - 2. * t0);\n}\n";
+    for (const std::string& each : {std::string(kBlend), blend})
+        EXPECT_GE(ownSimilarity(own, kHead + declared + each + "void main() {\n" + statements + "}\n"), .8)
+            << declared << each << statements;
+    // Those that functions share, or that the task gives, stay.
+    EXPECT_EQ(
+        codeOf("#version 330\nout vec4 f;\nfloat a;\nvoid g() { a = f.x; }\nvoid main() { g(); f.y = a; "
+               "}\n")
+            .runs.size(),
+        3U);
+}
+
 TEST(Copies, AreNotCodeThatNeverRuns) {
     const std::string own = shaderOf("");
     const std::string other =
@@ -253,7 +398,8 @@ TEST(ReachedCode, EachFunctionThatIsReachedStandsAlone) {
 
 TEST(ReachedCode, EndsInTimeForWhatIsNoCode) {
     for (const char* each :
-         {"(", ")", "{", "}", "[", "+", "a=", "if(", "f(){", "if(1)", "a?", "while(0)", "else ", "do "}) {
+         {"(", ")", "{", "}", "[", "+", "a=", "if(", "f(){", "if(1)", "a?", "while(0)", "else ", "do ", "do{",
+          "switch(0){default:", "for(int i=0;i<1;++i){", "case 1:"}) {
         std::string text = "void main() {";
         for (int i = 0; i < 20'000; ++i) text += each;
         (void)codeOf(text);

@@ -8,10 +8,12 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "editor/declared_names.h"
 #include "editor/glsl_reference.h"
 #include "editor/reference.h"
+#include "glib/syntax.h"
 
 namespace glibra::test {
 namespace {
@@ -165,6 +167,46 @@ TEST(Completion, ProposesFormatsOfTexturesAndNoNamesAmongNumbers) {
     EXPECT_FALSE(find(at(declared + "Background P|", scene()), "Paint"));
     EXPECT_TRUE(find(at(declared + "Sphere (si|", scene()), "size"));
     EXPECT_TRUE(find(at(declared + "Use P|", scene()), "Paint"));
+}
+
+TEST(Completion, ProposesTheWordsOfEveryValueOfTheTables) {
+    using glib::SyntaxNode, glib::ValueType;
+    const auto offers = [](const glib::StatementRow& row) {
+        const SyntaxNode* before = nullptr;
+        (void)hasNode(row, [&](const SyntaxNode& each) {
+            const SyntaxNode* const key = std::exchange(before, &each);
+            std::string line = std::string(row.name) + " ";
+            const auto arguments = argumentsOf(row);
+            if (arguments.front()->text == "name") line += "a ";
+            if (key && key->kind == SyntaxNode::Kind::key) line += key->text + " ";
+            const auto words = at(line + "|", scene());
+            const bool isOpen =
+                each.type == ValueType::word || each.type == ValueType::key || each.type == ValueType::truth;
+            EXPECT_TRUE(!isOpen || std::ranges::find(words, each.text, &Completion::type) != words.end())
+                << line << each.text;
+            for (const std::string& word : each.words) {
+                const bool isSuffix = each.kind == SyntaxNode::Kind::key;
+                const std::string typed = isSuffix ? std::string(row.name) + " " + each.text + "." : line;
+                EXPECT_TRUE(find(at(typed + "|", scene()), word)) << typed << word;
+                EXPECT_TRUE(find(at(typed + word.substr(0, word.size() - 1) + "|", scene()), word))
+                    << typed << word;
+            }
+            return false;
+        });
+    };
+    for (const glib::StatementRow& each : glib::statementTable())
+        if (!argumentsOf(each).empty()) offers(each);
+    for (const glib::StatementRow& each : glib::commandTable())
+        if (!argumentsOf(each).empty()) offers(each);
+    EXPECT_TRUE(find(at("Buffer b flo|", scene()), "float"));
+    EXPECT_TRUE(find(at("Buffer b |", scene()), "vec3"));
+    EXPECT_TRUE(find(at("Mesh m |", scene()), "Sphere"));
+    EXPECT_TRUE(find(at("Mesh m Tea|", scene()), "Teapot"));
+    EXPECT_TRUE(find(at("Attribute aT as tang|", scene()), "tangent"));
+    EXPECT_FALSE(find(at("Attribute |", scene()), "tangent")) << "behind its key alone";
+    EXPECT_TRUE(find(at("Material go|", scene()), "gold"));
+    EXPECT_TRUE(find(at("Clamp |", scene()), "off"));
+    EXPECT_TRUE(find(at("State stencil.|", scene()), "back"));
 }
 
 TEST(Completion, SpeaksGlslInShadersOfTheScene) {

@@ -24,6 +24,7 @@
 #include "scene/run/names.h"
 #include "scene/run/statements.h"
 #include "scene/run/uniforms.h"
+#include "scene/statement_words.h"
 
 namespace glibra::scene {
 namespace {
@@ -376,11 +377,9 @@ std::optional<Shape> shapeOf(Interpreter& in, const Command& command) {
     const glib::StatementRow* const row = glib::findCommand(word.text);
     const bool isModel = row != nullptr && row->id == CommandId::obj;
     if (!isModel && (row == nullptr || glib::primitiveOf(row->id) == nullptr)) {
-        std::vector<std::string_view> names{"Obj"};
-        for (const geometry::PrimitiveSpec* each : geometry::primitives())
-            names.push_back(each->names.front());
-        return refuse(in, "glib-E16", command, word.position,
-                      fmt::format("'{}' is no shape{}", word.text, base::suggestion(word.text, names)));
+        return refuse(
+            in, "glib-E16", command, word.position,
+            fmt::format("'{}' is no shape{}", word.text, base::suggestion(word.text, meshShapes())));
     }
     const bool hasFile = rest.size() == 1 &&
                          (rest.front().kind == Value::Kind::word || rest.front().kind == Value::Kind::text);
@@ -468,6 +467,18 @@ void doMesh(Interpreter& in, const Command& command) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> bufferTypes() {
+    std::vector<std::string_view> names;
+    for (const BasicType& each : kBasicTypes) names.push_back(each.name);
+    return names;
+}
+
+std::vector<std::string_view> meshShapes() {
+    std::vector<std::string_view> names{"Obj"};
+    for (const geometry::PrimitiveSpec* each : geometry::primitives()) names.push_back(each->names.front());
+    return names;
+}
 
 std::span<const CommandAction> bufferActions() {
     static constexpr CommandAction kActions[] = {

@@ -16,6 +16,7 @@
 #include "scene/primitives.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
+#include "scene/statement_words.h"
 
 namespace glibra::scene {
 namespace {
@@ -111,16 +112,14 @@ void doVertices(Interpreter& in, const Command& command) {
 
 /// The mesh attribute of a role, in any case.
 std::optional<std::string> roleNamed(Interpreter& in, const Value& value) {
-    constexpr std::array<std::string_view, 6> kRoles{geometry::kPosition, geometry::kNormal,
-                                                     geometry::kTangent,  geometry::kTexCoord,
-                                                     geometry::kColor,    geometry::kFaceIndex};
-    for (const std::string_view each : kRoles)
+    for (const std::string_view each : kAttributeRoles)
         if (glib::sameWord(each, value.text)) return std::string(each);
-    const std::string hint = base::suggestion(value.text, kRoles);
+    const std::string hint = base::suggestion(value.text, kAttributeRoles);
     return in.reportAt(
         value, "glib-E16",
-        fmt::format("Attribute: there is no role '{}'{}", value.text,
-                    hint.empty() ? fmt::format("; the roles are {}", fmt::join(kRoles, ", ")) : hint));
+        fmt::format(
+            "Attribute: there is no role '{}'{}", value.text,
+            hint.empty() ? fmt::format("; the roles are {}", fmt::join(kAttributeRoles, ", ")) : hint));
 }
 
 void bind(Interpreter& in, AttributeBinding binding) {

@@ -19,6 +19,7 @@
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/uniforms.h"
+#include "scene/statement_words.h"
 
 namespace glibra::scene {
 namespace {
@@ -77,6 +78,8 @@ const MaterialRow* findMaterial(std::string_view name) {
     return nullptr;
 }
 
+}  // namespace
+
 std::span<const std::string_view> materialNames() {
     static const auto kNames = [] {
         std::array<std::string_view, std::size(kMaterials)> names;
@@ -85,6 +88,8 @@ std::span<const std::string_view> materialNames() {
     }();
     return kNames;
 }
+
+namespace {
 
 constexpr int kMostLights = 8;
 constexpr double kMostShininess = 1e6;

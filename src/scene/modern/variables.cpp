@@ -18,6 +18,7 @@
 #include "scene/run/names.h"
 #include "scene/run/scope.h"
 #include "scene/run/statements.h"
+#include "scene/statement_words.h"
 
 namespace glibra::scene {
 namespace {
@@ -500,8 +501,6 @@ std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& val
                        fmt::format("Key: '{}' has {} components, not {}", variable.name,
                                    variable.current.size(), numbers->size()));
 }
-
-constexpr std::string_view kKeyNames[] = {"space", "enter", "left", "right", "up", "down"};
 
 /// A letter, a digit, or one of the names.
 bool isKey(std::string_view key) {
