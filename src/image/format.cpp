@@ -1,5 +1,7 @@
 #include "image/format.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -202,6 +204,15 @@ std::span<const FormatRow> formats() {
 
 std::string_view openImageIoName(Format format) {
     return rowOf(format).openImageIo;
+}
+
+Diagnostics warnIfShownOtherwise(std::span<const std::byte> file, const std::string& path) {
+    const std::string why = formatOf(file) == Format::png ? shownOtherwise(file) : std::string();
+    if (why.empty()) return {};
+    return {diagnose(
+        "file-W19",
+        fmt::format("'{}' may be shown as another picture than the one that is compared: {}", path, why),
+        {path, 1, 1})};
 }
 
 }  // namespace glibra::image

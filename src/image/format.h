@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace glibra::image {
@@ -59,6 +60,10 @@ std::string_view describeUnknown(std::span<const std::byte> bytes);
 
 /// OpenImageIO's name of the format; "" for unknown and rawTexture.
 std::string_view openImageIoName(Format format);
+
+/// file-W19 for a PNG file of which shownOtherwise() (png/png_reader.h) says something. `path`: for the
+/// message.
+Diagnostics warnIfShownOtherwise(std::span<const std::byte> file, const std::string& path);
 
 /// Reads a whole file (formats/readers.h).
 using Reader = Result<Image> (*)(std::span<const std::byte> file, const FileLabel& label,

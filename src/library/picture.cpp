@@ -16,7 +16,6 @@
 #include "image/file.h"
 #include "image/format.h"
 #include "image/limits.h"
-#include "image/png/png_reader.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "library/renderer_state.h"

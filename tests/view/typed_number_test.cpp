@@ -35,8 +35,8 @@ TEST(TypedNumber, IsAnExpressionWithAPointOrAComma) {
 }
 
 TEST(TypedNumber, IsNothingForOtherTexts) {
-    for (const char* text :
-         {"", "abc", "1,2,3", "1 2", "1/", "1/0", "vec3(1)", "true", "time", "1e999", "1e39", "-1e39", "0.5.5"})
+    for (const char* text : {"", "abc", "1,2,3", "1 2", "1/", "1/0", "vec3(1)", "true", "time", "1e999",
+                             "1e39", "-1e39", "0.5.5"})
         EXPECT_FALSE(view::typedNumber(text)) << text;
 }
 

@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "image/bytes.h"
-#include "image/format.h"
 #include "image/image.h"
 
 namespace glibra::image {
@@ -329,15 +328,6 @@ std::string shownOtherwise(std::span<const std::byte> file) {
         before.push_back(each.type);
     }
     return {};
-}
-
-Diagnostics warnIfShownOtherwise(std::span<const std::byte> file, const std::string& path) {
-    const std::string why = formatOf(file) == Format::png ? shownOtherwise(file) : std::string();
-    if (why.empty()) return {};
-    return {diagnose(
-        "file-W19",
-        fmt::format("'{}' may be shown as another picture than the one that is compared: {}", path, why),
-        {path, 1, 1})};
 }
 
 }  // namespace glibra::image

@@ -54,7 +54,5 @@ std::optional<PngChunks> pngChunks(std::span<const std::byte> file);
 /// the same. Only chunks that are known to change nothing pass: text, dates, square pixels, a palette, one
 /// transparent colour, statements that the colours are those of sRGB, and the background of opaque pixels.
 std::string shownOtherwise(std::span<const std::byte> file);
-/// file-W19 for such a file; nothing for others and for other formats. `path`: for the message.
-Diagnostics warnIfShownOtherwise(std::span<const std::byte> file, const std::string& path);
 
 }  // namespace glibra::image

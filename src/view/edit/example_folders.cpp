@@ -25,7 +25,7 @@ bool isExample(const fs::path& file) {
     // Windows has the folder by names in any case, too.
     for (fs::path at = fs::weakly_canonical(file, failure); at.has_relative_path(); at = at.parent_path())
         for (const fs::path each : {"glib", "shaders", "textures", "scenes/models"})
-            if (base::sameWord(at.filename().string(), each.filename().string()) &&
+            if (base::sameWord(at.filename().generic_string(), each.filename().generic_string()) &&
                 fs::equivalent(at, kRoot / each, failure))
                 return true;
     return false;
