@@ -145,11 +145,10 @@ TEST(Budget, KnowsTheMatricesByTheNamesOfBooks) {
     }
     EXPECT_TRUE(
         has(tryPicture(scene("mvp * vec4(aPos, 1.)", identity), {}, bounded(.25)).diagnostics, "draw-N05"));
-    EXPECT_TRUE(
-        has(tryPicture("Let mvp [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]\n" + scene("mvp * vec4(aPos, 1.)"), {},
-                       bounded(.25))
-                .diagnostics,
-            "draw-N05"));
+    EXPECT_TRUE(has(tryPicture("Let mvp [1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]\n" + scene("mvp * vec4(aPos, 1.)"),
+                               {}, bounded(.25))
+                        .diagnostics,
+                    "draw-N05"));
     RenderOptions given = bounded(.25);
     given.set = {"mvp=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1"};
     EXPECT_TRUE(has(tryPicture(scene("mvp * vec4(aPos, 1.)"), {}, given).diagnostics, "draw-N05"));

@@ -160,8 +160,7 @@ class PlacementSearch {
     }
 
     [[nodiscard]] bool isWellKnownPosition(const Variable& input) const {
-        return unit_.request->setMatrices &&
-               wellKnownAttribute(input.name, input.type) == "position";
+        return unit_.request->setMatrices && wellKnownAttribute(input.name, input.type) == "position";
     }
 
     /// The meaning of a matrix that the runtime supplies by its name.
