@@ -110,9 +110,9 @@ plan::UniformBinding* bindingOf(plan::PlannedProgram& planned, plan::UniformInde
 bool isUnset(const plan::PlannedProgram& planned, plan::UniformIndex index) {
     const plan::ActiveUniform& uniform = at(planned.interface->uniforms, index);
     return std::ranges::find(planned.values, index, &plan::UniformBinding::uniform) == planned.values.end() &&
-           !uniform.type.isOpaque() && uniform.type.base != plan::BaseType::other && !plan::isInBuffer(planned, uniform) &&
-           !plan::isInternalName(uniform.name) && plan::suppliedBy(uniform) == nullptr &&
-           !plan::hasInitializer(*planned.interface, uniform) &&
+           !uniform.type.isOpaque() && uniform.type.base != plan::BaseType::other &&
+           !plan::isInBuffer(planned, uniform) && !plan::isInternalName(uniform.name) &&
+           plan::suppliedBy(uniform) == nullptr && !plan::hasInitializer(*planned.interface, uniform) &&
            plan::functionsOf(*planned.interface, uniform) == nullptr;
 }
 

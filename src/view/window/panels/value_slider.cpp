@@ -190,7 +190,9 @@ bool sliderEntry(Ui& ui, const char* id, double& value) {
     if (number)
         value = *number;
     else
-        ui.notice = {fmt::format("'{}' is no number that a slider can have; they are like .5, 1/3 or 2*sqrt(3)", text), true};
+        ui.notice = {
+            fmt::format("'{}' is no number that a slider can have; they are like .5, 1/3 or 2*sqrt(3)", text),
+            true};
     return number.has_value();
 }
 
