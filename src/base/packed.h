@@ -4,8 +4,8 @@
 //
 //     void eachMember(auto& packed, base::Is<Score> auto& of) { packed(of.flip, of.structure, of.effect); }
 //
-// Members are numbers, texts, paths, such structures, and pairs, lists, maps and optional values of them.
-// Those of an enumeration, and numbers from 0 on, are named with the last value that is right:
+// Members are numbers, texts, paths, such structures, and pairs, lists, arrays, maps and optional values of
+// them. Those of an enumeration, and numbers from 0 on, are named with the last value that is right:
 // `packed.upTo(Severity::error, of.severity)`. What is read may come from a process that a scene has taken
 // over.
 
@@ -71,6 +71,10 @@ class Packer {
         write(value.has_value());
         if (value) write(*value);
     }
+    template <class Value, std::size_t kCount>
+    void write(const std::array<Value, kCount>& all) {
+        for (const Value& each : all) write(each);
+    }
     void write(const std::ranges::range auto& all) {
         write(std::uint64_t{all.size()});
         for (const auto& each : all) write(each);
@@ -124,6 +128,10 @@ class Unpacker {
         read(isGiven);
         value.reset();
         if (isGiven) read(value.emplace());
+    }
+    template <class Value, std::size_t kCount>
+    void read(std::array<Value, kCount>& all) {
+        for (Value& each : all) read(each);
     }
     template <class Value>
     void read(std::vector<Value>& list) {

@@ -6,20 +6,52 @@
 #include <cstring>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
+#include "base/packed.h"
 #include "gpu/context/context.h"
 #include "gpu/object/readback.h"
 #include "suite/options/option_words.h"
 #include "system/memory.h"
 #include "view/scene/window_target.h"
 
+namespace glibra {
+
+void eachMember(auto& packed, base::Is<ViewState::Object> auto& of) {
+    packed(of.line, of.matrix, of.file, of.counter);
+}
+void eachMember(auto& packed, base::Is<ViewState> auto& of) {
+    packed(of.scene, of.eye, of.texture, of.objects, of.background);
+    packed.upTo(ProjectionMode::orthographic, of.projection);
+}
+
+}  // namespace glibra
+
+namespace glibra::render {
+
+/// What says which knob it is, and its value.
+void eachMember(auto& packed, base::Is<Knob> auto& of) {
+    packed(of.title, of.tag, of.current);
+}
+
+}  // namespace glibra::render
+
 namespace glibra::view {
+
+/// Without the options that have words.
+void eachMember(auto& packed, base::Is<DrawnState> auto& of) {
+    packed(of.scene, of.loading, of.options.texts, of.options.sceneText, of.knobs, of.view, of.camera,
+           of.time);
+    packed(of.axes, of.wireframe, of.mouseX, of.mouseY, of.isMouseDown, of.watchesLoops);
+    packed(of.width, of.height, of.samples);
+}
+
 namespace {
 
 constexpr std::size_t kHead = sizeof(std::uint64_t);
+/// The message that drawing begins, after loading; packed diagnostics are longer.
+constexpr std::string_view kBegins = "begins";
 
 }  // namespace
 
@@ -47,22 +79,6 @@ std::optional<std::string> receiveMessage(const system::File& channel) {
         if (std::optional<std::string> text = takeMessage(received)) return text;
         if (receive(channel, -1, nullptr, received) != system::News::bytes) return std::nullopt;
     }
-}
-
-std::string answerText(const Diagnostics& diagnostics) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const Diagnostic& each : diagnostics)
-        list.push_back({each.id, each.text, each.place.file, each.place.line, each.place.column});
-    return nlohmann::json{{"diagnostics", list}}.dump(-1, ' ', false,
-                                                      nlohmann::json::error_handler_t::replace);
-}
-
-Diagnostics diagnosticsOf(const nlohmann::json& answer) {
-    Diagnostics diagnostics;
-    for (const nlohmann::json& each : answer.at("diagnostics"))
-        diagnostics.push_back(diagnose(each[0].get<std::string>(), each[1].get<std::string>(),
-                                       {each[2].get<std::string>(), each[3].get<int>(), each[4].get<int>()}));
-    return diagnostics;
 }
 
 namespace {
@@ -108,9 +124,8 @@ DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
     const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     for (;;) {
         while (const std::optional<std::string> text = takeMessage(received_)) {
-            const nlohmann::json answer = nlohmann::json::parse(*text, nullptr, false);
-            if (answer.is_object() && answer.contains("diagnostics")) {
-                diagnostics_ = diagnosticsOf(answer);
+            if (*text != kBegins) {
+                diagnostics_ = base::unpacked<Diagnostics>(*text).value_or(Diagnostics());
                 seconds_ = secondsSinceTime(begun_);
                 isWorking_ = false;
                 hasDrawn_ = true;
@@ -149,62 +164,33 @@ DrawingProcess::State DrawingProcess::draw(const DrawingOrder& wanted, double li
 
 namespace {
 
-using Order = nlohmann::json;
-
 constexpr int kNoContext = 4;  ///< exit status
 /// Seconds after which the process ends itself, in case that nobody watches it any more.
 constexpr unsigned kLongestDraw = 120;
 
-Order jsonOf(const ViewState& view) {
-    Order json{{"scene", view.scene},
-               {"eye", view.eye},
-               {"texture", view.texture},
-               {"projection", static_cast<int>(view.projection)},
-               {"objects", Order::array()}};
-    for (const ViewState::Object& each : view.objects)
-        json["objects"].push_back({each.line, each.file, each.counter, each.matrix});
-    if (view.background) json["background"] = *view.background;
-    return json;
-}
-
-ViewState viewOf(const Order& json) {
-    ViewState view;
-    view.scene = json.at("scene").get<Matrix>();
-    view.eye = json.at("eye").get<Matrix>();
-    view.texture = json.at("texture").get<Matrix>();
-    view.projection = static_cast<ProjectionMode>(json.at("projection").get<int>());
-    for (const Order& each : json.at("objects"))
-        view.objects.emplace_back(DrawId{each[0].get<int>(), each[1].get<int>(), each[2].get<int>()},
-                                  each[3].get<Matrix>());
-    if (json.contains("background")) view.background = json["background"].get<std::array<double, 4>>();
-    return view;
-}
+using Words = std::vector<std::pair<std::string, std::string>>;
 
 /// Name and text of each option that a loaded scene keeps. Values of variables are those of the knobs.
-Order wordsOf(const RenderOptions& options) {
+Words wordsOf(const RenderOptions& options) {
     suite::Shot shot;
     shot.options = options;
-    Order words = Order::array();
+    Words words;
     for (const suite::OptionRow& row : suite::optionTable()) {
         if (!row.isKept || std::holds_alternative<suite::UniformsValue>(row.value)) continue;
         const bool isFlag = std::holds_alternative<suite::FlagValue>(row.value);
         const std::vector<std::string> given = suite::optionWords(row, shot);
         for (std::size_t i = 0; i < given.size(); i += isFlag ? 1 : 2)
-            words.push_back({row.name, isFlag ? std::string() : given[i + 1]});
+            words.emplace_back(row.name, isFlag ? std::string() : given[i + 1]);
     }
     return words;
 }
 
-RenderOptions optionsOf(const Order& json) {
+/// The options with those that have words.
+RenderOptions optionsOf(const RenderOptions& others, const Words& words) {
     suite::Shot shot;
-    for (const Order& each : json.at("words"))
-        suite::readOptionText(suite::optionNamed(each[0].get<std::string>()), each[1].get<std::string>(),
-                              shot);
-    RenderOptions options = std::move(shot.options);
-    for (const Order& each : json.at("texts"))
-        options.texts[each[0].get<std::string>()] = each[1].get<std::string>();
-    if (json.contains("text")) options.sceneText = json["text"].get<std::string>();
-    return options;
+    shot.options = others;
+    for (const auto& [name, text] : words) suite::readOptionText(suite::optionNamed(name), text, shot);
+    return std::move(shot.options);
 }
 
 /// The scene that the process draws, and what it was drawn with last.
@@ -212,47 +198,41 @@ class Drawing {
   public:
     Drawing(gpu::Context& context, system::ParentEnds& window) : context_(context), window_(window) {}
 
-    /// Draws what is asked for. Returns the diagnostics.
-    Diagnostics draw(const Order& order) {
+    /// Draws what is asked for. Returns the diagnostics. `words`: of the options.
+    Diagnostics draw(const DrawnState& order, const Words& words) {
         Diagnostics diagnostics;
-        if (const auto loading = order.at("loading").get<std::uint64_t>(); !live_ || loading != loading_) {
-            render::LiveScene::Loading loaded = render::LiveScene::load(
-                context_, order.at("path").get<std::string>(), optionsOf(order.at("options")), live_.get());
+        if (!live_ || order.loading != loading_) {
+            render::LiveScene::Loading loaded =
+                render::LiveScene::load(context_, order.scene, optionsOf(order.options, words), live_.get());
             if (!loaded.scene) return std::move(loaded.diagnostics);
             live_ = std::move(loaded.scene);
             knobs_ = live_->knobs();
-            loading_ = loading;
+            loading_ = order.loading;
         }
-        for (const Order& each : order.at("knobs")) set(each);
-        live_->setCamera(order.at("camera").get<std::string>());
-        const Order& mouse = order.at("mouse");
-        live_->setMouse(mouse[0].get<double>(), mouse[1].get<double>(), mouse[2].get<bool>());
-        live_->drawer().setWireframe(order.at("wireframe").get<bool>());
-        const int width = order.at("width").get<int>(), height = order.at("height").get<int>();
-        const int samples = order.at("samples").get<int>();
-        if (std::exchange(samples_, samples) != samples) target_.reset();
-        if (Diagnostics problems = fit(target_, context_.capabilities(), live_->scene(), width, height,
-                                       gpu::TexelFormat::rgba8, samples);
+        for (const render::Knob& each : order.knobs) set(each);
+        live_->setCamera(order.camera);
+        live_->setMouse(order.mouseX, order.mouseY, order.isMouseDown);
+        live_->drawer().setWireframe(order.wireframe);
+        if (std::exchange(samples_, order.samples) != order.samples) target_.reset();
+        if (Diagnostics problems = fit(target_, context_.capabilities(), live_->scene(), order.width,
+                                       order.height, gpu::TexelFormat::rgba8, order.samples);
             !target_)
             return problems;
-        if (order.at("watchesLoops").get<bool>()) live_->watchLoops();
+        if (order.watchesLoops) live_->watchLoops();
         system::endAfter(kLongestDraw);
-        sendMessage(window_.channel, R"({"begins":true})");
-        append(diagnostics, live_->draw(*target_, viewOf(order.at("view")), order.at("time").get<double>(),
-                                        order.at("axes").get<bool>()));
+        sendMessage(window_.channel, kBegins);
+        append(diagnostics, live_->draw(*target_, order.view, order.time, order.axes));
         append(diagnostics, copyPicture());
         system::endAfter(0);
         return diagnostics;
     }
 
   private:
-    void set(const Order& value) {
+    void set(const render::Knob& value) {
         for (render::Knob& each : knobs_) {
-            if (each.title != value[0].get<std::string>() || each.tag != value[1].get<std::string>())
-                continue;
-            auto wanted = value[2].get<std::vector<double>>();
-            if (wanted == each.current || wanted.size() != each.current.size()) return;
-            each.current = std::move(wanted);
+            if (each.title != value.title || each.tag != value.tag) continue;
+            if (value.current == each.current || value.current.size() != each.current.size()) return;
+            each.current = value.current;
             return live_->setValue(each);
         }
     }
@@ -283,26 +263,7 @@ class Drawing {
 }  // namespace
 
 std::string orderText(const DrawnState& state) {
-    Order texts = Order::array(), knobs = Order::array();
-    for (const auto& [path, text] : state.options.texts) texts.push_back({path.generic_string(), text});
-    for (const render::Knob& each : state.knobs) knobs.push_back({each.title, each.tag, each.current});
-    Order options{{"words", wordsOf(state.options)}, {"texts", texts}};
-    if (state.options.sceneText) options["text"] = *state.options.sceneText;
-    const Order order{{"path", state.scene.generic_string()},
-                      {"loading", state.loading},
-                      {"options", options},
-                      {"knobs", knobs},
-                      {"view", jsonOf(state.view)},
-                      {"camera", state.camera},
-                      {"time", state.time},
-                      {"axes", state.axes},
-                      {"wireframe", state.wireframe},
-                      {"mouse", {state.mouseX, state.mouseY, state.isMouseDown}},
-                      {"width", state.width},
-                      {"height", state.height},
-                      {"samples", state.samples},
-                      {"watchesLoops", state.watchesLoops}};
-    return order.dump(-1, ' ', false, Order::error_handler_t::replace);
+    return base::packed(std::pair(state, wordsOf(state.options)));
 }
 
 int serveDrawing() {
@@ -312,9 +273,9 @@ int serveDrawing() {
     if (!context) return kNoContext;
     Drawing drawing(*context, window);
     while (const std::optional<std::string> text = receiveMessage(window.channel)) {
-        const Order order = Order::parse(*text, nullptr, false);
-        if (!order.is_object()) return kNoContext;
-        if (!sendMessage(window.channel, answerText(drawing.draw(order)))) break;
+        const auto order = base::unpacked<std::pair<DrawnState, Words>>(*text);
+        if (!order) return kNoContext;
+        if (!sendMessage(window.channel, base::packed(drawing.draw(order->first, order->second)))) break;
     }
     return 0;
 }

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,16 +27,12 @@ std::optional<std::string> receiveMessage(const system::File& channel);
 /// Removes the first whole message from bytes that were received; nothing if there is none.
 std::optional<std::string> takeMessage(std::string& received);
 
-/// The answer after a picture: what was reported about it.
-std::string answerText(const Diagnostics& diagnostics);
-Diagnostics diagnosticsOf(const nlohmann::json& answer);
-
 // Draws a scene in a process of its own, which can be ended when a shader of the scene does not end. The
 // window starts its own program again for this. It starts with the first picture that is asked for.
 
 /// A picture that is wanted.
 struct DrawingOrder {
-    std::string text;  ///< JSON, see drawing_service.h
+    std::string text;  ///< orderText()
     int width = 0, height = 0;
     double time = 0;            ///< of the scene, seconds
     std::uint64_t loading = 0;  ///< another number: the scene is another one
@@ -108,7 +103,7 @@ struct DrawnState {
     int width = 1, height = 1, samples = 1;
 };
 
-/// As JSON, which serveDrawing() takes.
+/// As bytes, which serveDrawing() takes.
 std::string orderText(const DrawnState& state);
 
 /// The work of the process: draws what the messages of the window ask for into the shared memory, until
