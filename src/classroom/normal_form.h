@@ -50,6 +50,8 @@ std::string_view targetOf(std::span<const CodeToken> tokens, std::size_t begin, 
 using OwnFunctions = std::map<std::string_view, bool>;
 OwnFunctions ownFunctions(std::span<const CodeToken> tokens);
 
+/// Removes statements and words that only say how exactly is computed.
+void dropPrecisions(std::vector<CodeToken>& code);
 /// Leaves out global declarations of uniforms, inputs and outputs, and sets what the others are compared by.
 std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const OwnFunctions& own);
 inline constexpr std::uint32_t kNameCode = 1, kNumberCode = 2;

@@ -42,6 +42,7 @@ Code codeOf(const glsl::StageText& text) {
         code.push_back(
             {each.text, 0, line, each.kind == glsl::TokenKind::word, each.kind == glsl::TokenKind::number});
     }
+    dropPrecisions(code);
     return code;
 }
 

@@ -20,6 +20,7 @@
 #include "image/read.h"
 #include "render/scene_renderer.h"
 #include "scene/file_lookup.h"
+#include "scene/primitives.h"
 #include "suite/golden/hash.h"
 #include "suite/run/exercise_check.h"
 
@@ -117,10 +118,11 @@ class Sources {
     }
 
     /// Keeps the code that a stage runs, and if it `counts`, the names of the functions that this calls.
-    void addCode(glsl::Stage stage, const scene::FileReference& file, bool counts) {
-        if (file.path.empty()) return;
+    /// False for a geometry stage that emits nothing.
+    bool addCode(glsl::Stage stage, const scene::FileReference& file, bool counts) {
+        if (file.path.empty()) return true;
         const std::optional<std::string> text = file.text ? file.text : textOf(opened(file.path));
-        if (!text) return;
+        if (!text) return true;
         const auto include = [this](std::string_view name, std::string_view includingPath) {
             return included(name, includingPath);
         };
@@ -129,8 +131,11 @@ class Sources {
         for (SourceFile& each : code.runs) compare(std::move(each));
         if (options_.within.empty())
             functions_.insert(functions_.end(), code.functions.begin(), code.functions.end());
-        for (std::string& each : code.calls)
-            if (counts && calls_.size() < kMostCalls) calls_.insert(std::move(each));
+        const bool emits = std::ranges::binary_search(code.calls, "EmitVertex") ||
+                           std::ranges::binary_search(code.calls, "EmitStreamVertex");
+        for (const std::string& each : code.calls)
+            if (counts && calls_.size() < kMostCalls) calls_.insert(each);
+        return stage != glsl::Stage::geometry || emits;
     }
 
     void takeInto(Review& review) {
@@ -371,8 +376,10 @@ void addDrawn(const scene::Scene& scene, DrawnStages& drawn) {
             if (program.hasStage(each.stage, isFill)) drawn.insert({program.name, each.stage});
     };
     const auto addAll = [&](const scene::NodeList& nodes) {
-        nodes.visitDraws(
-            [&](const scene::Draw& draw, const scene::Pass&) { add(draw.program, draw.isFill); });
+        nodes.visitDraws([&](const scene::Draw& draw, const scene::Pass&) {
+            const bool isThere = draw.instances > 0 || draw.instancesFrom;
+            if (isThere && !scene::drawsNothing(scene.shapes[draw.shape])) add(draw.program, draw.isFill);
+        });
         for (const scene::Dispatch& each : nodes.dispatches) add(each.program, false);
     };
     addAll(scene.frame);
@@ -410,9 +417,9 @@ void reviewScene(const ReviewTask& task, const std::vector<SmallPictures>& small
             used.stages.emplace_back(stageName(stage.stage));
             for (DeclaredUniform& each : sources.uniformsOf(scene.files[stage.file]))
                 used.uniforms.push_back(std::move(each));
-            const bool draws = drawn.contains({program.name, stage.stage});
-            if (!draws) used.idle.push_back(used.stages.back());
-            sources.addCode(stage.stage, scene.files[stage.file], draws);
+            const bool runs = drawn.contains({program.name, stage.stage});
+            if (!sources.addCode(stage.stage, scene.files[stage.file], runs) || !runs)
+                used.idle.push_back(used.stages.back());
         }
         std::ranges::sort(used.uniforms);
         used.uniforms.erase(std::unique(used.uniforms.begin(), used.uniforms.end()), used.uniforms.end());

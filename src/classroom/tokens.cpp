@@ -63,6 +63,7 @@ std::vector<CodeToken> codeOf(std::span<const Token* const> tokens) {
     for (const Token* each : tokens)
         code.push_back(
             {each->text, 0, {each->line, 0}, each->kind == TokenKind::word, each->kind == TokenKind::number});
+    dropPrecisions(code);
     return code;
 }
 
@@ -73,6 +74,16 @@ std::uint32_t codeOfText(std::string_view text) {
     std::uint32_t code = 2166136261U;
     for (const char each : text) code = (code ^ static_cast<unsigned char>(each)) * 16777619U;
     return code;
+}
+
+void dropPrecisions(std::vector<CodeToken>& code) {
+    constexpr std::array<std::string_view, 4> kWords{"highp", "mediump", "lowp", "precise"};
+    bool isStatement = false;  // "precision highp float;"
+    std::erase_if(code, [&](const CodeToken& each) {
+        const bool begins = each.text == "precision", isWithin = isStatement || begins;
+        isStatement = isWithin && each.text != ";";
+        return isWithin || std::ranges::find(kWords, each.text) != kWords.end();
+    });
 }
 
 std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const OwnFunctions& own) {

@@ -364,6 +364,21 @@ TEST(Copies, AreFoundWithVariablesOutsideOfFunctions) {
         3U);
 }
 
+TEST(Copies, AreFoundBehindWordsThatSayHowExactlyIsComputed) {
+    const std::string own = shaderOf("");
+    for (const char* word : {"highp ", "mediump ", "lowp ", "precise ", "precise highp "}) {
+        std::string statements;
+        for (const std::string& each : kLines) {
+            const bool declares =
+                each.starts_with("float ") || each.starts_with("vec3 ") || each.starts_with("int ");
+            statements += (declares ? word + each : each) + "\n";
+        }
+        const std::string other =
+            kHead + std::string("precision highp float;\n") + kBlend + "void main() {\n" + statements + "}\n";
+        EXPECT_GE(ownSimilarity(own, other), .9) << other;
+    }
+}
+
 TEST(Copies, AreNotCodeThatNeverRuns) {
     const std::string own = shaderOf("");
     const std::string other =

@@ -476,6 +476,10 @@ TEST_F(ClassInput, ProgramsThatDrawNothingCountForNoCheck) {
     folder.write("all/bob/g.geom",
                  "#version 330 core\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) "
                  "out;\nvoid main() {}\n");
+    writeScene("all/cyd/", kReference, sceneWith() + "Geometry g.geom\nProgram Never\nQuadXY 0 1\n");
+    folder.write("all/cyd/g.geom",
+                 "#version 330 core\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) "
+                 "out;\nvoid main() { if (false) EmitVertex(); }\n");
     folder.write("class.toml",
                  "[[check]]\nuses = \"cos\"\n[[check]]\nuses = \"smoothstep\"\n[[check]]\nstage = "
                  "\"geometry\"\n[[check]]\nstage = \"fragment\"\n");
@@ -483,6 +487,7 @@ TEST_F(ClassInput, ProgramsThatDrawNothingCountForNoCheck) {
     EXPECT_EQ(grades()["ana"]["points uses cos"], "0.00000");
     EXPECT_EQ(grades()["ana"]["points uses smoothstep"], "1.00000");
     EXPECT_EQ(grades()["bob"]["points has a geometry shader"], "0.00000");
+    EXPECT_EQ(grades()["cyd"]["points has a geometry shader"], "0.00000") << "it emits nothing";
     EXPECT_EQ(grades()["bob"]["points has a fragment shader"], "1.00000");
     EXPECT_TRUE(contains(page(), "nothing is drawn with the geometry shader of program"));
 }

@@ -240,7 +240,7 @@ TEST(Loops, RecordThatTheyAreLeftWhileTheyGoOn) {
     for (const Place& each : translated.loopSites) lines.push_back(each.line);
     EXPECT_EQ(lines, (std::vector<int>{7, 6, 8, 9})) << "inner loops first; the first one is unrolled";
     const std::string& source = translated.stages.front().source;
-    for (const char* each : {"glibra_goes(true, 0)", "{ glibra_inLoop[0 + glibra_NoLoop] = 0; break; }",
+    for (const char* each : {"glibra_goes((true), 0)", "{ glibra_inLoop[0 + glibra_NoLoop] = 0; break; }",
                              "glibra_cutLoops[1] = 1; }", "early_fragment_tests"})
         EXPECT_NE(source.find(each), std::string::npos) << each << "\n" << source;
     EXPECT_NE(source.find("case 1: break;"), std::string::npos) << "it leaves no loop\n" << source;

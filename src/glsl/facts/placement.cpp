@@ -64,6 +64,7 @@ class PlacementSearch {
     explicit PlacementSearch(const Unit& unit) : unit_(unit) {}
 
     [[nodiscard]] bool multipliesView() const { return multipliesView_; }
+    [[nodiscard]] bool usesWellKnownNames() const { return usesWellKnownNames_; }
 
     Placement find() {
         switch (meaning(positionInMain())) {
@@ -159,19 +160,24 @@ class PlacementSearch {
         return found->storage == Storage::uniform && found->type == "mat4" ? matrix(name) : other;
     }
 
-    [[nodiscard]] bool isWellKnownPosition(const Variable& input) const {
-        return unit_.request->setMatrices && wellKnownAttribute(input.name, input.type) == "position";
+    [[nodiscard]] bool isWellKnownPosition(const Variable& input) {
+        const bool isKnown =
+            unit_.request->setMatrices && wellKnownAttribute(input.name, input.type) == "position";
+        usesWellKnownNames_ = usesWellKnownNames_ || isKnown;
+        return isKnown;
     }
 
     /// The meaning of a matrix that the runtime supplies by its name.
-    [[nodiscard]] Meaning matrix(std::string_view name) const {
+    [[nodiscard]] Meaning matrix(std::string_view name) {
         using enum Meaning;
         std::optional<Builtin> value;
-        if (const BuiltinUniform* row = findBuiltinUniform(name))
+        if (const BuiltinUniform* row = findBuiltinUniform(name)) {
             value = row->value;
-        else if (const auto& set = unit_.request->setMatrices;
-                 set && !set->contains(name) && !hasInitializer(name))
+        } else if (const auto& set = unit_.request->setMatrices;
+                   set && !set->contains(name) && !hasInitializer(name)) {
             value = wellKnownUniform(name, "mat4");
+            usesWellKnownNames_ = true;
+        }
         if (!value) return other;
         switch (*value) {
             case Builtin::model:
@@ -229,7 +235,7 @@ class PlacementSearch {
     const Unit& unit_;
     Range body_;
     int depth_ = 0;
-    bool multipliesView_ = false;
+    bool multipliesView_ = false, usesWellKnownNames_ = false;
 };
 
 /// True if the stage may change anything except the picture, or chooses the picture's layer.
@@ -243,14 +249,15 @@ bool hasOtherEffects(const Unit& unit) {
 
 }  // namespace
 
-void findPlacement(const ProgramUnits& program) {
+bool findPlacement(const ProgramUnits& program) {
     const auto& units = program.units;
     const bool isPlain = !units.empty() && units[0].stage == Stage::vertex &&
                          (units.size() == 1 || (units.size() == 2 && units[1].stage == Stage::fragment));
-    if (!isPlain || std::ranges::any_of(units, hasOtherEffects)) return;
+    if (!isPlain || std::ranges::any_of(units, hasOtherEffects)) return false;
     PlacementSearch search(units[0]);
     program.result->placement = search.find();
     program.result->multipliesView = search.multipliesView();
+    return search.usesWellKnownNames();
 }
 
 }  // namespace glibra::glsl
