@@ -172,8 +172,61 @@ Spot spotOf(std::string_view before, const std::vector<DeclaredName>& names) {
     return glsl::isTypeWord(word) || isStructure || word == "struct" ? Spot::newName : Spot::any;
 }
 
+/// The only words that may stand behind this part of a shader: in the brackets of layout and after precision.
+std::vector<std::string_view> onlyWordsAfter(std::string_view before) {
+    before = before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
+    const auto lastWord = [](std::string_view part) {
+        const TextRange range = wordAt(part, part.size());
+        return part.substr(range.begin, range.end - range.begin);
+    };
+    if (lastWord(before) == "precision") return {"highp", "mediump", "lowp"};
+    const std::size_t open = before.rfind('(');
+    if (open == std::string_view::npos || open == 0 || !(before.ends_with('(') || before.ends_with(',')) ||
+        before.find_last_of(");{}") + 1 > open + 1 ||
+        lastWord(before.substr(0, before.find_last_not_of(" \t", open - 1) + 1)) != "layout")
+        return {};
+    return {"location",
+            "binding",
+            "std140",
+            "std430",
+            "local_size_x",
+            "local_size_y",
+            "local_size_z",
+            "triangles",
+            "points",
+            "lines",
+            "line_strip",
+            "triangle_strip",
+            "max_vertices",
+            "invocations",
+            "vertices",
+            "quads",
+            "isolines",
+            "offset",
+            "align",
+            "index",
+            "component",
+            "row_major",
+            "column_major",
+            "shared",
+            "early_fragment_tests",
+            "rgba8",
+            "rgba16f",
+            "rgba32f",
+            "r32f",
+            "r32i",
+            "r32ui",
+            "ccw",
+            "cw",
+            "equal_spacing"};
+}
+
 void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
              const std::optional<glsl::Stage>& stage, const std::vector<KnownName>& names) {
+    if (const auto only = onlyWordsAfter(text.substr(0, typed.begin)); !only.empty()) {
+        for (const std::string_view each : only) words.add(each, "layout");
+        return;
+    }
     const int version = std::max(versionOf(text), kDefaultVersion);
     // The typed word is no declaration of its own.
     std::string rest(text);

@@ -88,6 +88,24 @@ TEST(Completion, KnowsTheWordsOfTheVersionAndTheStage) {
     EXPECT_FALSE(find(at("#version 430\nshar|", fragment), "shared"));
 }
 
+TEST(Completion, ProposesOnlyWhatALayoutOrAPrecisionMayBe) {
+    for (const char* each :
+         {"layout(|", "layout (|", "layout(std430, |", "layout(location = 0, |", "layout(lo|"}) {
+        const std::vector<Completion> all = at(std::string("#version 430\n") + each);
+        EXPECT_TRUE(find(all, "location")) << each;
+        EXPECT_FALSE(find(all, "gl_FragCoord") || find(all, "log")) << each;
+    }
+    for (const char* each : {"precision |", "precision  hi|"}) {
+        const std::vector<Completion> all = at(std::string("#version 430\n") + each);
+        EXPECT_TRUE(find(all, "highp")) << each;
+        EXPECT_FALSE(find(all, "gl_FragCoord")) << each;
+    }
+    for (const char* each :
+         {"layout(location = 0) in vec4 a; void main() { a = max(|", "layout(location = 0) |",
+          "void main() { layouts(|", "|", "(|", "float f(float a, |"})
+        EXPECT_FALSE(find(at(std::string("#version 430\n") + each), "std430")) << each;
+}
+
 TEST(Completion, KnowsTheStageThatASuffixSays) {
     using glsl::Stage;
     EXPECT_EQ(editor::stageOfFile("a/b.vert"), Stage::vertex);
