@@ -140,9 +140,9 @@ class FolderSearch {
   private:
     /// True if folders have the last names of the path in this case.
     static bool isSpelledSo(const fs::path& path, std::size_t count) {
-        const fs::path known = system::asInFolders(path);
-        for (auto there = known.end(), here = path.end(); count > 0; --count)
-            if (*--there != *--here) return false;
+        fs::path known = system::asInFolders(path), here = path;
+        for (; count > 0; --count, known = known.parent_path(), here = here.parent_path())
+            if (known.filename() != here.filename()) return false;
         return true;
     }
 
