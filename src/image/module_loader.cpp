@@ -280,7 +280,7 @@ system::Library openModule(std::span<const fs::path> folders, std::string_view n
 
 std::vector<fs::path> moduleFoldersOf(const fs::path& program, const fs::path& library) {
     std::vector<fs::path> folders;
-    const auto addBelow = [&](const fs::path& prefix, const fs::path& libraries) {
+    const auto addBelow = [&]([[maybe_unused]] const fs::path& prefix, const fs::path& libraries) {
         folders.push_back(libraries / "glibra");
 #ifdef GLIBRA_MODULE_LIBRARY_DIR
         if (const fs::path own = prefix / GLIBRA_MODULE_LIBRARY_DIR; own != folders.back())
