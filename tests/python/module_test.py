@@ -743,6 +743,11 @@ class Pictures(unittest.TestCase):
                       dict(cluster=float("nan")), dict(line=2.5), dict(line=1e12)):
             with self.assertRaisesRegex(glibra.SceneError, "library-E01", msg=str(wrong)):
                 glibra.compare(one, one, **wrong)
+        ones = numpy.ones((2, 2, 3))
+        self.assertTrue(glibra.compare(ones * .1, ones * .1, exact=True))
+        self.assertFalse(glibra.compare(ones * 1.01, ones, exact=True))
+        with self.assertRaisesRegex(ValueError, "32-bit"):
+            glibra.compare(ones + 2.**-40, ones, exact=True)
         floats = scene.draw(dtype="float32")
         near = floats * numpy.float32(1.01)
         self.assertFalse(glibra.compare(near, floats))
