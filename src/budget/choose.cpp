@@ -202,7 +202,7 @@ class Chooser {
         need.scale = *scale;
         need.allowed = *scale > 0 ? request_.maxError / *scale : kAny;
         need.program = planned.program;
-        need.isMoved = !facts.placesByMatrix;
+        need.isMoved = !facts.placesByMatrix || givesAny(draw, program.facts.placementNames);
         need.isMeasured = *scale > 0 && !need.isMoved && facts.computesAtVertices;
         const Fidelity fidelity = facts.readsTexCoord ? Fidelity::pattern : Fidelity::shape;
         std::array<bool, 2> isFree{};
@@ -318,6 +318,20 @@ class Chooser {
         if (!drawn.vertices) return shape;
         return shape + "; values computed at the vertices " +
                changeText(drawn.vertices->pixels, drawn.vertices->colored);
+    }
+
+    /// True if the scene or the command line gives a uniform or input of such a name a value.
+    bool givesAny(const scene::Draw& draw, std::span<const std::string> names) const {
+        const auto isOne = [&](std::string_view name) {
+            return std::ranges::find(names, name) != names.end();
+        };
+        const auto isGiven = [&](const glib::UniformSpec& each) { return isOne(each.tag); };
+        return !names.empty() &&
+               (draw.attributes || std::ranges::any_of(scene_.programs[draw.program].uniforms, isGiven) ||
+                (draw.uniforms && std::ranges::any_of(scene_.uniformSets[draw.uniforms].values, isGiven)) ||
+                std::ranges::any_of(scene_.namedValues, isGiven) ||
+                std::ranges::any_of(plan_.nodes->namedValues, isGiven) ||
+                std::ranges::any_of(request_.overrides, isOne, &plan::Override::name));
     }
 
     /// The counts that a Mesh statement has stay, whoever reads its vertices.

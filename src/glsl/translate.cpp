@@ -181,7 +181,8 @@ void applyRules(ProgramUnits& program) {
         recordUserNames(unit, *program.result);
     }
     recordCutLoops(program);
-    if (!findPlacement(program)) makePositionsInvariant(program);
+    findPlacement(program);
+    makePositionsInvariant(program);
     program.result->isOpaque = findOpacity(program);
     for (const Unit& unit : program.units)
         if (unit.stage == Stage::compute) program.result->wholeWrites = wholeWritesOf(unit);

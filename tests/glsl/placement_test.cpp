@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <initializer_list>
-#include <optional>
-#include <set>
 #include <string>
 
 #include "support.h"
@@ -139,20 +138,19 @@ TEST(Placement, MoreStagesOrOtherEffectsAreUnknown) {
     EXPECT_EQ(translate(asIs).placement, Placement::unknown) << "nobody supplies the names";
 }
 
-TEST(Placement, WellKnownNamesAreFollowedUnlessTheSceneSetsThem) {
+TEST(Placement, WellKnownNamesAreFollowedAndListed) {
     struct Row {
         const char* vertex;  ///< the declarations and the position
         Placement placement;
-        bool multipliesView = false;
     };
-    const auto translated = [](const char* vertex, std::optional<std::set<std::string, std::less<>>> set) {
+    const auto translated = [](const char* vertex, bool supplies) {
         const std::string text(vertex);
         const std::size_t position = text.find('|');
         ProgramRequest asked = program(
             {{Stage::vertex, "#version 330\n" + text.substr(0, position) +
                                  "void main() { gl_Position = " + text.substr(position + 1) + "; }\n"},
              {Stage::fragment, kPlainFragment}});
-        asked.setMatrices = std::move(set);
+        asked.suppliesMatrices = supplies;
         return translate(asked);
     };
     for (const Row& each : std::initializer_list<Row>{
@@ -164,11 +162,11 @@ TEST(Placement, WellKnownNamesAreFollowedUnlessTheSceneSetsThem) {
               Placement::vertex},
              {"uniform mat4 model, view, projection; in vec3 aPos;|projection * view * model * vec4(aPos, "
               "1.0)",
-              Placement::point, true},
+              Placement::point},
              {"uniform mat4 model, view, projection; in vec3 aPos;|projection * (view * (model * vec4(aPos, "
               "1)))",
-              Placement::point, true},
-             {"uniform mat4 viewProj, world; in vec4 vert;|viewProj * world * vert", Placement::vertex, true},
+              Placement::point},
+             {"uniform mat4 viewProj, world; in vec4 vert;|viewProj * world * vert", Placement::vertex},
              {"uniform mat4 mvp; in vec2 position;|mvp * vec4(position, 0., 1.)", Placement::unknown},
              {"uniform mat4 mvp; in vec3 position;|mvp * vec4(position, 2.)", Placement::unknown},
              {"uniform mat4 mvp; in vec3 normal;|mvp * vec4(normal, 1.)", Placement::unknown},
@@ -179,16 +177,21 @@ TEST(Placement, WellKnownNamesAreFollowedUnlessTheSceneSetsThem) {
              {"uniform mat4 mvp; in vec4 aVertex;|aVertex * mvp", Placement::unknown},
              {"uniform mat4 turn; in vec4 aVertex;|turn * aVertex", Placement::unknown},
          }) {
-        const TranslatedProgram free = translated(each.vertex, {{}});
-        EXPECT_EQ(free.placement, each.placement) << each.vertex;
-        EXPECT_EQ(free.knownPlacement(), each.multipliesView ? Placement::unknown : each.placement)
-            << each.vertex;
-        EXPECT_EQ(translated(each.vertex, std::nullopt).placement, Placement::unknown) << "classic scenes";
+        const TranslatedProgram modern = translated(each.vertex, true);
+        EXPECT_EQ(modern.placement, each.placement) << each.vertex;
+        EXPECT_EQ(modern.knownPlacement(), Placement::unknown)
+            << "the scene may set the names: " << each.vertex;
+        EXPECT_EQ(modern.stages.front().source.find("invariant"), std::string::npos) << each.vertex;
+        EXPECT_EQ(translated(each.vertex, false).placement, Placement::unknown) << "classic scenes";
     }
-    EXPECT_EQ(translated("uniform mat4 mvp; in vec4 aVertex;|mvp * aVertex", {{"mvp"}}).placement,
-              Placement::unknown);
-    EXPECT_EQ(translated("uniform mat4 mvp; in vec4 aVertex;|mvp * aVertex", {{"mv"}}).placement,
-              Placement::vertex);
+    const char* product =
+        "uniform mat4 model, view, projection; in vec3 aPos;|projection * view * model * vec4(aPos, 1.0)";
+    EXPECT_EQ(std::ranges::count(translated(product, true).placementNames, "model"), 1);
+    EXPECT_EQ(translated(product, true).placementNames.size(), 4U);
+    const TranslatedProgram classic =
+        translated("in vec4 aVertex;|uModelViewProjectionMatrix * aVertex", true);
+    EXPECT_EQ(classic.knownPlacement(), Placement::vertex);
+    EXPECT_TRUE(classic.placementNames.empty());
 }
 
 }  // namespace

@@ -149,6 +149,18 @@ TEST(Budget, KnowsTheMatricesByTheNamesOfBooks) {
                                {}, bounded(.25))
                         .diagnostics,
                     "draw-N05"));
+    // Set in another moment than the first, and by a tag that is computed.
+    const std::string later = scene("mvp * vec4(aPos, 1.)") + "Repeat (time > .5 ? 1 : 0)\nSet " + identity +
+                              "\nSphere 1\nEndRepeat\n";
+    RenderOptions second = bounded(.25);
+    second.time = 1;
+    EXPECT_TRUE(has(tryPicture(later, {}, second).diagnostics, "draw-N05"));
+    EXPECT_FALSE(has(tryPicture(later, {}, bounded(.25)).diagnostics, "draw-N05"));
+    EXPECT_TRUE(has(
+        tryPicture("Let one 1\n" + scene("mvp * vec4(aPos, 1.)", "mvp [(one) 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]"),
+                   {}, bounded(.25))
+            .diagnostics,
+        "draw-N05"));
     RenderOptions given = bounded(.25);
     given.set = {"mvp=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1"};
     EXPECT_TRUE(has(tryPicture(scene("mvp * vec4(aPos, 1.)"), {}, given).diagnostics, "draw-N05"));

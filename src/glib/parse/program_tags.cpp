@@ -252,7 +252,7 @@ void takeUniforms(Command& command) {
         return tag.path.empty() ? tag.key : tag.path.front().name;
     };
     for (KeyedValues& tag : command.tags) {
-        // An element stays behind the whole that another tag gives.
+        // An element of an array whose other values are computed has to be given after them.
         const bool isLater = !tag.path.empty() && std::ranges::find(rest, root(tag), root) != rest.end();
         if (std::optional<UniformSpec> spec = isLater ? std::nullopt : uniformOf(tag))
             command.uniforms.push_back(std::move(*spec));

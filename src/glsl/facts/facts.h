@@ -27,9 +27,9 @@ bool hasWritableStorage(const Unit& unit);
 /// atomic counter.
 bool writesMemory(const Unit& unit);
 
-/// TranslatedProgram::placement and multipliesView. Call it after the rules have settled the types and
-/// storages of all variables. True if names take part that the runtime supplies to modern scenes only.
-bool findPlacement(const ProgramUnits& program);
+/// TranslatedProgram::placement and placementNames. Call it after the rules have settled the types and
+/// storages of all variables.
+void findPlacement(const ProgramUnits& program);
 
 /// TranslatedProgram::isOpaque. Call it after placeFragmentOutputs.
 bool findOpacity(const ProgramUnits& program);

@@ -63,8 +63,7 @@ class PlacementSearch {
   public:
     explicit PlacementSearch(const Unit& unit) : unit_(unit) {}
 
-    [[nodiscard]] bool multipliesView() const { return multipliesView_; }
-    [[nodiscard]] bool usesWellKnownNames() const { return usesWellKnownNames_; }
+    [[nodiscard]] const std::vector<std::string>& wellKnownNames() const { return wellKnownNames_; }
 
     Placement find() {
         switch (meaning(positionInMain())) {
@@ -106,9 +105,7 @@ class PlacementSearch {
             for (const std::uint32_t each : unit_.bodies.children(id)) {
                 const bool isFirst = each == it.child;
                 if (!isFirst && unit_.text(node(each).first - 1) != "*") all = Meaning::other;
-                const Meaning factor = meaning(each);
-                all = isFirst ? factor : product(all, factor);
-                multipliesView_ = multipliesView_ || factor == Meaning::model;
+                all = isFirst ? meaning(each) : product(all, meaning(each));
             }
         --depth_;
         return all;
@@ -162,8 +159,8 @@ class PlacementSearch {
 
     [[nodiscard]] bool isWellKnownPosition(const Variable& input) {
         const bool isKnown =
-            unit_.request->setMatrices && wellKnownAttribute(input.name, input.type) == "position";
-        usesWellKnownNames_ = usesWellKnownNames_ || isKnown;
+            unit_.request->suppliesMatrices && wellKnownAttribute(input.name, input.type) == "position";
+        if (isKnown) wellKnownNames_.push_back(input.name);
         return isKnown;
     }
 
@@ -173,10 +170,9 @@ class PlacementSearch {
         std::optional<Builtin> value;
         if (const BuiltinUniform* row = findBuiltinUniform(name)) {
             value = row->value;
-        } else if (const auto& set = unit_.request->setMatrices;
-                   set && !set->contains(name) && !hasInitializer(name)) {
+        } else if (unit_.request->suppliesMatrices && !hasInitializer(name)) {
             value = wellKnownUniform(name, "mat4");
-            usesWellKnownNames_ = true;
+            if (value) wellKnownNames_.emplace_back(name);
         }
         if (!value) return other;
         switch (*value) {
@@ -235,7 +231,7 @@ class PlacementSearch {
     const Unit& unit_;
     Range body_;
     int depth_ = 0;
-    bool multipliesView_ = false, usesWellKnownNames_ = false;
+    std::vector<std::string> wellKnownNames_;
 };
 
 /// True if the stage may change anything except the picture, or chooses the picture's layer.
@@ -249,15 +245,14 @@ bool hasOtherEffects(const Unit& unit) {
 
 }  // namespace
 
-bool findPlacement(const ProgramUnits& program) {
+void findPlacement(const ProgramUnits& program) {
     const auto& units = program.units;
     const bool isPlain = !units.empty() && units[0].stage == Stage::vertex &&
                          (units.size() == 1 || (units.size() == 2 && units[1].stage == Stage::fragment));
-    if (!isPlain || std::ranges::any_of(units, hasOtherEffects)) return false;
+    if (!isPlain || std::ranges::any_of(units, hasOtherEffects)) return;
     PlacementSearch search(units[0]);
     program.result->placement = search.find();
-    program.result->multipliesView = search.multipliesView();
-    return search.usesWellKnownNames();
+    program.result->placementNames = search.wellKnownNames();
 }
 
 }  // namespace glibra::glsl

@@ -112,7 +112,7 @@ void modernizeQualifiers(ProgramUnits& program) {
 
 void makePositionsInvariant(ProgramUnits& program) {
     Unit* const vertex = program.find(Stage::vertex);
-    if (vertex == nullptr || program.result->placement == Placement::unknown) return;
+    if (vertex == nullptr || program.result->knownPlacement() == Placement::unknown) return;
     const bool isDeclared = std::ranges::any_of(vertex->syntax.declarations, [&](const Declaration& each) {
         if (each.kind == DeclarationKind::block) return vertex->text(each.name) == "gl_PerVertex";
         return std::ranges::any_of(each.declarators, [&](const Declarator& name) {

@@ -64,7 +64,7 @@ void resolveSubroutines(ProgramUnits& program);
 void retypeSamplers(ProgramUnits& program);
 /// Declares gl_Position invariant in vertex stages of a known placement, so that two passes draw the same
 /// depth on every driver, whatever else they compute and however they spell it (language, 7.5). Call it after
-/// findPlacement, which says for which programs.
+/// findPlacement. Positions that rest on well-known names stay as they are spelled.
 void makePositionsInvariant(ProgramUnits& program);
 /// Replaces functions of older versions and supplies the noise functions (language, 7.5).
 void modernizeFunctions(Unit& unit, const TokenWalk& walk);

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -103,13 +102,11 @@ struct ProgramRequest {
     std::string geometryOutput;            ///< from GeometryOutput, likewise
     int geometryVerticesOut = 0;           ///< 0: not given
     DrawForms draws{};                     ///< for GLSL ES
+    bool suppliesMatrices = false;         ///< also by well-known names (builtins.h), as in modern scenes
     bool reportsGeometryConflicts = true;  ///< glsl-W16, where the shader's layouts say something else
     /// The kinds of texture that the scene ever binds to the unit that the tag names. It decides the type of
     /// a `uniform int u` that is used as a sampler.
     std::function<std::vector<SamplerKind>(std::string_view tag)> samplerKindsOfTag;
-    /// Of the well-known names of matrices (builtins.h), those that the scene sets, so that they have no
-    /// value of their own. Nothing: the runtime supplies no well-known names.
-    std::optional<std::set<std::string, std::less<>>> setMatrices{};
 };
 
 }  // namespace glibra::glsl

@@ -244,11 +244,13 @@ struct TranslatedProgram {
     /// happens where a driver ends loops early. In GLSL ES: the loops that are guarded (es/loop_guards.h).
     std::vector<Place> loopSites{};
     Placement placement = Placement::unknown;
-    /// The vertex stage multiplies the matrices of model and view by itself, in floats: what these lose
-    /// against modelView() of a draw has no bound.
-    bool multipliesView = false;
-    /// The placement, if modelView() and projection() of a draw tell it up to a known error.
-    [[nodiscard]] Placement knownPlacement() const { return multipliesView ? Placement::unknown : placement; }
+    /// The well-known names on which the placement rests: it holds for draws that give none of them a value.
+    /// What products of such matrices lose in floats has no bound either.
+    std::vector<std::string> placementNames{};
+    /// The placement that the text alone shows.
+    [[nodiscard]] Placement knownPlacement() const {
+        return placementNames.empty() ? placement : Placement::unknown;
+    }
     /// Of GLSL ES: the values of initialisers of uniforms, which it does not have.
     std::vector<InitialValue> initialValues{};
     ExpandedGeometry expanded{};

@@ -21,21 +21,35 @@ std::string requestKeyOf(const glsl::ProgramRequest& asked) {
     const auto& [name, place, stages, constants, constantPlaces, include, target, shim, hasLights, setsLights,
                  suppliesFragment, suppliesFixedVertex, acceptsStorage, suppliesFullScreenVertex, flatColors,
                  colorTargets, tiled, inPieces, checksUndefined, recordsLoops, reversesOrder, geometryInput,
-                 geometryOutput, geometryVerticesOut, draws, reportsGeometryConflicts, samplerKindsOfTag,
-                 setMatrices] = asked;
+                 geometryOutput, geometryVerticesOut, draws, suppliesMatrices, reportsGeometryConflicts,
+                 samplerKindsOfTag] = asked;
     static_cast<void>(constantPlaces);  // their lines may move without another program
     static_cast<void>(target);          // that of the context, which owns what is shared
     std::string key =
         fmt::format("{}\n{}:{}:{} {} {} {} {} {} ", name, place.file, place.line, place.column, colorTargets,
                     geometryInput, geometryOutput, geometryVerticesOut, draws.patchVertices);
-    for (const bool each :
-         {shim, hasLights, setsLights, suppliesFragment, suppliesFixedVertex, acceptsStorage,
-          suppliesFullScreenVertex, flatColors, tiled, inPieces, checksUndefined, recordsLoops, reversesOrder,
-          reportsGeometryConflicts, draws.areStrips, draws.haveIndexBuffers, draws.haveInstanceData,
-          draws.haveBufferData, draws.haveWideLines})
+    for (const bool each : {shim,
+                            hasLights,
+                            setsLights,
+                            suppliesFragment,
+                            suppliesFixedVertex,
+                            acceptsStorage,
+                            suppliesFullScreenVertex,
+                            flatColors,
+                            tiled,
+                            inPieces,
+                            checksUndefined,
+                            recordsLoops,
+                            reversesOrder,
+                            suppliesMatrices,
+                            reportsGeometryConflicts,
+                            draws.areStrips,
+                            draws.haveIndexBuffers,
+                            draws.haveInstanceData,
+                            draws.haveBufferData,
+                            draws.haveWideLines})
         key += each ? '1' : '0';
     key += '\n';
-    if (setMatrices) key += fmt::format("supplied but {}\n", fmt::join(*setMatrices, " "));
     for (const glsl::Constant& each : constants)
         key += fmt::format("{} {} {}\n", each.type, each.name, glsl::valueText(each));
     for (const auto& [stage, path, text] : stages)

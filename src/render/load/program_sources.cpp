@@ -4,13 +4,10 @@
 
 #include <embedded/builtin_shaders.h>
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include "base/files.h"
-#include "glsl/types/builtins.h"
 #include "image/file.h"
-#include "plan/overrides.h"
 #include "render/load/hidden_text.h"
 
 namespace glibra::render {
@@ -129,25 +126,6 @@ std::vector<glsl::SamplerKind> ProgramSources::samplerKinds(scene::ProgramIndex 
     return kinds;
 }
 
-std::set<std::string, std::less<>> ProgramSources::setMatrices(const scene::Program& program) const {
-    std::set<std::string, std::less<>> names;
-    const auto add = [&](std::string_view name) {
-        if (glsl::wellKnownUniform(name, "mat4")) names.emplace(name);
-    };
-    const auto addAll = [&](std::span<const glib::UniformSpec> specs) {
-        for (const glib::UniformSpec& each : specs) add(each.tag);
-    };
-    addAll(program.uniforms);
-    addAll(scene_.namedValues);
-    addAll(scene_.frame.namedValues);
-    for (const scene::OnceBlock& each : scene_.once) addAll(each.nodes.namedValues);
-    for (const scene::StepBlock& each : scene_.steps) addAll(each.nodes.namedValues);
-    for (const auto& [name, place] : scene_.setNames) add(name);
-    for (const std::string& each : options_.set)
-        if (const auto given = plan::parseOverride(each)) add(given->name);
-    return names;
-}
-
 glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant, bool tiled,
                                              Diagnostics& diagnostics) {
     glsl::ProgramRequest request;
@@ -172,7 +150,7 @@ glsl::ProgramRequest ProgramSources::request(const plan::ProgramVariant& variant
     request.hasLights = scene_.suppliesNames;
     request.setsLights = scene_.setsLights;
     request.acceptsStorage = scene_.suppliesNames;
-    if (scene_.suppliesNames) request.setMatrices = setMatrices(program);
+    request.suppliesMatrices = scene_.suppliesNames;
     request.constants = variant.constants;
     request.constantPlaces = program.constantPlaces;
     request.geometryInput = program.geometryInput;

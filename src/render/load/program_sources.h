@@ -56,8 +56,6 @@ class ProgramSources {
     void noteIfHidden(scene::ProgramIndex program, const std::string& file);
     /// True for files that the calling program has given, too.
     [[nodiscard]] bool isShown(const std::string& file) const;
-    /// ProgramRequest::setMatrices of a scene that supplies names.
-    [[nodiscard]] std::set<std::string, std::less<>> setMatrices(const scene::Program& program) const;
     [[nodiscard]] std::vector<glsl::SamplerKind> samplerKinds(scene::ProgramIndex program,
                                                               std::string_view tag) const;
 

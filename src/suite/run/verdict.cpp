@@ -135,6 +135,15 @@ bool ShotJudge::isCompared(const Attempt& attempt) const {
            partners_.contains(shot.name);
 }
 
+/// suite-E33 for a picture that only such a tolerance passes as any other passes.
+static std::optional<Diagnostic> passedByAll(const Shot& shot, const image::Image& expected,
+                                             const image::Judgement& judged) {
+    const bool isTolerated = judged.same && judged.decidedBy != image::Rung::bytes && shot.statesTolerance;
+    if (!isTolerated || !image::passesAll(expected, shot.tolerance)) return std::nullopt;
+    return diagnose("suite-E33", "the tolerance passes every picture, so the shot compares nothing",
+                    shot.place);
+}
+
 void ShotJudge::compare(const Attempt& attempt, bool everything, Findings& found) const {
     const Shot& shot = *attempt.shot;
     if (found.golden->isAbsent) {
@@ -161,11 +170,8 @@ void ShotJudge::compare(const Attempt& attempt, bool everything, Findings& found
     }
     found.judgement = image::judge(*found.picture, found.seen ? *found.seen : *attempt.own.picture,
                                    shot.tolerance, everything);
-    const bool isEqual = found.judgement.decidedBy == image::Rung::bytes;
-    if (found.judgement.same && !isEqual && shot.statesTolerance &&
-        image::passesAll(*found.picture, shot.tolerance))
-        return found.problems.push_back(diagnose(
-            "suite-E33", "the tolerance passes every picture, so the shot compares nothing", shot.place));
+    if (std::optional<Diagnostic> nothing = passedByAll(shot, *found.picture, found.judgement))
+        return found.problems.push_back(*std::move(nothing));
     found.goldenHolds = found.judgement.same;
     found.exact = found.judgement.same && found.judgement.decidedBy == image::Rung::bytes && !ignores;
     found.changed = accepted && *accepted != *found.pixels;
@@ -232,6 +238,11 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
             ignoresSomething(shot) ? withoutIgnored(shot, *partner->picture, got) : Result<image::Image>();
         const image::Judgement judged =
             image::judge(*partner->picture, seen ? *seen : got, shot.tolerance, everything);
+        if (same)
+            if (std::optional<Diagnostic> nothing = passedByAll(shot, *partner->picture, judged)) {
+                found.relation = nothing->text;
+                return found.problems.push_back(*std::move(nothing));
+            }
         if (judged.same == same) return;
         found.partner = &*partner;
         found.judgement = judged;

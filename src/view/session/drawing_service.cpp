@@ -125,7 +125,12 @@ DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
     for (;;) {
         while (const std::optional<std::string> text = takeMessage(received_)) {
             if (*text != kBegins) {
-                diagnostics_ = base::unpacked<Diagnostics>(*text).value_or(Diagnostics());
+                std::optional<Diagnostics> found = base::unpacked<Diagnostics>(*text);
+                if (!found) {
+                    end();
+                    return State::ended;
+                }
+                diagnostics_ = *std::move(found);
                 seconds_ = secondsSinceTime(begun_);
                 isWorking_ = false;
                 hasDrawn_ = true;
