@@ -161,6 +161,14 @@ TEST(Budget, KnowsTheMatricesByTheNamesOfBooks) {
                    {}, bounded(.25))
             .diagnostics,
         "draw-N05"));
+    // The camera does not look there, but the matrix of the second moment shows it.
+    const std::string away =
+        "Camera eye LookAt 0 0 4 0 0 8 0 1 0 Perspective 40 .1 100\n" + later.substr(later.find('\n') + 1);
+    RenderOptions moment;
+    moment.width = moment.height = 64;
+    EXPECT_EQ(countPixels(picture(away, {}, moment), {255, 255, 255}), 0);
+    moment.time = 1;
+    EXPECT_GT(countPixels(picture(away, {}, moment), {255, 255, 255}), 100);
     RenderOptions given = bounded(.25);
     given.set = {"mvp=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1"};
     EXPECT_TRUE(has(tryPicture(scene("mvp * vec4(aPos, 1.)"), {}, given).diagnostics, "draw-N05"));

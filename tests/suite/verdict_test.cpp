@@ -488,6 +488,15 @@ TEST_F(Pairs, AMatchHasToBeTheSamePicture) {
     EXPECT_TRUE(exists("results" / result.expected)) << "the partner's picture";
 }
 
+TEST_F(Pairs, AMatchByAToleranceThatPassesEveryPictureIsAnError) {
+    shot.statesTolerance = true;
+    shot.tolerance = {.fraction = 1, .cluster = 1024, .line = 32, .bias = 255};
+    EXPECT_EQ(against(gradient(), gradient(), true).verdict, Verdict::passed);
+    const ShotResult result = against(gradient(), gradient(60), true);
+    EXPECT_EQ(result.verdict, Verdict::failed);
+    EXPECT_NE(result.reason.find("passes every picture"), std::string::npos) << result.reason;
+}
+
 TEST_F(Pairs, APairThatHasToDifferMayNotBeTheSame) {
     EXPECT_EQ(against(gradient(), gradient(40), false).verdict, Verdict::passed);
     EXPECT_EQ(against(gradient(), gradient(), false).verdict, Verdict::failed);

@@ -239,10 +239,8 @@ ShotJudge::Findings ShotJudge::look(const Attempt& attempt, bool everything) con
         const image::Judgement judged =
             image::judge(*partner->picture, seen ? *seen : got, shot.tolerance, everything);
         if (same)
-            if (std::optional<Diagnostic> nothing = passedByAll(shot, *partner->picture, judged)) {
-                found.relation = nothing->text;
-                return found.problems.push_back(*std::move(nothing));
-            }
+            if (std::optional<Diagnostic> nothing = passedByAll(shot, *partner->picture, judged))
+                found.relation = std::move(nothing->text);
         if (judged.same == same) return;
         found.partner = &*partner;
         found.judgement = judged;
