@@ -68,6 +68,10 @@ quietly g++ -std=c++20 consumer.cpp -o by_pkg_config $(pkg-config --cflags --lib
 quietly ./by_pkg_config /usr/share/glibra/glib/start/teapot.glib
 cd - >/dev/null
 
+# The tests of the packages themselves, by Debian's own program.
+quietly apt-get install -y --no-install-recommends autopkgtest
+quietly autopkgtest --no-built-binaries ./*.deb . -- null
+
 quietly apt-get purge -y glibra libglibra1 libglibra-dev python3-glibra glibra-doc
 find / -xdev -iname '*glibra*' ! -path '/proc/*' ! -path "$PWD/*" ! -path '/root/*' ! -path '/var/log/*' ! -path "$place/*" >"$place/log"
 [ ! -s "$place/log" ] || fail "left behind:"
