@@ -36,6 +36,18 @@ grep -v '^\(typeinfo\( name\)\? for \|vtable for \)\?glibra::' "$place/exported"
 grep -q '^glibra::Renderer::open' "$place/exported" || fail "not exported: glibra::Renderer::open"
 [ "$(wc -l <"$place/exported")" -lt 300 ] || fail "the library exports $(wc -l <"$place/exported") symbols"
 
+# Debian's packages have all that is installed.
+for each in "$place"/prefix/* "$place"/prefix/share/* "${library%/*}"/*; do
+    name=${each#"$place/prefix/"}
+    case $each in
+        "${library%/*}" | "${library%/*}/$(uname -m)"* | */share) continue ;;
+        */lib/python3*) name=lib/python3 ;;
+        *.so.*) name='lib/*/libglibra.so.*' ;;
+        "${library%/*}"/*) name="lib/*/${each##*/}" ;;
+    esac
+    cat "$source"/debian/*.install | grep -qxF "usr/$name" || fail "no package of debian has usr/$name"
+done
+
 # The components: a library without the program is a whole package, and one asked for that there is not is refused.
 for each in library devel; do cmake --install "$build" --prefix "$place/split" --component "$each" >>"$place/log"; done
 find_glibra() { # FOLDER ARGUMENT...: configures a project that calls find_package(glibra ARGUMENT...)
