@@ -2,7 +2,8 @@
 # shellcheck shell=sh
 
 # fetch_sources FOLDER PACKAGE...: unpacks source packages of this Debian, with Debian's changes: of each the newest version
-# whose files are all there. A mirror may list an update whose files it has not yet, or no longer.
+# whose files are all there. A mirror may list an update whose files it has not yet, or no longer. Of a package whose changes it
+# lacks in all versions, the authors' own archive is taken. Ends with status 69 if a mirror lacks that, too.
 fetch_sources() (
     fetched=$1
     shift
@@ -37,6 +38,14 @@ END
                 break
             fi
         done
-        $found || { cat "$log" >&2; say "cannot fetch the source of $package (above: what apt-get printed)"; exit 4; }
+        $found && continue
+        apt-get source --download-only --tar-only --only-source "$package" >>"$log" 2>&1 || true
+        for archive in "$package"_*.orig.tar.?z; do
+            [ -f "$archive" ] || { cat "$log" >&2; say "cannot fetch the source of $package (above: what apt-get printed)"; exit 69; }
+            version=${archive#*_}
+            mkdir "$package-${version%.orig.*}"
+            tar -x -C "$package-${version%.orig.*}" --strip-components=1 -f "$archive"
+        done
+        say "the mirror lacks Debian's changes to $package: it is built without them"
     done
 )
