@@ -1,5 +1,6 @@
 #include "base/contained_call.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -7,11 +8,17 @@
 #include <thread>
 #include <utility>
 
+#include "system/child_process.h"
 #include "system/memory.h"
+#include "system/places.h"
 #include "system/process.h"
-#include "system/worker.h"
 
 namespace glibra::base {
+
+std::uint64_t memoryShare(int jobs, std::size_t pieces) {
+    const auto workers = std::min<std::uint64_t>(static_cast<std::uint64_t>(std::max(1, jobs)), pieces);
+    return std::max(kLeastShare, system::usableMemory() / 2 / std::max<std::uint64_t>(1, workers));
+}
 
 CallEnd runContained(const CallLimits& limits, const std::function<void()>& work) {
     if (!system::workersAreCopies()) {

@@ -1,13 +1,22 @@
 #pragma once
-// Runs one function in a process of its own, so that a function of foreign code that hangs, crashes or takes
-// all memory affects nothing else.
+// Calls in processes of their own, and the memory that a process should be content with.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
-#include "base/memory_limit.h"
-
 namespace glibra::base {
+
+// The memory that a process should be content with (system::MemoryLimit).
+
+/// The memory that a worker may take if nothing else is said: half of the memory of the machine (or of the
+/// control group, if that has less), divided by the number of workers, but at least kLeastShare. There are
+/// `jobs` workers, or fewer if there are fewer pieces of work.
+std::uint64_t memoryShare(int jobs, std::size_t pieces);
+inline constexpr std::uint64_t kLeastShare = std::uint64_t{2} << 30;
+
+// Runs one function in a process of its own, so that a function of foreign code that hangs, crashes or takes
+// all memory affects nothing else.
 
 /// What a contained call may take. A lower limit of memory of the calling process holds on.
 struct CallLimits {

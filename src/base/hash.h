@@ -1,10 +1,12 @@
 #pragma once
-// Hashes. None is cryptographic: somebody can make two texts with one hash on purpose.
+// Hashes. Only SHA-256 is cryptographic: of the others somebody can make two texts with one hash on purpose.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace glibra::base {
@@ -45,5 +47,11 @@ struct Hash {
 };
 /// Of these bytes, one part after another.
 Hash hashOf(std::initializer_list<std::span<const std::byte>> parts);
+
+/// SHA-256 (FIPS 180-4): by it a Content-Security-Policy names the scripts that may run, and Git LFS the
+/// content of a file.
+std::array<std::byte, 32> sha256(std::span<const std::byte> bytes);
+/// The same as 64 hexadecimal digits.
+std::string sha256Text(std::span<const std::byte> bytes);
 
 }  // namespace glibra::base

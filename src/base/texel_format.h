@@ -1,7 +1,6 @@
 #pragma once
 // The formats of textures and targets, as values without GL. `gpu` knows their GL numbers.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>

@@ -1,18 +1,65 @@
 #pragma once
-// Runs work in separate processes, so that a piece that crashes the driver, hangs or runs out of memory
-// affects only itself.
+// Work that many processes do, piece by piece.
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <source_location>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "base/outcome.h"
+#include "base/device_lost.h"
+#include "system/file.h"
 #include "system/sandbox.h"
 
 namespace glibra::base {
+
+// How pieces of work in other processes end.
+
+/// How one piece of work ended.
+struct Outcome {
+    enum class End { finished, timedOut, crashed, stopped, deviceLost };
+    End end = End::finished;
+    std::string answer{};  ///< what the work returned, if it finished
+    int signal = 0;        ///< that ended the process, if it crashed; 0: it exited
+    int process = 0;       ///< the process id, if it did not finish
+    /// The process crashed and had used more than half of the memory that it may have: an allocation that
+    /// failed is a likely cause.
+    bool nearMemoryLimit = false;
+    DeviceLost lost{};      ///< if the graphics device was reset
+    bool wasAlone = false;  ///< no other piece was being done meanwhile
+};
+
+// Where a worker is this program started again, it passes the calls of runInWorkers that its parent has made
+// before. They do no work there: their callers hear once more what the parent's have heard, so that both come
+// to the same state.
+
+/// What a call has told its caller.
+struct WorkerEvent {
+    enum class Kind : std::uint32_t { progress, repeated, done };
+    Kind kind = Kind::progress;
+    std::size_t index = 0;
+    Outcome outcome{};   ///< not of `progress`
+    std::string text{};  ///< of `progress`
+};
+
+/// The calls of a process by their numbers.
+using WorkerCalls = std::map<std::uint64_t, std::vector<WorkerEvent>>;
+
+/// A call is known by its place in the source and by how often that place was passed before, not by how many
+/// calls were made: some are made only if a file exists, which other workers may have made meanwhile.
+std::uint64_t numberOfCall(std::string_view place, std::size_t times);
+
+/// The calls as bytes, with their length first.
+std::string toBytes(const WorkerCalls& calls);
+/// Reads what toBytes() wrote; no calls if the pipe has something else.
+WorkerCalls receiveCalls(const system::File& pipe);
+
+// Runs work in separate processes, so that a piece that crashes the driver, hangs or runs out of memory
+// affects only itself.
 
 /// True if the end of a piece may be the fault of another one, or of another program: the device was reset,
 /// and not for its sake, or (`sharesDevice`) it was late because another one held the device. It is then done
@@ -71,7 +118,7 @@ std::optional<StepTime> stepTime();
 ///
 /// Where the system copies no processes (Windows), a worker is this program started again: it must come to
 /// this call, and to the same pieces, by its arguments and by what earlier calls have told their callers
-/// (earlier_calls.h). On its way the functions of the room system that change files do nothing.
+/// (WorkerCalls). On its way the functions of the room system that change files do nothing.
 void runInWorkers(std::size_t count, const WorkerOptions& options, const Work& work,
                   const std::function<void(std::size_t index, const Outcome&)>& done,
                   const std::function<void(std::size_t index, const std::string& text)>& progress,

@@ -14,13 +14,11 @@
 #include <glm/mat4x4.hpp>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "budget/contour_shift.h"
 #include "budget/decision.h"
-#include "budget/patch_error.h"
-#include "budget/sampling_model.h"
+#include "budget/error_models.h"
 #include "plan/frame_plan.h"
 #include "plan/overrides.h"
 #include "scene/scene.h"

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "budget/pixel_scale.h"
+#include "budget/error_models.h"
 #include "glib/number.h"
 
 namespace glibra::budget {

@@ -13,7 +13,7 @@
 #include "base/matrices.h"
 #include "base/suggest.h"
 #include "base/text.h"
-#include "gpu/format/value_type.h"
+#include "gpu/format/gl_names.h"
 
 namespace glibra::classic {
 namespace {

@@ -13,7 +13,7 @@
 #include "classic/label.h"
 #include "classic/linked_program.h"
 #include "classic/vertex_lists.h"
-#include "gpu/format/value_type.h"
+#include "gpu/format/gl_names.h"
 
 namespace glibra::classic {
 namespace {

@@ -22,8 +22,8 @@
 #include "classroom/page_parts.h"
 #include "embedded/class_page.h"
 #include "embedded/report_page.h"
-#include "suite/report/html_report.h"
-#include "suite/results/figures.h"
+#include "suite/report/report_files.h"
+#include "suite/results/results.h"
 #include "suite/write_below.h"
 
 namespace glibra::classroom {

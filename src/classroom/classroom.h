@@ -22,7 +22,7 @@ using suite::Moment;
 /// How a picture differs from the reference's at the same moment; 0 is no difference.
 struct Score {
     double flip = 0;       ///< mean FLIP, 0..1 (image/compare/flip.h)
-    double structure = 0;  ///< 0..1 (image/compare/structure.h)
+    double structure = 0;  ///< 0..1 (image/compare/compare.h)
     /// 0, nothing in common, to 1 (likeness.h): colours, model and camera are free. Where the reference's
     /// pictures differ from one another in a small part, it depends on how alike that is (effect.h).
     double likeness = 0;

@@ -7,7 +7,7 @@
 #include "classroom/archive.h"
 #include "classroom/submissions.h"
 #include "glib/text.h"
-#include "suite/file/glob.h"
+#include "suite/file/selection.h"
 
 namespace glibra::classroom {
 namespace {

@@ -12,10 +12,10 @@
 #include "base/files.h"
 #include "classroom/effect.h"
 #include "image/png/png_writer.h"
-#include "image/video/gif_writer.h"
+#include "image/video/video_file.h"
 #include "render/file/scene_inputs.h"
-#include "suite/golden/hash.h"
-#include "suite/report/packed_pixels.h"
+#include "suite/golden/hash_list.h"
+#include "suite/report/report_pictures.h"
 
 namespace glibra::classroom {
 namespace {

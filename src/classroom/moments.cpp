@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "base/lines.h"
+#include "base/text.h"
 #include "glib/number.h"
-#include "suite/file/exercise_file.h"
 #include "suite/file/suite_file.h"
+#include "suite/file/sweep.h"
 
 namespace glibra::classroom {
 namespace {}  // namespace

@@ -17,7 +17,7 @@ namespace glibra::classroom {
 using suite::momentsOf;
 
 /// The shots of a suite file, whose scene is the reference; or the moments of an exercise
-/// (suite/file/exercise_file.h), whose reference is the solution. Error: the shots have several scenes.
+/// (suite/file/sweep.h), whose reference is the solution. Error: the shots have several scenes.
 Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file);
 
 /// The uniforms that the moments vary, and the time, each with the pairs of neighbouring moments that differ

@@ -13,7 +13,6 @@
 
 #include "base/contained.h"
 #include "base/files.h"
-#include "base/lines.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "image/file.h"

@@ -10,11 +10,10 @@
 
 #include "base/contained.h"
 #include "base/files.h"
-#include "base/lines.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "classroom/review.h"
-#include "suite/report/packed_pixels.h"
+#include "suite/report/report_pictures.h"
 
 namespace glibra::classroom {
 namespace {

@@ -14,14 +14,14 @@
 #include "classroom/hand_in_digest.h"
 #include "classroom/likeness.h"
 #include "classroom/reached_code.h"
+#include "image/compare/compare.h"
 #include "image/compare/flip.h"
-#include "image/compare/structure.h"
 #include "image/format.h"
 #include "image/read.h"
 #include "render/scene_renderer.h"
 #include "scene/file_lookup.h"
 #include "scene/primitives.h"
-#include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
 #include "suite/run/exercise_check.h"
 
 namespace glibra::classroom {

@@ -7,7 +7,7 @@
 #include <initializer_list>
 
 #include "base/files.h"
-#include "base/lines.h"
+#include "base/text.h"
 #include "classroom/hand_in_time.h"
 #include "classroom/names.h"
 #include "glib/text.h"

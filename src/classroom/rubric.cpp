@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "classroom/hand_in_time.h"
-#include "suite/file/glob.h"
+#include "suite/file/selection.h"
 
 namespace glibra::classroom {
 namespace {

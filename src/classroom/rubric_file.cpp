@@ -9,7 +9,7 @@
 #include "classroom/hand_in_time.h"
 #include "classroom/names.h"
 #include "classroom/rubric.h"
-#include "suite/file/glob.h"
+#include "suite/file/selection.h"
 #include "suite/file/toml_reader.h"
 
 namespace glibra::classroom {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/contained.h"
+#include "base/contained_call.h"
 #include "base/files.h"
-#include "base/memory_limit.h"
 #include "base/workers.h"
 #include "classroom/archive.h"
 #include "classroom/names.h"

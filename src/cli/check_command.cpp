@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/memory_limit.h"
+#include "base/contained_call.h"
 #include "base/workers.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -21,13 +21,12 @@
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
 #include "gpu/context/context.h"
-#include "gpu/context/hardware.h"
 #include "image/file.h"
 #include "render/check/answers.h"
 #include "render/check/run_checks.h"
 #include "render/check/scene_check.h"
 #include "render/consequences.h"
-#include "suite/report/verdict_commands.h"
+#include "suite/report/terminal_report.h"
 #include "suite/run/exercise_check.h"
 #include "suite/run/run_options.h"
 #include "system/interruption.h"

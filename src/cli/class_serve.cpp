@@ -18,7 +18,7 @@
 #include "classroom/grades.h"
 #include "cli/class_input.h"
 #include "cli/commands.h"
-#include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
 #include "suite/serve/loopback_server.h"
 
 namespace glibra::cli {

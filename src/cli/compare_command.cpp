@@ -10,14 +10,13 @@
 #include <tuple>
 
 #include "base/contained_call.h"
-#include "base/memory_limit.h"
 #include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/info_output.h"
 #include "cli/picture_options.h"
 #include "cli/written_files.h"
-#include "image/compare/heat_map.h"
+#include "image/compare/compare.h"
 #include "image/compare/judge.h"
 #include "image/file.h"
 #include "image/foreign_headers.h"

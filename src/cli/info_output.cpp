@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "gpu/context/info.h"
+#include "gpu/context/context.h"
 
 namespace glibra::cli {
 

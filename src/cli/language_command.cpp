@@ -20,7 +20,7 @@
 #include "editor/grammar.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/syntax.h"
 #include "glsl/types/builtins.h"
 #include "image/file.h"

@@ -15,7 +15,7 @@
 #include "embedded/command_pages.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/number.h"
 #include "glib/script.h"
 #include "glib/syntax.h"

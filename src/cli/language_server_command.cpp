@@ -14,7 +14,6 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "editor/language_server.h"
-#include "editor/message_reader.h"
 #include "system/process.h"
 #include "system/terminal.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/memory_limit.h"
+#include "base/contained_call.h"
 #include "base/text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -20,7 +20,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
-#include "gpu/context/hardware.h"
+#include "gpu/context/context.h"
 #include "image/file.h"
 #include "page/page.h"
 #include "suite/run/run_options.h"

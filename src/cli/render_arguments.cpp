@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/memory_limit.h"
+#include "base/contained_call.h"
 #include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
@@ -23,7 +23,6 @@
 #include "cli/untrusted.h"
 #include "cli/written_files.h"
 #include "gpu/context/context.h"
-#include "gpu/context/hardware.h"
 #include "image/file.h"
 #include "image/png/png_reader.h"
 #include "image/video/video_file.h"

@@ -12,7 +12,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "suite/file/suite_file.h"
-#include "suite/results/figures.h"
+#include "suite/results/results.h"
 #include "suite/results/results_file.h"
 #include "suite/serve/review.h"
 #include "system/interruption.h"

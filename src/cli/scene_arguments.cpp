@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "glib/limits.h"
 #include "glib/text.h"
-#include "suite/file/glob.h"
+#include "suite/file/selection.h"
 #include "system/terminal.h"
 
 namespace glibra::cli {

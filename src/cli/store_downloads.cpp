@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "image/file.h"
-#include "suite/file/store_name.h"
+#include "suite/file/shot_name.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/picture_store.h"
 

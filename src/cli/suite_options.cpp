@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "base/memory_limit.h"
+#include "base/contained_call.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "suite/file/selection.h"

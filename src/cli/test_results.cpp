@@ -18,7 +18,7 @@
 #include "image/file.h"
 #include "scene/file_lookup.h"
 #include "suite/golden/golden_store.h"
-#include "suite/report/html_report.h"
+#include "suite/report/report_files.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/results_file.h"
 #include "suite/run/fingerprint.h"

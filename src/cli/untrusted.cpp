@@ -9,10 +9,10 @@
 
 #include "base/contained.h"
 #include "cli/commands.h"
-#include "gpu/context/hardware.h"
+#include "gpu/context/context.h"
 #include "image/module_loader.h"
 #include "scene/file_lookup.h"
-#include "suite/file/store_name.h"
+#include "suite/file/shot_name.h"
 #include "system/library.h"
 #include "system/places.h"
 #include "system/process.h"

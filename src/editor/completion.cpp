@@ -13,7 +13,7 @@
 #include "editor/scene_places.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/statement_table.h"
 #include "glib/syntax.h"
 #include "glib/text.h"

@@ -1,4 +1,4 @@
-#include "editor/documents.h"
+#include "editor/language_server.h"
 
 #include <fmt/format.h>
 

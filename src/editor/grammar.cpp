@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <utility>
 
 #include "base/page_template.h"
 #include "base/texel_format.h"

@@ -1,22 +1,92 @@
 #pragma once
-// A server of the Language Server Protocol 3.17 for scenes and their shaders. It takes the messages of the
-// client and returns the answers as texts; the caller reads and writes the streams.
+// The language server: the texts that an editor has opened, the answers about them, and the messages of the
+// client.
 
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "editor/documents.h"
+#include "editor/completion.h"
 #include "editor/scene_check.h"
 #include "editor/symbol.h"
+#include "editor/text_range.h"
 
 namespace glibra::editor {
+
+// The texts that an editor has opened, with the names that it gives to their files.
+
+struct TextPosition {
+    std::size_t line = 0;
+    std::size_t unit = 0;  ///< of UTF-16, in the line
+    friend bool operator==(const TextPosition&, const TextPosition&) = default;
+};
+
+class TextLines {
+  public:
+    /// The text must outlive the object.
+    explicit TextLines(std::string_view text);
+
+    [[nodiscard]] std::size_t count() const { return begins_.size(); }
+    /// Without its line end; empty beyond the last line.
+    [[nodiscard]] TextRange line(std::size_t index) const;
+    /// The place of a byte; the end of the text for bytes beyond it.
+    [[nodiscard]] TextPosition position(std::size_t byte) const;
+    /// The byte at a place; the end of its line, or of the text, for places beyond it.
+    [[nodiscard]] std::size_t byte(TextPosition position) const;
+
+  private:
+    std::string_view text_;
+    std::vector<std::size_t> begins_;
+    std::vector<bool> isPlain_;  ///< for each line: all characters are one byte and one unit
+};
+
+/// The file of a URI: "file:///a%20b.glib" is /a b.glib. Another URI, as of a text without a name, is a file
+/// of the current folder that need not exist.
+std::filesystem::path fileOf(std::string_view uri);
+std::string uriOf(const std::filesystem::path& file);
+
+struct Document {
+    std::string uri;
+    std::filesystem::path file;
+    std::string text;
+    long long version = 0;
+    CodeLanguage language = CodeLanguage::glib;
+};
+
+class Documents {
+  public:
+    /// The parameters of textDocument/didOpen, didChange and didClose (LSP 3.17). They throw json::exception
+    /// if the parameters are not as they should be.
+    const Document& open(const nlohmann::json& parameters);
+    const Document* change(const nlohmann::json& parameters);
+    void close(const std::string& uri);
+
+    [[nodiscard]] const Document* find(const std::string& uri) const;
+    [[nodiscard]] const Document* findFile(const std::filesystem::path& file) const;
+    [[nodiscard]] const std::map<std::string, Document>& all() const { return documents_; }
+    /// The text of a file as the editor has it, or else as it is saved; empty if it cannot be read.
+    [[nodiscard]] std::string textOf(const std::filesystem::path& file) const;
+    /// The URI of a file as the editor writes it.
+    [[nodiscard]] std::string uriOf(const std::filesystem::path& file) const;
+
+  private:
+    std::map<std::string, Document> documents_;
+};
+
+TextPosition positionIn(const nlohmann::json& position);
+nlohmann::json toJson(const TextPosition& position);
+nlohmann::json toJson(const TextLines& lines, const TextRange& range);
+
+// A server of the Language Server Protocol 3.17 for scenes and their shaders. It takes the messages of the
+// client and returns the answers as texts; the caller reads and writes the streams.
 
 struct ServerOptions {
     std::vector<std::filesystem::path> libraryRoots{};
@@ -130,5 +200,33 @@ class LanguageServer {
 
 /// The kinds of semantic tokens, as the client is told.
 nlohmann::json tokenLegend();
+
+// The messages of a client of the language server: "Content-Length: N", an empty line, N bytes of JSON. A
+// client may be cut off or wrong about the length; reading then goes on with the next header, unless the
+// length is larger than any message.
+
+class MessageReader {
+  public:
+    /// Bytes as they arrive, in pieces of any size.
+    void add(std::string_view bytes) { bytes_ += bytes; }
+    /// The next whole message; nothing until more bytes arrive.
+    std::optional<std::string> next();
+    /// The last message is no JSON. If a header stands in it, its length was wrong, and what begins with that
+    /// header is read again.
+    void refuse(std::string_view message);
+
+    /// A header states more than kLargestMessage bytes. No further message is read: nobody knows where the
+    /// next one begins.
+    [[nodiscard]] bool isLost() const { return length_ && *length_ > kLargestMessage; }
+
+    static constexpr std::size_t kLargestMessage = std::size_t{64} << 20U;
+
+  private:
+    std::string bytes_;
+    std::optional<std::size_t> length_;  ///< of the message that `bytes_` begins with
+};
+
+/// The message with its header.
+std::string framed(std::string_view message);
 
 }  // namespace glibra::editor

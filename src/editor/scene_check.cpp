@@ -4,29 +4,28 @@
 #include <fmt/ranges.h>
 #include <glibra/diagnostic.h>
 
-#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstring>
 #include <deque>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <ranges>
 #include <set>
 #include <span>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/contained_call.h"
 #include "base/packed.h"
 #include "base/text.h"
 #include "editor/declared_names.h"
-#include "editor/front_end.h"
 #include "glib/limits.h"
 #include "glsl/emit/log.h"
 #include "glsl/read/token.h"
 #include "glsl/translate.h"
+#include "glsl/types/stage.h"
 #include "glsl/types/translated_program.h"
 #include "gpu/context/context.h"
 #include "plan/frame_plan.h"
@@ -36,8 +35,39 @@
 #include "render/scene_renderer.h"
 #include "scene/interpret.h"
 #include "system/memory.h"
+#include "system/process.h"
 
 namespace glibra::editor {
+namespace {
+
+// The front end of glslang, for machines without a graphics driver.
+
+struct CloseStream {
+    void operator()(std::FILE* each) const { std::fclose(each); }
+};
+
+/// What `glslangValidator` says of a shader, line by line as a driver would; empty if it finds nothing wrong,
+/// or is not installed.
+std::string frontEndLog(glsl::Stage stage, const std::string& source) {
+    constexpr std::array kStages{"vert", "tesc", "tese", "geom", "frag", "comp"};
+    if (system::findInPath("glslangValidator").empty()) return {};
+    const std::unique_ptr<std::FILE, CloseStream> input(std::tmpfile()), output(std::tmpfile());
+    if (!input || !output) return {};
+    if (std::fwrite(source.data(), 1, source.size(), input.get()) != source.size() ||
+        std::fseek(input.get(), 0, SEEK_SET) != 0)
+        return {};
+    system::Process process = system::startProgram(
+        {"glslangValidator", "--stdin", "-S", kStages.at(static_cast<std::size_t>(stage))},
+        {input.get(), output.get(), system::Stream::To::nothing});
+    if (!process || waitFor(process).isGood() || std::fseek(output.get(), 0, SEEK_SET) != 0) return {};
+    std::string log;
+    std::array<char, 4096> buffer{};
+    for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), output.get())) > 0;)
+        log.append(buffer.data(), count);
+    return log;
+}
+
+}  // namespace
 
 // What the process of its own answers.
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 
 #include "base/text.h"
@@ -28,10 +27,11 @@ std::optional<double> plainNumber(const Token& token) {
     return glib::readNumber(token, unused).value;
 }
 
-/// The numbers from `begin` on, up to `most`.
-std::vector<double> numbersFrom(const std::vector<Token>& tokens, std::size_t begin, std::size_t most) {
+/// The numbers from `begin` on, at most those of a colour.
+std::vector<double> numbersFrom(const std::vector<Token>& tokens, std::size_t begin) {
+    constexpr std::size_t kMostComponents = 4;
     std::vector<double> numbers;
-    for (std::size_t i = begin; i < tokens.size() && numbers.size() < most; ++i) {
+    for (std::size_t i = begin; i < tokens.size() && numbers.size() < kMostComponents; ++i) {
         const std::optional<double> number = plainNumber(tokens[i]);
         if (!number) break;
         numbers.push_back(*number);
@@ -158,14 +158,14 @@ std::vector<WrittenColor> colorsOf(std::string_view scene) {
     for (const glib::Statement& statement : glib::statementsOf(scene)) {
         const std::vector<Token>& tokens = statement.arguments;
         if (statesColor(statement)) {
-            const std::vector<double> numbers = numbersFrom(tokens, 0, 4);
+            const std::vector<double> numbers = numbersFrom(tokens, 0);
             if (isColor(numbers))
                 found.push_back(colorOf(numbers, {tokens.front().begin, tokens[numbers.size() - 1].end}));
             continue;
         }
         for (std::size_t i = 0; i < tokens.size(); ++i) {
             if (tokens[i].kind != TokenKind::open || tokens[i].text != "{") continue;
-            const std::vector<double> numbers = numbersFrom(tokens, i + 1, 4);
+            const std::vector<double> numbers = numbersFrom(tokens, i + 1);
             const std::size_t close = i + 1 + numbers.size();
             if (!isColor(numbers) || close >= tokens.size() || tokens[close].text != "}") continue;
             found.push_back(colorOf(numbers, {tokens[i].begin, tokens[close].end}));

@@ -1,11 +1,15 @@
 #pragma once
-// A gallery as a value: the scenes of a folder, with all that its pages show of them.
+// A gallery as a value: the scenes of a folder, with all that its pages show of them, and how they are found
+// out.
 
 #include <glibra/diagnostic.h>
+#include <glibra/render.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "source/scene_head.h"
@@ -77,5 +81,21 @@ void connect(Gallery& gallery);
 
 /// "596 scenes: 595 drawn, 1 failed"
 std::string summary(const Gallery& gallery);
+
+// What can be found out about a scene without drawing it. It reads files of strangers, so it runs in worker
+// processes.
+
+struct DescribeTask {
+    std::filesystem::path folder;  ///< of the gallery
+    std::filesystem::path scene;   ///< with the folder
+    RenderOptions options;         ///< `within` is the folder
+};
+
+/// Reads no file outside of the folder and the library. A scene with errors has what could be read of it.
+Description describe(const DescribeTask& task);
+
+/// A description as text for the pipe of a worker. parseDescription returns nothing for text that is none.
+std::string toText(const Description& description);
+std::optional<Description> parseDescription(std::string_view text);
 
 }  // namespace glibra::gallery

@@ -19,7 +19,7 @@
 #include "glib/text.h"
 #include "page/page.h"
 #include "source/code_html.h"
-#include "suite/report/html_report.h"
+#include "suite/report/report_files.h"
 #include "suite/write_below.h"
 
 namespace glibra::gallery {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <span>
 #include <system_error>
@@ -12,11 +11,9 @@
 #include "base/contained.h"
 #include "base/files.h"
 #include "base/workers.h"
-#include "gallery/describe.h"
 #include "gallery/gallery_page.h"
 #include "image/png/png_reader.h"
 #include "image/png/png_writer.h"
-#include "page/page_scene.h"
 #include "suite/run/run.h"
 #include "suite/write_below.h"
 

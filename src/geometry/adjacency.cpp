@@ -1,7 +1,6 @@
 #include "geometry/adjacency.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <span>

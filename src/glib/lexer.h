@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/script.h"
 
 namespace glibra::glib {

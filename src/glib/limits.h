@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "geometry/counts.h"
+#include "geometry/mesh.h"
 
 namespace glibra::glib {
 

@@ -9,7 +9,6 @@
 #include "glib/number.h"
 #include "glib/script.h"
 #include "glib/text.h"
-#include "glib/value.h"
 
 namespace glibra::glib {
 namespace {

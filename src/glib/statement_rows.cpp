@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "geometry/list_mesh.h"
 #include "geometry/shapes/primitive.h"
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/number.h"
 #include "glib/script.h"
 #include "glib/statement_table.h"

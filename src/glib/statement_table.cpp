@@ -1,10 +1,8 @@
 #include "glib/statement_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <utility>
-#include <vector>
 
 #include "base/suggest.h"
 #include "geometry/shapes/primitive.h"

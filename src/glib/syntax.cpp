@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <string_view>

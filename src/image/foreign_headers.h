@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "image/limits.h"
+#include "image/file.h"
 
 namespace glibra::image {
 

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <string>
 
 #include "base/text.h"
 #include "image/bytes.h"

@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "base/workers.h"
-#include "image/convert.h"
 #include "image/module/abi.h"
 #include "system/memory.h"
 #include "system/places.h"

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/contained_call.h"
+#include "image/file.h"
 #include "image/format.h"
 #include "image/image.h"
-#include "image/limits.h"
 #include "system/library.h"
 
 namespace glibra::image {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "image/bytes.h"
-#include "image/convert.h"
 #include "image/file.h"
 #include "image/foreign_headers.h"
 #include "image/format.h"

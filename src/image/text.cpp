@@ -1,10 +1,8 @@
 #include "image/text.h"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <cstring>
-#include <span>
 
 namespace glibra::image {
 namespace {

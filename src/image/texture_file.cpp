@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <new>
 #include <numbers>
 #include <optional>
@@ -15,8 +14,6 @@
 
 #include "base/text.h"
 #include "image/bytes.h"
-#include "image/convert.h"
-#include "image/file.h"
 #include "image/format.h"
 
 namespace glibra::image {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/files.h"
+#include "image/file.h"
 #include "image/image.h"
-#include "image/limits.h"
 #include "image/read.h"
 
 namespace glibra::image {

@@ -4,18 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstddef>
 #include <new>
 #include <span>
-#include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
-#include "image/convert.h"
-#include "image/file.h"
 #include "image/format.h"
-#include "image/video/gif_writer.h"
+#include "image/video/video_file.h"
 
 namespace glibra::image {
 namespace {

@@ -15,7 +15,6 @@
 #include "image/compare/judge.h"
 #include "image/file.h"
 #include "image/format.h"
-#include "image/limits.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "library/renderer_state.h"

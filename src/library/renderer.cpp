@@ -14,7 +14,7 @@
 
 #include "base/device_lost.h"
 #include "gpu/context/fork.h"
-#include "gpu/state/neutral_state.h"
+#include "gpu/state/foreign.h"
 #include "library/renderer_state.h"
 #include "render/check/nan_search.h"
 #include "render/scene_renderer.h"

@@ -1,4 +1,4 @@
-#include "page/film.h"
+#include "page/page.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,7 +17,7 @@
 
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/readback.h"
-#include "image/convert.h"
+#include "image/image.h"
 #include "render/live/knob_json.h"
 #include "render/live/live_scene.h"
 #include "render/load/device_textures.h"

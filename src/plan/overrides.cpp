@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <optional>
 
-#include "base/lines.h"
 #include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "gpu/object/pixel_stream.h"
+#include "gpu/object/readback.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/load/shared_parts.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "gpu/object/framebuffer.h"
-#include "gpu/object/pixel_stream.h"
+#include "gpu/object/readback.h"
 #include "image/image.h"
 #include "render/conductor.h"
 #include "render/draw/axes.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 
 namespace glibra::scene {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/statement_table.h"
 #include "scene/actions.h"
 #include "scene/classic/classic.h"

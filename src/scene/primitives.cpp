@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/text.h"
-#include "geometry/obj/obj_mesh.h"
 #include "geometry/obj/obj_model.h"
 #include "geometry/obj/shapefile.h"
 #include "geometry/shapes/primitive.h"

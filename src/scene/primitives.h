@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "geometry/counts.h"
 #include "geometry/mesh.h"
 #include "glib/limits.h"
 #include "scene/scene.h"

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "base/lines.h"
 #include "base/text.h"
 
 namespace glibra::source {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cstdint>
 
-#include "base/lines.h"
+#include "base/text.h"
 #include "glib/text.h"
 
 namespace glibra::source {

@@ -6,9 +6,8 @@
 
 #include "system/child_process.h"
 #include "system/file.h"
+#include "system/folder.h"
 #include "system/process.h"
-#include "system/spelling.h"
-#include "system/worker.h"
 
 namespace glibra::system {
 

@@ -26,6 +26,12 @@ class Library {
     [[nodiscard]] Function find(const char* name) const {
         return reinterpret_cast<Function>(address(name));
     }
+    /// Sets `function` to the one of that name. False, with null, if there is none.
+    template <class Function>
+    [[nodiscard]] bool find(const char* name, Function& function) const {
+        function = find<Function>(name);
+        return function != nullptr;
+    }
 
   private:
     void* handle_ = nullptr;

@@ -4,8 +4,7 @@
 #include <numeric>
 
 #include "bench/core/figure.h"
-#include "bench/reference/coverage.h"
-#include "bench/reference/pixel_filter.h"
+#include "bench/reference/filtering.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bench/core/figure.h"
-#include "bench/reference/depth_step.h"
+#include "bench/reference/exact.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "bench/core/figure.h"
-#include "bench/reference/lit_surface.h"
+#include "bench/reference/lighting.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

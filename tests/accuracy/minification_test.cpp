@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "bench/core/figure.h"
-#include "bench/reference/test_card.h"
+#include "bench/reference/filtering.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bench/core/figure.h"
-#include "bench/reference/noise_volume.h"
+#include "bench/reference/filtering.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

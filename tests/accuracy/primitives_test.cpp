@@ -7,8 +7,7 @@
 #include <numbers>
 
 #include "bench/core/figure.h"
-#include "bench/reference/bezier_patch.h"
-#include "bench/reference/mesh_error.h"
+#include "bench/reference/surfaces.h"
 #include "bench/subjects/subjects.h"
 #include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/spheres.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bench/core/run.h"
-#include "bench/report/page.h"
 #include "bench/report/reports.h"
 #include "samples.h"
 

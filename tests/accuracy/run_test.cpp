@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bench/core/figure.h"
-#include "bench/report/page.h"
+#include "bench/report/reports.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

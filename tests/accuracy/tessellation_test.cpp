@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "bench/core/figure.h"
-#include "bench/reference/pn_triangle.h"
+#include "bench/reference/surfaces.h"
 #include "bench/subjects/subjects.h"
 #include "samples.h"
 

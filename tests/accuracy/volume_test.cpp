@@ -6,7 +6,7 @@
 #include <random>
 
 #include "bench/core/figure.h"
-#include "bench/reference/volume_light.h"
+#include "bench/reference/lighting.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {

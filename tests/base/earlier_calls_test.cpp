@@ -1,4 +1,4 @@
-#include "base/earlier_calls.h"
+#include "base/workers.h"
 
 #include <gtest/gtest.h>
 

@@ -29,7 +29,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/memory_limit.h"
+#include "base/contained_call.h"
 #include "base/workers.h"
 #include "system/memory.h"
 

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "functions/grid_model.h"
-#include "geometry/obj/obj_mesh.h"
 #include "geometry/obj/obj_model.h"
 #include "image/file.h"
 

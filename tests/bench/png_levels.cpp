@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "functions/libpng_writer.h"
-#include "image/convert.h"
+#include "image/image.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
 

@@ -5,7 +5,7 @@ import json
 import os
 import sys
 
-BOUND = .25  # pixels, as src/bench/subjects/budget.cpp has it
+BOUND = .25  # pixels, as src/bench/subjects/error_bound.cpp has it
 PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes.md")
 BEGIN, END = "<!-- figures -->\n", "<!-- end of figures -->\n"
 

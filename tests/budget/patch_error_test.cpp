@@ -1,6 +1,6 @@
 // The error of patches compared with a closed form: a parabola and its chords.
 
-#include "budget/patch_error.h"
+#include "budget/error_models.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The scale compared with steps that are projected one by one.
 
-#include "budget/pixel_scale.h"
+#include "budget/error_models.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The models of samples and noise compared with measurements.
 
-#include "budget/sampling_model.h"
+#include "budget/error_models.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The error models compared with real meshes: never below the measured distance, and near it.
 
-#include "budget/surface_model.h"
+#include "budget/error_models.h"
 
 #include <gtest/gtest.h>
 

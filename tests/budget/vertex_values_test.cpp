@@ -1,7 +1,7 @@
 // Counts for values that programs compute at vertices, with pictures of known error instead of drawn ones.
 
-#include "budget/vertex_values.h"
-#include "budget/pixel_scale.h"
+#include "budget/error_models.h"
+#include "budget/least_counts.h"
 #include "glib/statement_table.h"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "image/convert.h"
+#include "image/image.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "program.h"

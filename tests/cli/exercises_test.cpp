@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "program.h"
-#include "suite/file/exercise_file.h"
+#include "suite/file/sweep.h"
 
 namespace glibra::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "image/compare/compare.h"
-#include "image/convert.h"
+#include "image/image.h"
 #include "image/read.h"
 #include "program.h"
 

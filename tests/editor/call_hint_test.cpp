@@ -1,4 +1,4 @@
-#include "editor/call_hint.h"
+#include "editor/reference.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "../fuzz/random.h"
-#include "editor/message_reader.h"
 #include "editor/scene_places.h"
 #include "example_scenes.h"
 #include "server_test.h"

@@ -7,7 +7,6 @@
 #include "check.h"
 #include "scene/file_lookup.h"
 #include "scratch_folder.h"
-#include "suite/file/glob.h"
 #include "suite/file/selection.h"
 #include "text_mutator.h"
 

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "check.h"
-#include "geometry/obj/obj_mesh.h"
 #include "geometry/obj/obj_model.h"
 #include "geometry/obj/shapefile.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "check.h"
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "suite/file/selection.h"
 #include "suite/file/suite_file.h"
 #include "suite/options/option_table.h"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "../support/new_folder.h"
-#include "gallery/describe.h"
+#include "gallery/gallery.h"
 #include "gallery/gallery_page.h"
 #include "source/code_html.h"
 

@@ -14,7 +14,7 @@
 #include <string>
 
 #include "geometry/mix.h"
-#include "geometry/obj/obj_mesh.h"
+#include "geometry/obj/obj_model.h"
 
 namespace glibra::geometry {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geometry/mix.h"
-#include "geometry/obj/obj_mesh.h"
+#include "geometry/obj/obj_model.h"
 #include "geometry/obj/shapefile.h"
 #include "mesh_checks.h"
 #include "shapefile_writer.h"

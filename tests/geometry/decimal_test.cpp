@@ -1,6 +1,6 @@
 // Decimal numbers that are read several digits at a time, compared with std::from_chars.
 
-#include "geometry/obj/decimal.h"
+#include "geometry/obj/obj_plain.h"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/counts.h"
 #include "geometry/mesh.h"
 
 namespace glibra::geometry {

@@ -1,6 +1,6 @@
 // Meshes of OBJ models: vertices, normals, tangents, adjacency, edges.
 
-#include "geometry/obj/obj_mesh.h"
+#include "geometry/obj/obj_model.h"
 
 #include <algorithm>
 #include <set>

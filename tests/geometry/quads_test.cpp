@@ -4,7 +4,7 @@
 
 #include "geometry/mix.h"
 #include "geometry/shapes/clouds.h"
-#include "geometry/shapes/quads.h"
+#include "geometry/shapes/flat.h"
 #include "mesh_checks.h"
 
 namespace glibra::geometry {

@@ -1,6 +1,6 @@
 // The catalogue (language, 10), and that the parser's messages equal its examples.
 
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 
 #include <gtest/gtest.h>
 

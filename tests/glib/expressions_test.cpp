@@ -6,7 +6,7 @@
 #include <string>
 
 #include "glib/lexer.h"
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/number.h"
 #include "glib/parse/arguments.h"
 #include "glib/statement_table.h"

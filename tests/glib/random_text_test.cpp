@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "glib/diagnostic_catalogue.h"
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/statement_table.h"
 #include "scene.h"
 

@@ -1,6 +1,6 @@
 // Bindings that are made are not made again.
 
-#include "gpu/state/binding_tracker.h"
+#include "gpu/state/state_tracker.h"
 
 #include "fixture.h"
 #include "gpu/context/call_counter.h"

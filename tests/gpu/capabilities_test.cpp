@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fixture.h"
-#include "gpu/context/info.h"
+#include "gpu/context/context.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,16 +1,15 @@
 // Compute programs, their buffers and images, and queries.
 
-#include "gpu/object/compute.h"
+#include "gpu/object/program.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include "fixture.h"
-#include "gpu/object/deferred_clears.h"
+#include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/readback.h"
 #include "gpu/object/timer.h"
-#include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
 namespace {

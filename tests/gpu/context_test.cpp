@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "fixture.h"
-#include "gpu/object/vertex_array.h"
+#include "gpu/object/buffer.h"
 #include "system/library.h"
 #include "system/places.h"
 #include "unset_variable.h"

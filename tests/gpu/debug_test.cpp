@@ -1,4 +1,4 @@
-#include "gpu/context/debug.h"
+#include "gpu/context/driver_reports.h"
 
 #include "fixture.h"
 #include "gpu/context/errors.h"

@@ -1,6 +1,6 @@
 #include "fixture.h"
 
-#include "gpu/object/vertex_array.h"
+#include "gpu/object/buffer.h"
 
 namespace glibra::gpu::test {
 

@@ -1,6 +1,6 @@
 // Whether a graphics card may draw, decided from folders that stand for /dev.
 
-#include "gpu/context/hardware.h"
+#include "gpu/context/context.h"
 
 #include <gtest/gtest.h>
 

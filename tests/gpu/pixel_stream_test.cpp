@@ -1,6 +1,6 @@
 // Pixels that are read while the device draws on.
 
-#include "gpu/object/pixel_stream.h"
+#include "gpu/object/readback.h"
 
 #include <tuple>
 

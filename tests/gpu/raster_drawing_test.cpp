@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fixture.h"
-#include "gpu/object/vertex_array.h"
+#include "gpu/object/buffer.h"
 #include "raster_fixture.h"
 
 namespace glibra::gpu {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fixture.h"
-#include "gpu/state/raster_tracker.h"
+#include "gpu/state/state_tracker.h"
 
 namespace glibra::gpu::test {
 

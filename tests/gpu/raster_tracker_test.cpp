@@ -1,6 +1,6 @@
 // State set by the tracker against what the driver reports, and the calls that it takes.
 
-#include "gpu/state/raster_tracker.h"
+#include "gpu/state/state_tracker.h"
 
 #include <functional>
 

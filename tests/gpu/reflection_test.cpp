@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "fixture.h"
-#include "gpu/format/value_type.h"
+#include "gpu/format/gl_names.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,4 +1,4 @@
-#include "gpu/context/reset.h"
+#include "gpu/context/driver_reports.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,6 @@
 #include "gpu/context/errors.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/timer.h"
-#include "gpu/object/work_queue.h"
 
 namespace glibra::gpu::test {
 namespace {
@@ -150,14 +149,15 @@ TEST_F(ResetTest, AQueueKeepsTheDeviceNear) {
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-/// A call of GL that returns what the device has done, and that reset.cpp does not watch, would be believed.
+/// A call of GL that returns what the device has done, and that driver_reports.cpp does not watch, would be
+/// believed.
 TEST(ResetGuard, CoversEveryFunctionOfTheProgramThatReadsFromTheDevice) {
     const auto textOf = [](const fs::path& file) {
         std::ifstream in(file);
         return std::string(std::istreambuf_iterator<char>(in), {});
     };
     const fs::path source = fs::path(GLIBRA_SOURCE_DIR) / "src";
-    const std::string guards = textOf(source / "gpu/context/reset.cpp");
+    const std::string guards = textOf(source / "gpu/context/driver_reports.cpp");
     // These ask the driver for what it knows without the device: limits, names, the results of compiling.
     // What fails there because the device is lost leaves a log, which is watched.
     const std::set<std::string> harmless{"glGetIntegerv",

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "fixture.h"
-#include "gpu/object/vertex_array.h"
+#include "gpu/object/buffer.h"
 
 namespace glibra::gpu {
 namespace {

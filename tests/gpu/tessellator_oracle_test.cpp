@@ -11,7 +11,6 @@
 #include "geometry/tessellator.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/timer.h"
-#include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
 namespace {

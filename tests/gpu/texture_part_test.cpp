@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "fixture.h"
-#include "gpu/object/sampler.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/texture.h"
 #include "gpu/object/texture_copy.h"
-#include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
 namespace {

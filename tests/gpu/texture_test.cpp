@@ -1,5 +1,4 @@
 #include "gpu/object/texture.h"
-#include "gpu/object/sampler.h"
 
 #include <algorithm>
 #include <bit>

@@ -7,8 +7,8 @@
 
 #include "fixture.h"
 #include "gpu/context/call_counter.h"
-#include "gpu/object/compute.h"
-#include "gpu/object/vertex_array.h"
+#include "gpu/object/buffer.h"
+#include "gpu/object/program.h"
 
 namespace glibra::gpu {
 namespace {

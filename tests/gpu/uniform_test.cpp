@@ -8,7 +8,7 @@
 #include "base/number.h"
 #include "fixture.h"
 #include "gpu/context/call_counter.h"
-#include "gpu/format/value_type.h"
+#include "gpu/format/gl_names.h"
 #include "gpu/object/buffer.h"
 
 namespace glibra::gpu {

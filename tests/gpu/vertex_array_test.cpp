@@ -1,9 +1,9 @@
-#include "gpu/object/vertex_array.h"
+#include "gpu/object/buffer.h"
 
 #include <cstring>
 
 #include "fixture.h"
-#include "gpu/format/value_type.h"
+#include "gpu/format/gl_names.h"
 #include "gpu/object/timer.h"
 
 namespace glibra::gpu {

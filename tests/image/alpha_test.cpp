@@ -5,7 +5,7 @@
 
 #include "bmp_maker.h"
 #include "image/compare/compare.h"
-#include "image/convert.h"
+#include "image/image.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "support.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "image/convert.h"
+#include "image/image.h"
 #include "support.h"
 
 namespace glibra::image {

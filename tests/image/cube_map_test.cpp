@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "image/convert.h"
+#include "image/image.h"
 #include "image/write.h"
 
 namespace glibra::image {

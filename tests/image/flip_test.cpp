@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-#include "image/convert.h"
+#include "image/image.h"
 #include "support.h"
 
 namespace glibra::image {

@@ -1,7 +1,7 @@
 // GIF files that are written: their frames as the reader of single pictures gives them, their times, and how
 // near their colours are.
 
-#include "image/video/gif_writer.h"
+#include "image/video/video_file.h"
 
 #include <gtest/gtest.h>
 

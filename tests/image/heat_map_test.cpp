@@ -1,6 +1,6 @@
 // The picture of differences: its colours and its scale.
 
-#include "image/compare/heat_map.h"
+#include "image/compare/compare.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The tolerance that is proposed for a picture that failed: it passes, and a step less does not.
 
-#include "image/compare/nearest_tolerance.h"
+#include "image/compare/judge.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 
 #include "image/bytes.h"
-#include "image/convert.h"
+#include "image/image.h"
 #include "support.h"
 
 namespace glibra::image {

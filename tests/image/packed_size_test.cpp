@@ -1,6 +1,6 @@
 // The estimate of a packed size, against libdeflate.
 
-#include "image/png/png_rows.h"
+#include "image/png/png_writer.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>

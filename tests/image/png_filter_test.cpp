@@ -1,6 +1,6 @@
 // PNG's filters, reversed by the formulas of the specification, and the choice among them.
 
-#include "image/png/png_rows.h"
+#include "image/png/png_writer.h"
 
 #include <gtest/gtest.h>
 

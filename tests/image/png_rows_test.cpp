@@ -1,6 +1,6 @@
 // The filters that are chosen for the rows of a picture, against the sizes that libdeflate packs them to.
 
-#include "image/png/png_rows.h"
+#include "image/png/png_writer.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>

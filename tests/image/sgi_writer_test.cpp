@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "image/compare/compare.h"
-#include "image/convert.h"
 #include "image/file.h"
+#include "image/image.h"
 #include "image/write.h"
 #include "support.h"
 

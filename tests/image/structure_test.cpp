@@ -1,14 +1,14 @@
 // The structural difference: what it ignores, what it detects, and its value where it can be computed by
 // hand.
 
-#include "image/compare/structure.h"
+#include "image/compare/compare.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "image/convert.h"
+#include "image/image.h"
 #include "support.h"
 
 namespace glibra::image {

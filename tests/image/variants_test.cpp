@@ -9,7 +9,7 @@
 #include <map>
 
 #include "image/compare/compare.h"
-#include "image/convert.h"
+#include "image/image.h"
 #include "image/read.h"
 #include "support.h"
 #include "variant_maker.h"

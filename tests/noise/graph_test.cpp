@@ -1,4 +1,4 @@
-#include "noise/graph.h"
+#include "noise/noise_file.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "noise/noise.h"
-#include "noise/texel_rows.h"
 
 namespace glibra::noise {
 namespace {

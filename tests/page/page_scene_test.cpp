@@ -11,12 +11,11 @@
 
 #include "../support/new_folder.h"
 #include "base/files.h"
-#include "base/sha256.h"
+#include "base/hash.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "page/page.h"
-#include "page/page_scene.h"
-#include "suite/report/packed_pixels.h"
+#include "suite/report/report_pictures.h"
 
 namespace glibra::page::test {
 namespace {

@@ -5,8 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "gpu/context/debug.h"
-#include "gpu/context/reset.h"
+#include "gpu/context/driver_reports.h"
 #include "scene_text.h"
 
 namespace glibra::render {

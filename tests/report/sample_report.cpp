@@ -13,7 +13,7 @@
 
 #include "image/compare/compare.h"
 #include "image/write.h"
-#include "suite/report/html_report.h"
+#include "suite/report/report_files.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/results_file.h"
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/script.h"
 #include "glib/statement_table.h"
 #include "glib/syntax.h"
@@ -316,7 +316,7 @@ TEST_F(Statements, AndClassicCommandsHaveAWordAndAnActionEach) {
     for (int i = 0; i < static_cast<int>(glib::CommandId::firstPrimitive); ++i) {
         const auto id = static_cast<glib::CommandId>(i);
         EXPECT_FALSE(glib::nameOf(id).empty())
-            << "name " << i << " of command_id.h has no row; the one before: "
+            << "name " << i << " of CommandId has no row; the one before: "
             << (i == 0 ? "none" : glib::nameOf(static_cast<glib::CommandId>(i - 1)));
         EXPECT_NE(actionOf(allActions(), id), nullptr) << glib::nameOf(id);
     }

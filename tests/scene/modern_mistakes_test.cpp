@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/script.h"
 #include "support.h"
 

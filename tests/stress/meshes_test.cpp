@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 
-#include "geometry/obj/obj_mesh.h"
+#include "geometry/obj/obj_model.h"
 #include "support.h"
 
 namespace glibra::stress {

@@ -1,4 +1,4 @@
-#include "suite/run/background.h"
+#include "suite/run/shot_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The files beside the scenes that exercises begin with.
 
-#include "suite/file/exercise_file.h"
+#include "suite/file/sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Patterns, compared with fnmatch() of the C library.
 
-#include "suite/file/glob.h"
+#include "suite/file/selection.h"
 
 #include <fnmatch.h>
 #include <gtest/gtest.h>

@@ -1,9 +1,8 @@
-#include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
 
 #include <gtest/gtest.h>
 
 #include "pictures.h"
-#include "suite/golden/hash_list.h"
 #include "system/places.h"
 
 namespace glibra::suite {

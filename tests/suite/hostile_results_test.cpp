@@ -11,7 +11,7 @@
 #include "folder.h"
 #include "pictures.h"
 #include "results_maker.h"
-#include "suite/report/html_report.h"
+#include "suite/report/report_files.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/merge.h"
 #include "suite/results/results_file.h"

@@ -1,4 +1,4 @@
-#include "suite/report/html_report.h"
+#include "suite/report/report_files.h"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>
@@ -11,8 +11,7 @@
 #include "folder.h"
 #include "image/write.h"
 #include "results_maker.h"
-#include "suite/report/packed_pixels.h"
-#include "suite/report/report_files.h"
+#include "suite/report/report_pictures.h"
 
 namespace glibra::suite {
 namespace {

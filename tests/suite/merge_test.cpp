@@ -6,7 +6,7 @@
 
 #include "folder.h"
 #include "pictures.h"
-#include "suite/report/html_report.h"
+#include "suite/report/report_files.h"
 #include "suite/report/terminal_report.h"
 #include "suite/results/results_file.h"
 

@@ -8,12 +8,12 @@
 #include "folder.h"
 #include "image/write.h"
 #include "pictures.h"
-#include "suite/day.h"
 #include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/ignored.h"
 #include "suite/golden/orphans.h"
-#include "suite/results/figures.h"
+#include "suite/results/results.h"
+#include "suite/suite.h"
 #include "suite_text.h"
 
 namespace glibra::suite {

@@ -16,7 +16,7 @@
 
 #include "option_samples.h"
 #include "suite/options/option_words.h"
-#include "suite/report/verdict_commands.h"
+#include "suite/report/terminal_report.h"
 #include "suite_text.h"
 
 namespace glibra::suite {

@@ -7,11 +7,11 @@
 #include <map>
 
 #include "base/files.h"
-#include "base/sha256.h"
+#include "base/hash.h"
 #include "folder.h"
 #include "image/read.h"
 #include "pictures.h"
-#include "suite/file/store_name.h"
+#include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/orphans.h"

@@ -8,7 +8,6 @@
 
 #include "results_maker.h"
 #include "suite/report/terminal_report.h"
-#include "suite/results/figures.h"
 
 namespace glibra::suite {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "suite/options/option_words.h"
-#include "suite/report/verdict_commands.h"
+#include "suite/report/terminal_report.h"
 #include "suite/run/run_options.h"
 
 namespace glibra::suite {

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "suite/file/suite_file.h"
 #include "suite_text.h"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "suite/file/selection.h"
 #include "suite/file/suite_file.h"
 #include "suite_text.h"

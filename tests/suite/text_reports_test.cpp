@@ -9,9 +9,9 @@
 #include "folder.h"
 #include "image/write.h"
 #include "results_maker.h"
-#include "suite/report/small_heat_map.h"
+#include "suite/report/report_pictures.h"
 #include "suite/report/terminal_report.h"
-#include "suite/results/figures.h"
+#include "suite/results/results.h"
 
 namespace glibra::suite {
 namespace {

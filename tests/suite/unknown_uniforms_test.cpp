@@ -1,4 +1,4 @@
-#include "suite/file/unknown_uniforms.h"
+#include "suite/run/shot_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -35,5 +35,5 @@ add_custom_command(
 add_library(glibra_glad STATIC ${glad_dir}/src/gl.c)
 target_include_directories(glibra_glad SYSTEM PUBLIC $<BUILD_INTERFACE:${glad_dir}/include>)
 target_link_libraries(glibra_glad PUBLIC ${CMAKE_DL_LIBS})
-# Exceptions pass through its wrappers (gpu/context/reset.h).
+# Exceptions pass through its wrappers (gpu/context/driver_reports.h).
 target_compile_options(glibra_glad PRIVATE -fexceptions)

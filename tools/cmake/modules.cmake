@@ -32,7 +32,7 @@ if(NOT GLIBRA_IMAGE_MODULE)
 endif()
 file(GLOB module_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/image/module/*.cpp)
 if(GLIBRA_OPENIMAGEIO)
-    list(FILTER module_sources EXCLUDE REGEX "/(jpeg|tiff|without_openimageio)[.]cpp$")
+    list(FILTER module_sources EXCLUDE REGEX "/without_openimageio[.]cpp$")
     # By pkg-config: Debian's CMake package of OpenImageIO requires OpenCV's headers, which it does not depend on.
     pkg_check_modules(openimageio IMPORTED_TARGET OpenImageIO)
     glibra_refuse_without(GLIBRA_IMAGE_MODULE OpenImageIO "${openimageio_FOUND}")

@@ -9,12 +9,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <span>
-#include <system_error>
 
+#include "system/child_process.h"
 #include "system/interruption.h"
 #include "system/library.h"
 #include "system/places.h"
-#include "system/worker.h"
 
 namespace glibra::bench {
 namespace {

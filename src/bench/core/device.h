@@ -9,23 +9,63 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include "bench/core/bench.h"
-#include "bench/core/pixels.h"
 #include "geometry/mesh.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/sampler.h"
 #include "gpu/object/texture.h"
-#include "gpu/object/vertex_array.h"
 
 namespace glibra::bench {
+
+// Pictures as numbers: what each pixel shall be, and how far a picture is from that.
+
+inline constexpr double kByte = 255;  ///< errors of pictures are in steps of a byte
+
+/// value(x, y) at the centre of each pixel, rows from the top. Places run from (0, 0) at the lower left
+/// corner of the picture to (1, 1) at the upper right one.
+template <class Value>
+auto overPixels(int width, int height, const Value& value) {
+    std::vector<decltype(value(0., 0.))> values;
+    values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column)
+            values.push_back(value((column + .5) / width, 1 - (row + .5) / height));
+    return values;
+}
+
+/// The root of the mean square of the differences. Where either is NaN, nothing is compared.
+template <class A, class B>
+double rootMeanSquare(const A& values, const B& wanted) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double difference = static_cast<double>(values[i]) - static_cast<double>(wanted[i]);
+        if (std::isnan(difference)) continue;
+        sum += difference * difference;
+        ++count;
+    }
+    return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+template <class A, class B>
+double largestDifference(const A& values, const B& wanted) {
+    double largest = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        largest =
+            std::max(largest, std::abs(static_cast<double>(values[i]) - static_cast<double>(wanted[i])));
+    return largest;
+}
 
 /// The formats of colours that subjects compare, coarsest first.
 struct NamedFormat {
@@ -217,5 +257,33 @@ class ShaderValues {
     Shader shader_;
     bool byPoints_;
 };
+
+// Sweeps over numbers that are computed on the CPU or in a shader: one result for each input.
+
+using Numbers = std::vector<glm::dvec4>;
+
+/// One setting of a sweep: what is computed from, and how wrong results are.
+struct ComputedCase {
+    double setting = 0;
+    std::string label{};
+    std::function<double(const Numbers& results)> error{};
+    std::vector<Four> inputs{Four(0)};
+};
+
+/// A way to compute the results of a case: on the CPU, or in a shader.
+struct Computation {
+    std::string name;
+    std::function<void(const ComputedCase& given, Numbers& results)> onCpu{};
+    double bytes = 0;         ///< that the CPU works on
+    bool isForScenes = true;  ///< as Curve has it
+    std::string glsl{};       ///< as ShaderValues takes it
+    std::function<void(const Shader& shader, const ComputedCase& given)> uniforms{};
+};
+
+/// Adds a curve for each way, with a point for each case. A result has `inputsPerValue` inputs. A shader with
+/// a uniform uHalf gives its doubles in two parts. A way that the driver refuses is reported, and the others
+/// are measured all the same.
+void addComputed(Figure& figure, Bench& bench, const std::vector<Computation>& ways,
+                 const std::vector<ComputedCase>& cases, int inputsPerValue = 1);
 
 }  // namespace glibra::bench

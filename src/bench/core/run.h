@@ -46,10 +46,6 @@ struct Report {
 Report runOne(const std::string& name, const std::string& title,
               const std::function<std::vector<Figure>(Bench&)>& measure, const BenchOptions& options);
 
-/// The same in the process of `apart`, or in this one if there is none. bench-E04: it ended by a signal or an
-/// exception.
-Report runApart(Apart& apart, const Subject& subject, const BenchOptions& options);
-
 /// The only curve of what is measured in a process whose driver filters bytes with byte arithmetic; nothing
 /// on drivers other than llvmpipe, or if that process fails.
 std::optional<std::vector<Point>> filteredInBytes(Bench& bench, Bench::Measure measure);

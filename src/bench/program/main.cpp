@@ -15,7 +15,7 @@
 #include "base/device_lost.h"
 #include "base/files.h"
 #include "base/suggest.h"
-#include "bench/report/page.h"
+#include "bench/report/reports.h"
 #include "bench/subjects/builtins.h"
 #include "bench/subjects/scene_pictures.h"
 #include "bench/subjects/subjects.h"

@@ -1,9 +1,13 @@
 #pragma once
-// A run for a terminal and for spreadsheets, and compared with an earlier one.
+// What is made of a run: texts, tables and a page.
+
+#include <span>
 
 #include "bench/core/run.h"
 
 namespace glibra::bench {
+
+// A run for a terminal and for spreadsheets, and compared with an earlier one.
 
 /// A subject for a terminal: its figures, one line per curve with both ends of its sweep, and the findings.
 /// Ends with a line feed.
@@ -52,5 +56,38 @@ bool isWorse(const RunComparison& comparison);
 
 /// Lines for a terminal: one line per point that got worse or better, then a summary.
 std::string comparisonText(const RunComparison& comparison);
+
+// A run as a page, whose diagrams are log-log plots in SVG.
+
+/// One page that needs no other file and no network: for each figure two diagrams (error against setting and
+/// against time), its findings, and a table of all its points. With a comparison, the changes come first.
+std::string htmlReport(const Report& report, const RunComparison* comparison = nullptr);
+
+// A logarithmic axis of a diagram: its range, its ticks, and the place of a value.
+
+struct Tick {
+    double place = 0;   ///< 0..1 along the axis
+    std::string label;  ///< empty for a line without a number
+};
+
+class LogAxis {
+  public:
+    /// Covers the finite values above 0 with a margin; [1, 10] if there are none. A range below 2.5 decades
+    /// has ticks at 1, 2 and 5, or at more digits if those are too few. A longer range has ticks at powers of
+    /// ten, at most about `mostLabels` of them with a label.
+    LogAxis(std::span<const double> values, int mostLabels);
+
+    /// 0..1 for a value in the range; 0 for values at or below 0.
+    [[nodiscard]] double place(double value) const;
+    [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
+
+  private:
+    void addDecades(int mostLabels);
+    void addSteps();
+    void addDigits(std::span<const double> digits);
+
+    double low_ = 0, high_ = 1;  ///< decimal logarithms
+    std::vector<Tick> ticks_;
+};
 
 }  // namespace glibra::bench

@@ -1,4 +1,4 @@
-#include "bench/subjects/builtin_functions.h"
+#include "bench/subjects/builtins.h"
 
 #include <math.h>
 

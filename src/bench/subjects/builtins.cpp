@@ -4,10 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
-
-#include "bench/core/device.h"
 
 namespace glibra::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "bench/core/computed.h"
+#include "bench/core/device.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {

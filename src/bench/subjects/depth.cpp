@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "bench/core/device.h"
-#include "bench/reference/depth_step.h"
+#include "bench/reference/exact.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {

@@ -2,7 +2,7 @@
 // Filters as chains of passes on the device.
 
 #include "bench/core/device.h"
-#include "bench/reference/filtered_plane.h"
+#include "bench/reference/filtering.h"
 
 namespace glibra::bench {
 

@@ -2,7 +2,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "bench/core/computed.h"
+#include "bench/core/device.h"
 #include "bench/subjects/subjects.h"
 #include "embedded/bench_shaders.h"
 

@@ -7,7 +7,7 @@
 
 #include "bench/core/device.h"
 #include "bench/core/run.h"
-#include "bench/reference/noise_volume.h"
+#include "bench/reference/filtering.h"
 #include "bench/subjects/subjects.h"
 #include "embedded/bench_shaders.h"
 #include "noise/tables.h"

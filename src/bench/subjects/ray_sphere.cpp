@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "bench/core/computed.h"
+#include "bench/core/device.h"
 #include "bench/reference/exact.h"
 #include "bench/subjects/subjects.h"
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "base/own_library.h"
-#include "bench/core/pixels.h"
+#include "bench/core/device.h"
 #include "gpu/context/call_counter.h"
 #include "image/compare/flip.h"
 #include "render/gpu_times.h"

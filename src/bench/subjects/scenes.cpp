@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "bench/subjects/scene_pictures.h"
 #include "bench/subjects/subjects.h"
@@ -227,6 +232,125 @@ std::vector<Figure> measureScenes(Bench& bench) {
     if (!slow.empty()) first.push_back(slow);
     first.insert(first.end(), failures.begin(), failures.end());
     return figures;
+}
+
+namespace {
+
+/// A black plane behind a white one, both tilted, 100 units away.
+constexpr std::string_view kTwoPlanes = R"(WindowSize 256 256
+Let near <.0001 .1 10.>
+Let gap <.001 .1 10.>
+Camera eye  LookAt 0 0 0  0 0 -1  0 1 0  Perspective 50 (near) 1000
+Vertex plane.vert
+Fragment black.frag
+Program Black
+Fragment white.frag
+Program White
+Group back
+    Translate 0 0 (-100 - gap)
+    Rotate 40 1 0 0
+    QuadXY 0 400 1 1
+EndGroup
+Group front
+    Translate 0 0 -100
+    Rotate 40 1 0 0
+    QuadXY 0 400 1 1
+EndGroup
+# The farther plane is drawn last: it wins where both have the same depth.
+Pass window from eye
+    Use White
+    Draw front
+    Use Black
+    Draw back
+EndPass
+)";
+constexpr std::string_view kPlaneVertex = R"(#version 330 core
+void main() { gl_Position = uModelViewProjectionMatrix * aVertex; }
+)";
+constexpr std::string_view kBlack = R"(#version 330 core
+out vec4 fColor;
+void main() { fColor = vec4(0., 0., 0., 1.); }
+)";
+constexpr std::string_view kWhite = R"(#version 330 core
+out vec4 fColor;
+void main() { fColor = vec4(1.); }
+)";
+
+}  // namespace
+
+std::vector<Figure> measureNearFar(Bench& bench) {
+    RenderOptions planes;
+    planes.samples = 1;
+    planes.sceneText = kTwoPlanes;
+    planes.texts = {{"plane.vert", std::string(kPlaneVertex)},
+                    {"black.frag", std::string(kBlack)},
+                    {"white.frag", std::string(kWhite)}};
+    Figure figure{.name = "planes",
+                  .title = "Two planes of a scene, 100 units away, with far at 1000",
+                  .settingName = "far / near",
+                  .errorName = "pixels in which the nearer one does not win",
+                  .reference = "the nearer plane, which must be visible in every pixel",
+                  .alternatives = Alternatives::none,
+                  .countsWrong = true};
+    for (const double gap : {1., .1, .01}) {
+        const std::string curve = fmt::format("gap of {} units", gap);
+        double widest = 0;
+        bool isClean = true;
+        for (double ratio = 100; ratio <= 1e7; ratio *= 10) {
+            RenderOptions options = planes;
+            options.set = {fmt::format("near={}", 1000 / ratio), fmt::format("gap={}", gap)};
+            const auto draw = [&] { return scenePicture(bench.context(), "planes.glib", options); };
+            const image::Image picture = need(draw());
+            const auto black = std::ranges::count(picture.data, std::byte{0});
+            const double wrong = static_cast<double>(black) / static_cast<double>(picture.data.size());
+            figure.add(curve,
+                       {ratio, fmt::format("{:.0e}:1", ratio), wrong, bench.time([&] { (void)draw(); }, .2)});
+            isClean = isClean && wrong == 0;
+            if (isClean) widest = ratio;
+        }
+        if (widest > 0)
+            figure.note("{}: no pixel is wrong up to far / near = {:.0e}", curve, widest);
+        else
+            figure.note("{}: pixels are wrong even with far / near = 100", curve);
+    }
+    return {std::move(figure)};
+}
+
+std::vector<Figure> measureShadows(Bench& bench) {
+    (void)bench.context();
+    const std::vector<ShippedScene> scenes = shippedScenes();
+    const auto scene = std::ranges::find(scenes, "modern/shadow_map", &ShippedScene::name);
+    if (scene == scenes.end()) throw Failed({diagnose("bench-E05", "the library has no modern/shadow_map")});
+    SceneSweep sweep;
+    sweep.scene = scene->path;
+    sweep.name = "resolution";
+    sweep.values = bench.pick(std::vector{64., 256., 1024.}, {64., 128., 256., 512., 1024., 2048.});
+    sweep.options.width = sweep.options.height = bench.pick(128, 600);
+    sweep.options.samples = 1;
+    RenderOptions finest = sweep.options;
+    finest.set = {"resolution=4096"};
+    const image::Image reference = need(scenePicture(bench.context(), sweep.scene, finest));
+    sweep.reference = &reference;
+    Figure figure{.name = "offset",
+                  .title = "Shadow maps by their resolution and their offset",
+                  .settingName = sweep.name,
+                  .errorName = "root mean square of the difference",
+                  .errorUnit = "1/255",
+                  .reference = "the picture with resolution = 4096 and the offset of the scene"};
+    const std::pair<const char*, std::vector<std::string>> offsets[] = {
+        {"the offset of the scene", {}},
+        {"no offset: stripes of wrong shadow", {"factor=0", "units=0"}},
+        {"an offset that detaches shadows", {"units=1000000"}}};
+    for (const auto& [name, set] : offsets) {
+        SceneSweep each = sweep;
+        each.curve = name;
+        each.options.set = set;
+        for (Figure& one : measureSweep(bench, each)) {
+            std::ranges::move(one.curves, std::back_inserter(figure.curves));
+            std::ranges::move(one.findings, std::back_inserter(figure.findings));
+        }
+    }
+    return {std::move(figure)};
 }
 
 }  // namespace glibra::bench

@@ -8,8 +8,7 @@
 #include <map>
 
 #include "bench/core/device.h"
-#include "bench/reference/bezier_patch.h"
-#include "bench/reference/pn_triangle.h"
+#include "bench/reference/surfaces.h"
 #include "bench/subjects/subjects.h"
 #include "embedded/bench_shaders.h"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "bench/core/computed.h"
+#include "bench/core/device.h"
 #include "bench/subjects/subjects.h"
 
 namespace glibra::bench {

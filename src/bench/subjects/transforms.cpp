@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/ext/quaternion_double.hpp>
@@ -11,7 +10,7 @@
 #include <numbers>
 
 #include "base/text.h"
-#include "bench/core/computed.h"
+#include "bench/core/device.h"
 #include "bench/reference/exact.h"
 #include "bench/subjects/subjects.h"
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 #include <tuple>
 #include <utility>
 
@@ -40,7 +38,8 @@ int signOfSum(const std::array<double, 6>& terms) {
 
 }  // namespace
 
-int nearestAxis(const glm::dvec3& vector) {
+/// The axis to which a vector is nearest: 0, 1, 2 for x, y, z. Of axes that are about equally near, the last.
+static int nearestAxis(const glm::dvec3& vector) {
     // Polygons in a plane at 45 degrees are all seen along the same axis, whatever rounding says.
     constexpr double kClearly = 1.01;
     int axis = 2;
@@ -60,7 +59,9 @@ int orientation(PlanePoint a, PlanePoint b, PlanePoint c) {
     return signOfSum({ax * by, -(ay * bx), bx * cy, -(by * cx), cx * ay, -(cy * ax)});
 }
 
-std::vector<PlanePoint> planeOutline(std::span<const Triple> polygon) {
+/// The polygon seen along the x, y or z axis: the one to which its area vector is nearest. A polygon without
+/// an area vector, as a bow tie, is seen along the axis along which its turns are widest.
+static std::vector<PlanePoint> planeOutline(std::span<const Triple> polygon) {
     const std::size_t count = polygon.size();
     glm::dvec3 area(0), turns(0);
     const glm::dvec3 origin = wide(polygon[0]);
@@ -283,10 +284,6 @@ bool isClearQuad(std::span<const Triple> outline) {
     return (first[axis] > least && second[axis] > least) || (first[axis] < -least && second[axis] < -least);
 }
 
-void appendFan(std::size_t count, std::vector<std::uint32_t>& triangles) {
-    for (std::uint32_t i = 1; i + 1 < count; ++i) triangles.insert(triangles.end(), {0, i, i + 1});
-}
-
 }  // namespace
 
 bool isFan(std::span<const Triple> outline) {
@@ -340,7 +337,7 @@ bool EarCutter::cut(std::span<const Triple> outline, std::vector<std::uint32_t>&
         });
     if (isDone) return true;
     triangles.resize(had);
-    appendFan(count, triangles);
+    for (std::uint32_t i = 1; i + 1 < count; ++i) triangles.insert(triangles.end(), {0, i, i + 1});
     return false;
 }
 

@@ -23,13 +23,6 @@ struct PlanePoint {
 /// finite floats.
 int orientation(PlanePoint a, PlanePoint b, PlanePoint c);
 
-/// The axis to which a vector is nearest: 0, 1, 2 for x, y, z. Of axes that are about equally near, the last.
-int nearestAxis(const glm::dvec3& vector);
-
-/// The polygon seen along the x, y or z axis: the one to which its area vector is nearest. A polygon without
-/// an area vector, as a bow tie, is seen along the axis along which its turns are widest.
-std::vector<PlanePoint> planeOutline(std::span<const Triple> polygon);
-
 /// Splits polygons by cutting off ears: G. Meisters, Polygons have ears, The American Mathematical Monthly
 /// 82, 1975. Polygons lie in any plane; they are seen along the axis to which their area vector (M. Newell)
 /// is nearest. Orientations are exact for all floats.

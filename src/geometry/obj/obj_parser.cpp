@@ -9,7 +9,6 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "geometry/obj/concave_faces.h"
-#include "geometry/obj/file_remarks.h"
 #include "geometry/obj/obj_model.h"
 #include "geometry/obj/obj_plain.h"
 

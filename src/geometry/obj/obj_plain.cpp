@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "geometry/obj/decimal.h"
 
 namespace glibra::geometry {
 namespace {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "geometry/obj/file_remarks.h"
 #include "geometry/obj/obj_model.h"
 
 namespace glibra::geometry {

@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "geometry/frame.h"
-#include "geometry/shapes/primitive.h"
-#include "geometry/shapes/revolution.h"
 #include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {
@@ -38,7 +36,7 @@ Mesh wireCylinder(double radius, double height, int slices, int stacks) {
     Surface surface(Topology::lines, 2, wireCylinderCounts(slices, stacks));
     const Band band = cylinderSide(radius, height, stacks);
     addBandPoints(surface, kStanding, band, unitCircle(slices));
-    addBandEdges(surface, 0, band, static_cast<std::uint32_t>(slices));
+    addBandEdges(surface, band, static_cast<std::uint32_t>(slices));
     return std::move(surface).finish();
 }
 
@@ -103,7 +101,7 @@ Mesh wireCone(double radius, double height, int slices, int stacks) {
     Surface surface(Topology::lines, 2, wireConeCounts(slices, stacks));
     const Band band = coneSide(radius, height, stacks);
     addBandPoints(surface, kStanding, band, unitCircle(slices));
-    addBandEdges(surface, 0, band, static_cast<std::uint32_t>(slices));
+    addBandEdges(surface, band, static_cast<std::uint32_t>(slices));
     return std::move(surface).finish();
 }
 

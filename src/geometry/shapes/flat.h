@@ -1,5 +1,5 @@
 #pragma once
-// Shapes in a plane.
+// Shapes in a plane: grounds, disks, and squares parallel to the coordinate planes.
 
 #include "geometry/shapes/primitive.h"
 
@@ -33,5 +33,39 @@ constexpr Counts diskXYCounts(std::int64_t slices, std::int64_t rings) {
 Mesh diskXY(double z, double radius, int slices, int rings);
 
 extern const PrimitiveSpec kDiskXYRow;
+
+// Squares parallel to the coordinate planes, and a stack of them.
+
+/// For quadXY, quadXZ and quadYZ.
+constexpr Counts quadCounts(std::int64_t n1, std::int64_t n2) {
+    return detail::counted((n1 + 1) * (n2 + 1), 2 * n1 * n2);
+}
+constexpr Counts quadBoxCounts(std::int64_t n) {
+    return detail::counted(4 * n, 2 * n);
+}
+
+/// Each of the next three makes a square -size..size, as triangles that are counter-clockwise seen from the
+/// positive axis. size >= 0, counts >= 1. s and t run from 0 to 1 over the square. At a negative coordinate
+/// only the directions of s and t change, as if the square faced the other way; normal, positions and
+/// triangles stay. Size: quadCounts.
+///
+/// In the plane z, nx by ny cells. Normal +z; t along +y; s along +x, or for z < 0 along -x.
+Mesh quadXY(double z, double size, int nx, int ny);
+/// In the plane y, nx by nz cells. Normal +y; s along +x; t along -z, or for y < 0 along +z.
+Mesh quadXZ(double y, double size, int nx, int nz);
+/// In the plane x, ny cells along y and nz along z. Normal +x; t along +y; s along -z, or for x < 0 along +z.
+Mesh quadYZ(double x, double size, int ny, int nz);
+
+/// Makes n >= 1 squares -1..1 parallel to XY at z = -1 + 2i/(n-1), from the lowest z up (at z = 0 for n = 1),
+/// as triangles that are counter-clockwise seen from +z. Normal +z, tangent +y, (s, t, p) = (P + 1) / 2.
+/// Size: quadBoxCounts.
+Mesh quadBox(int n);
+
+extern const PrimitiveSpec kQuadXYRow;
+extern const PrimitiveSpec kQuadXZRow;
+extern const PrimitiveSpec kQuadYZRow;
+extern const PrimitiveSpec kQuadBoxRow;
+/// quadXY(0, 1, 1, 1): positions are clip coordinates with z = 0, w = 1.
+extern const PrimitiveSpec kFullScreenRow;
 
 }  // namespace glibra::geometry

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "geometry/frame.h"
-#include "geometry/shapes/primitive.h"
 #include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {

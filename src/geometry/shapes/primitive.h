@@ -5,7 +5,6 @@
 // interpreter, the planner, --max-error, the reference and the tests read the rows; nothing else names a
 // primitive.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -17,7 +16,6 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/counts.h"
 #include "geometry/mesh.h"
 
 namespace glibra::geometry {

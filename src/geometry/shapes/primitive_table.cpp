@@ -8,7 +8,6 @@
 #include "geometry/shapes/flat.h"
 #include "geometry/shapes/polyhedra.h"
 #include "geometry/shapes/primitive.h"
-#include "geometry/shapes/quads.h"
 #include "geometry/shapes/spheres.h"
 #include "geometry/shapes/teapot.h"
 

@@ -5,11 +5,42 @@
 #include <utility>
 
 #include "geometry/frame.h"
-#include "geometry/shapes/primitive.h"
-#include "geometry/shapes/revolution.h"
 
 namespace glibra::geometry {
 namespace {
+
+// Parts of spheres: the rings and poles of which spheres, half spheres and capsules consist.
+
+/// One ring, or one pole, of a ball around the y axis.
+struct BallRing {
+    glm::dvec2 latitude{1, 0};  ///< (cos f, sin f)
+    double t = 0;
+    double centre = 0;  ///< y of the ball's centre
+};
+
+SurfacePoint ballPoint(double radius, const BallRing& ring, const glm::dvec2& around, double s) {
+    const double c = ring.latitude.x, y = ring.latitude.y;
+    const glm::dvec3 normal{-around.x * c, y, around.y * c};
+    return {.position = radius * normal + glm::dvec3(0, ring.centre, 0),
+            .normal = normal,
+            .tangent = {around.x * y, c, -around.y * y},
+            .texCoord = {s, ring.t, 0}};
+}
+
+/// Adds a pole: one vertex per slice, with s in the slice's middle.
+void addBallPole(Surface& surface, double radius, const BallRing& pole, int slices) {
+    for (int i = 0; i < slices; ++i)
+        surface.add(ballPoint(radius, pole, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}),
+                              (i + .5) / slices));
+}
+
+/// Adds the vertices of a ring: P = radius (-cos 2 pi s cos f, sin f, sin 2 pi s cos f) from the centre.
+/// `circle` is unitCircle(slices).
+void addBallRing(Surface& surface, double radius, const BallRing& ring, std::span<const glm::dvec2> circle) {
+    const auto slices = static_cast<double>(circle.size() - 1);
+    for (std::size_t i = 0; i < circle.size(); ++i)
+        surface.add(ballPoint(radius, ring, circle[i], static_cast<double>(i) / slices));
+}
 
 void addSpherePoints(Surface& surface, double radius, int slices, int stacks) {
     assert(radius >= 0 && slices >= 3 && stacks >= 2);
@@ -24,6 +55,20 @@ void addSpherePoints(Surface& surface, double radius, int slices, int stacks) {
 }
 
 }  // namespace
+
+/// Adds the triangles between a ring and the pole north of it; each is the number of its first vertex.
+static void addNorthCells(Surface& surface, std::uint32_t ring, std::uint32_t pole, std::uint32_t slices) {
+    for (std::uint32_t i = 0; i < slices; ++i) surface.triangle(ring + i, ring + i + 1, pole + i);
+}
+
+/// Adds the triangles of a closed ball whose vertices begin at 0: the south pole, `rings` rings, the north
+/// pole.
+static void addBallCells(Surface& surface, std::uint32_t rings, std::uint32_t slices) {
+    const std::uint32_t lastRing = slices + (rings - 1) * (slices + 1);
+    for (std::uint32_t i = 0; i < slices; ++i) surface.triangle(i, slices + i + 1, slices + i);
+    surface.gridCells(slices, slices, rings - 1);
+    addNorthCells(surface, lastRing, lastRing + slices + 1, slices);
+}
 
 Mesh sphere(double radius, int slices, int stacks) {
     Surface surface(Topology::triangles, 2, sphereCounts(slices, stacks));
@@ -116,41 +161,7 @@ constexpr PrimitiveSpec kHalfSphereRow{
     .deviation = halfSphereDeviation,
     .extent = [](Numbers n) { return standingExtent(n[0], n[0]); }};
 
-namespace {
-
-SurfacePoint ballPoint(double radius, const BallRing& ring, const glm::dvec2& around, double s) {
-    const double c = ring.latitude.x, y = ring.latitude.y;
-    const glm::dvec3 normal{-around.x * c, y, around.y * c};
-    return {.position = radius * normal + glm::dvec3(0, ring.centre, 0),
-            .normal = normal,
-            .tangent = {around.x * y, c, -around.y * y},
-            .texCoord = {s, ring.t, 0}};
-}
-
-}  // namespace
-
-void addBallRing(Surface& surface, double radius, const BallRing& ring, std::span<const glm::dvec2> circle) {
-    const auto slices = static_cast<double>(circle.size() - 1);
-    for (std::size_t i = 0; i < circle.size(); ++i)
-        surface.add(ballPoint(radius, ring, circle[i], static_cast<double>(i) / slices));
-}
-
-void addBallPole(Surface& surface, double radius, const BallRing& pole, int slices) {
-    for (int i = 0; i < slices; ++i)
-        surface.add(ballPoint(radius, pole, unitTurn(2 * std::int64_t{i} + 1, 2 * std::int64_t{slices}),
-                              (i + .5) / slices));
-}
-
-void addBallCells(Surface& surface, std::uint32_t rings, std::uint32_t slices) {
-    const std::uint32_t lastRing = slices + (rings - 1) * (slices + 1);
-    for (std::uint32_t i = 0; i < slices; ++i) surface.triangle(i, slices + i + 1, slices + i);
-    surface.gridCells(slices, slices, rings - 1);
-    addNorthCells(surface, lastRing, lastRing + slices + 1, slices);
-}
-
-void addNorthCells(Surface& surface, std::uint32_t ring, std::uint32_t pole, std::uint32_t slices) {
-    for (std::uint32_t i = 0; i < slices; ++i) surface.triangle(ring + i, ring + i + 1, pole + i);
-}
+namespace {}  // namespace
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "geometry/frame.h"
-#include "geometry/shapes/primitive.h"
 #include "geometry/shapes/surface.h"
 
 namespace glibra::geometry {

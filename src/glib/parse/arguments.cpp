@@ -15,7 +15,6 @@
 #include "base/number.h"
 #include "base/suggest.h"
 #include "base/text.h"
-#include "glib/lexer.h"
 #include "glib/limits.h"
 #include "glib/number.h"
 #include "glib/parse/pieces.h"

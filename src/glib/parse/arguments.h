@@ -1,13 +1,11 @@
 #pragma once
 // Reads the arguments of a classic statement as its row describes them (language, 1.5 to 1.7 and 3).
 
-#include <cstddef>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "glib/lexer.h"
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/parse/statement.h"
 #include "glib/script.h"
 #include "glib/syntax.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "glib/limits.h"
@@ -11,10 +10,6 @@
 
 namespace glibra::glib {
 namespace {
-
-bool keepsDeclarationsOut(CommandId block) {
-    return block != CommandId::pass;
-}
 
 /// True for `Let name ( ... )`, which may stand anywhere, unlike other variables.
 bool isComputed(const Command& command) {
@@ -34,7 +29,7 @@ void BlockStack::checkPlace(const StatementRow& row, const Command& command) {
     if (row.standing == Standing::anywhere || isComputed(command)) return;
     const auto hinders = [&](const Block& block) {
         if (row.standing == Standing::notInPass) return block.row->id == CommandId::pass;
-        return row.standing == Standing::outermost || keepsDeclarationsOut(block.row->id);
+        return row.standing == Standing::outermost || block.row->id != CommandId::pass;
     };
     const auto found = std::ranges::find_if(blocks_, hinders);
     if (found == blocks_.end()) return;

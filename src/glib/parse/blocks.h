@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/script.h"
 #include "glib/statement_table.h"
 

@@ -3,22 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "base/suggest.h"
 #include "glib/limits.h"
-#include "glib/message_log.h"
 #include "glib/number.h"
-#include "glib/parse/mismatch.h"
-#include "glib/parse/pieces.h"
-#include "glib/script.h"
-#include "glib/statement_table.h"
 #include "glib/syntax.h"
 #include "glib/text.h"
 

@@ -1,4 +1,4 @@
-#include "glib/parse/mismatch.h"
+#include "glib/parse/match.h"
 
 #include <fmt/format.h>
 

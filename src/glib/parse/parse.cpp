@@ -16,7 +16,7 @@
 #include "base/text.h"
 #include "glib/lexer.h"
 #include "glib/limits.h"
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/parse/arguments.h"
 #include "glib/parse/blocks.h"
 #include "glib/parse/match.h"

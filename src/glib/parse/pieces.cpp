@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/text.h"
-#include "glib/lexer.h"
 #include "glib/limits.h"
 #include "glib/number.h"
 #include "glib/text.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "glib/lexer.h"
-#include "glib/message_log.h"
-#include "glib/value.h"
+#include "glib/messages.h"
+#include "glib/script.h"
 
 namespace glibra::glib {
 

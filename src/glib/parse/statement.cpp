@@ -4,14 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <span>
-#include <string_view>
-#include <vector>
 
-#include "base/lines.h"
 #include "base/suggest.h"
-#include "glib/lexer.h"
+#include "base/text.h"
 #include "glib/limits.h"
 #include "glib/syntax.h"
 #include "glib/text.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glib/lexer.h"
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/statement_table.h"
 
 namespace glibra::glib {

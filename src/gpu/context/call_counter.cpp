@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 #include <algorithm>
-#include <cstdarg>
 #include <iterator>
 #include <string_view>
 #include <utility>

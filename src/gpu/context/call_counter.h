@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gpu/context/work_places.h"
+#include "gpu/context/errors.h"
 
 namespace glibra::gpu {
 

@@ -3,7 +3,6 @@
 // call. limits.def is the table of the limits.
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +36,7 @@ struct Capabilities {
     bool parallelCompile = false;  ///< GL_KHR_parallel_shader_compile
     bool debugOutput = false;      ///< KHR_debug or GL 4.3
     bool clipControl = false;      ///< z may go from 0 to w: GL 4.5, or an extension
-    bool defersClears = false;     ///< zink: see gpu/object/deferred_clears.h
+    bool defersClears = false;     ///< zink: see gpu/object/framebuffer.h
     bool persistentMaps = false;   ///< buffers can stay mapped while the device uses them: GL 4.4
     int timerBits = 0;             ///< of GL_TIMESTAMP queries; 0: the driver has no timer
 
@@ -50,5 +49,11 @@ struct Capabilities {
 
 /// Queries the current context for everything above. `throughOsmesa` affects the family's name only.
 Capabilities readCapabilities(bool throughOsmesa);
+
+// One word for drivers that draw alike.
+
+/// "llvmpipe", "softpipe", "zink", "d3d12", "nvidia", "apple", "intel", "amd" or "other", from what a driver
+/// says of itself: its vendor and renderer, in any order and with other words.
+std::string familyOf(std::string_view words);
 
 }  // namespace glibra::gpu

@@ -5,11 +5,14 @@
 // exist on different threads are of one driver, and opening one of another driver there is an error.
 // A context belongs to the thread that opened it. Every GL object must be destroyed before
 // its context. After the driver has reset the device, whatever is read with the context throws
-// base::DeviceLost (reset.h), until another one is opened.
+// base::DeviceLost (driver_reports.h), until another one is opened.
 
 #include <glibra/driver.h>
 #include <glibra/result.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
@@ -19,7 +22,7 @@
 #include <vector>
 
 #include "gpu/context/capabilities.h"
-#include "gpu/context/debug.h"
+#include "gpu/context/driver_reports.h"
 
 namespace glibra::gpu {
 
@@ -127,5 +130,35 @@ void prepareEnvironment(const ContextOptions& options = {});
 /// function or null. The adopted context is not destroyed with the Context. Reports gpu-E01 if it is older
 /// than 4.1.
 Result<Context> adopt(const std::function<void*(const char*)>& loader);
+
+// Whether a graphics card may draw, found without the cost of opening a context, and how many processes
+// should draw with it.
+
+/// False if openContext(driver) will draw on the processor. It looks at LIBGL_ALWAYS_SOFTWARE and for
+/// graphics cards (system/places.h: in the folder `devices` if that is not empty), and loads no library. True
+/// is not a guarantee: a device may lack a driver.
+bool mayUseHardware(Driver driver, const std::filesystem::path& devices = {});
+
+/// The number of processes that draw `pieces` scenes soonest, if each opens a context of its own. Where the
+/// processor draws, that is one per processor. Contexts of a graphics card are made one after the other, and
+/// making one takes as long as four scenes (NVIDIA H100, driver 580: 92 ms and 23 ms), so few pieces are
+/// drawn by one process, and many by at most four.
+int usualWorkers(Driver driver, std::size_t pieces, int processors,
+                 const std::filesystem::path& devices = {});
+
+// Everything about the driver that `glibra info` prints.
+
+struct InfoEntry {
+    std::string key;    ///< for JSON: camelCase, never changes meaning
+    std::string label;  ///< for people: "largest 2D texture"
+    std::variant<std::string, std::int64_t, double, bool> value;
+};
+
+/// Entries in the order of display: how the context was opened, driver, versions, limits, number of
+/// extensions.
+std::vector<InfoEntry> describe(const Context& context);
+
+/// One "label: value" line per entry, with the values aligned.
+std::string toText(const std::vector<InfoEntry>& entries);
 
 }  // namespace glibra::gpu

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "gpu/context/library.h"
+#include "system/library.h"
 
 namespace glibra::gpu {
 namespace {
@@ -81,9 +81,9 @@ std::string EglLibrary::lastError() const {
 
 /// Opens the library of that name; a text says why it cannot be used.
 std::variant<EglLibrary, std::string> openEglLibrary(const std::string& name) {
-    auto opened = Library::open(name);
-    if (const std::string* why = std::get_if<std::string>(&opened)) return *why;
-    const Library& library = std::get<Library>(opened);
+    std::string why;
+    const auto library = system::Library::open(name, system::Library::When::whenCalled, why);
+    if (!library) return why;
 
     EglLibrary egl;
     egl.name = name;

@@ -1,7 +1,6 @@
 #include "gpu/context/errors.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -43,6 +42,18 @@ Diagnostic allocationError(GLenum code, std::string_view what) {
     if (code == GL_OUT_OF_MEMORY)
         return diagnose("draw-E05", "out of memory on the graphics device for " + std::string(what));
     return diagnose("gpu-E02", "OpenGL refuses " + std::string(what) + ": " + errorName(code));
+}
+
+void WorkPlaces::set(const Place& place) {
+    current_ = place;
+    if (std::exchange(isFinished_, false) || unfinished_.first.file != place.file) {
+        unfinished_.first = place;  // keeps its memory: a frame of a moving scene allocates nothing
+        unfinished_.lastLine = place.line;
+    } else if (place.line < unfinished_.first.line) {
+        unfinished_.first = place;
+    } else {
+        unfinished_.lastLine = std::max(unfinished_.lastLine, place.line);
+    }
 }
 
 }  // namespace glibra::gpu

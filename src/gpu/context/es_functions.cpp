@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace glibra::gpu {
 namespace {

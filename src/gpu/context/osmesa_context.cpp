@@ -7,10 +7,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "gpu/context/library.h"
+#include "system/library.h"
 
 namespace glibra::gpu {
 namespace {
@@ -64,9 +65,9 @@ class OsmesaBackend final : public Backend {
 };
 
 std::variant<OsmesaLibrary, std::string> openLibrary(const std::string& name) {
-    auto opened = Library::open(name);
-    if (const std::string* why = std::get_if<std::string>(&opened)) return *why;
-    const Library& library = std::get<Library>(opened);
+    std::string why;
+    const auto library = system::Library::open(name, system::Library::When::whenCalled, why);
+    if (!library) return why;
     OsmesaLibrary osmesa;
     osmesa.name = name;
     if (!library.find("OSMesaCreateContextAttribs", osmesa.createContextAttribs) ||

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "system/hidden_window.h"
 #include "system/library.h"
+#include "system/window.h"
 
 namespace glibra::gpu {
 namespace {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <limits>
 #include <new>
-#include <vector>
+#include <numeric>
+#include <utility>
 
+#include "base/number.h"
 #include "base/text.h"
 #include "gpu/context/errors.h"
 
@@ -108,6 +111,119 @@ void BufferTexture::bindImage(int unit, const Buffer& buffer, TexelFormat format
     glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(sampled));
     glBindImageTexture(static_cast<GLuint>(unit), name_.get(), 0, GL_FALSE, 0, GL_READ_WRITE,
                        internalFormat(as));
+}
+
+namespace {
+
+const void* byteOffset(std::size_t offset) {
+    // GL takes the offset as a pointer.
+    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
+}
+
+void connect(const AttributeSource& source) {
+    using Type = AttributeSource::Type;
+    source.buffer->bind(GL_ARRAY_BUFFER);
+    const auto stride = static_cast<GLsizei>(source.stride);
+    const bool isUnsigned = source.type == Type::unsignedInteger || source.type == Type::unsignedAsFloat;
+    const GLenum memory = source.type == Type::floating ? GL_FLOAT : isUnsigned ? GL_UNSIGNED_INT : GL_INT;
+    if (source.type == Type::integer || source.type == Type::unsignedInteger)
+        glVertexAttribIPointer(source.location, source.components, memory, stride, byteOffset(source.offset));
+    else
+        glVertexAttribPointer(source.location, source.components, memory, GL_FALSE, stride,
+                              byteOffset(source.offset));
+    glEnableVertexAttribArray(source.location);
+    if (source.divisor != 0) glVertexAttribDivisor(source.location, source.divisor);
+}
+
+}  // namespace
+
+VertexArray::VertexArray(std::span<const AttributeSource> sources, const Buffer* indices) {
+    bind();
+    for (const AttributeSource& each : sources)
+        if (each.buffer) connect(each);
+    if (indices) indices->bind(GL_ELEMENT_ARRAY_BUFFER);
+    glBindVertexArray(0);
+}
+
+void setConstantAttribute(GLuint location, const base::ValueType& type, const std::array<double, 4>& value) {
+    for (GLuint column = 0; column < static_cast<GLuint>(type.columns); ++column) {
+        const GLuint at = location + column;
+        switch (type.base) {
+            case base::BaseType::integer:
+                glVertexAttribI4i(at, base::toInt(value[0]), base::toInt(value[1]), base::toInt(value[2]),
+                                  base::toInt(value[3]));
+                break;
+            case base::BaseType::unsignedInteger:
+                glVertexAttribI4ui(at, base::toUnsigned(value[0]), base::toUnsigned(value[1]),
+                                   base::toUnsigned(value[2]), base::toUnsigned(value[3]));
+                break;
+            case base::BaseType::doublePrecision:
+                glVertexAttribL4dv(at, value.data());
+                break;
+            default:
+                glVertexAttrib4f(at, static_cast<float>(value[0]), static_cast<float>(value[1]),
+                                 static_cast<float>(value[2]), static_cast<float>(value[3]));
+                break;
+        }
+    }
+}
+
+std::vector<std::uint32_t> edgesOf(std::span<const std::uint32_t> indices, GLenum mode) {
+    constexpr std::uint32_t kRestart = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> edges;
+    const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        edges.insert(edges.end(), {a, b, b, c, c, a});
+    };
+    const bool areLines = mode == GL_LINES || mode == GL_LINE_STRIP || mode == GL_LINE_LOOP;
+    std::size_t first = 0;
+    const auto close = [&](std::size_t end) {
+        if (mode == GL_LINE_LOOP && end > first + 1)
+            edges.insert(edges.end(), {indices[end - 1], indices[first]});
+    };
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] == kRestart) {
+            close(i);
+            first = i + 1;
+            continue;
+        }
+        const std::size_t place = i - first;
+        if (areLines) {
+            if (place > 0 && (mode != GL_LINES || place % 2 == 1))
+                edges.insert(edges.end(), {indices[i - 1], indices[i]});
+            continue;
+        }
+        if (place < 2 || (mode == GL_TRIANGLES && place % 3 != 2)) continue;
+        triangle(mode == GL_TRIANGLE_FAN ? indices[first] : indices[i - 2], indices[i - 1], indices[i]);
+    }
+    close(indices.size());
+    return edges;
+}
+
+void EdgeBuffers::draw(const Buffer* indices, std::size_t offset, int count, GLenum mode, int instances) {
+    // Those of fewer triangles are the first of those of more.
+    const bool isPart = indices == nullptr && mode == GL_TRIANGLES;
+    const std::uint32_t all = static_cast<std::uint32_t>(count);
+    const Key key{indices != nullptr ? indices->id() : 0, offset, isPart ? std::bit_ceil(all) : all, mode};
+    auto known = made_.find(key);
+    const std::uint64_t content = indices != nullptr ? indices->content() : 0;
+    if (known == made_.end() || known->second.content != content) {
+        std::vector<std::uint32_t> read(std::get<2>(key));
+        if (indices != nullptr)
+            indices->read(offset, std::as_writable_bytes(std::span(read)));
+        else
+            std::iota(read.begin(), read.end(), 0U);
+        const std::vector<std::uint32_t> edges = edgesOf(read, mode);
+        Result<Buffer> buffer = Buffer::create(std::as_bytes(std::span(edges)));
+        if (!buffer) return;
+        known =
+            made_.insert_or_assign(key, Edges{std::move(*buffer), static_cast<int>(edges.size()), content})
+                .first;
+    }
+    // The buffer of indices is a part of the vertex array.
+    known->second.buffer.bind(GL_ELEMENT_ARRAY_BUFFER);
+    glDrawElementsInstanced(GL_LINES, isPart ? count / 3 * 6 : known->second.count, GL_UNSIGNED_INT, nullptr,
+                            instances);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices != nullptr ? indices->id() : 0);
 }
 
 }  // namespace glibra::gpu

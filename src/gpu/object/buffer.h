@@ -1,12 +1,18 @@
 #pragma once
-
-#include <glibra/result.h>
+// Buffers, and vertex arrays that read them.
 
 #include <glad/gl.h>
+#include <glibra/result.h>
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
+#include <tuple>
+#include <vector>
 
+#include "base/program_resources.h"
 #include "gpu/context/capabilities.h"
 #include "gpu/format/pixel_format.h"
 #include "gpu/object/name.h"
@@ -65,6 +71,59 @@ class BufferTexture {
 
   private:
     Name<glDeleteTextures> name_{glGenTextures};
+};
+
+// Which buffer feeds which vertex input, constant values for inputs that no buffer feeds, and indices of
+// edges.
+
+/// One vertex input read from a buffer.
+struct AttributeSource {
+    /// 32 bits each. `...AsFloat`: integers in memory that the shader reads as floats.
+    enum class Type { floating, integer, unsignedInteger, integerAsFloat, unsignedAsFloat };
+    const Buffer* buffer = nullptr;
+    GLuint location = 0;
+    int components = 4;  ///< 1..4; missing ones read as 0, 0, 1 (y, z, w)
+    Type type = Type::floating;
+    std::size_t offset = 0;  ///< bytes to the first vertex
+    std::size_t stride = 0;  ///< bytes from vertex to vertex; 0: tightly packed
+    GLuint divisor = 0;      ///< 0: one value per vertex; n: one value per n instances
+};
+
+class VertexArray {
+  public:
+    /// The buffers must outlive every draw with the vertex array. `indices`, if given, holds 32-bit indices.
+    explicit VertexArray(std::span<const AttributeSource> sources, const Buffer* indices = nullptr);
+    void bind() const { glBindVertexArray(name_.get()); }
+    [[nodiscard]] GLuint id() const { return name_.get(); }
+
+  private:
+    Name<glDeleteVertexArrays> name_{glGenVertexArrays};
+};
+
+/// Sets what an input of that type reads when no buffer feeds it. A matrix gets the value in every column.
+/// This is state of the context, not of a vertex array.
+void setConstantAttribute(GLuint location, const base::ValueType& type, const std::array<double, 4>& value);
+
+// OpenGL ES fills triangles only. Where a scene draws their edges, these are lines of their own.
+
+/// The edges of triangles, or the lines, two indices each. `mode`: GL_TRIANGLES, GL_TRIANGLE_STRIP,
+/// GL_TRIANGLE_FAN, GL_LINES, GL_LINE_STRIP or GL_LINE_LOOP; the largest index begins anew.
+std::vector<std::uint32_t> edgesOf(std::span<const std::uint32_t> indices, GLenum mode);
+
+class EdgeBuffers {
+  public:
+    /// Draws the edges of triangles with the vertex array that is bound. `indices`: its buffer of indices, of
+    /// which it draws `count` from the byte `offset` on; null: the first `count` vertices.
+    void draw(const Buffer* indices, std::size_t offset, int count, GLenum mode, int instances);
+
+  private:
+    struct Edges {
+        Buffer buffer;
+        int count = 0;
+        std::uint64_t content = 0;  ///< of the indices
+    };
+    using Key = std::tuple<GLuint, std::size_t, std::uint32_t, GLenum>;
+    std::map<Key, Edges> made_;
 };
 
 }  // namespace glibra::gpu

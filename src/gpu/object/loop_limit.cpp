@@ -3,11 +3,11 @@
 #include <array>
 #include <cstring>
 
+#include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
 #include "gpu/object/readback.h"
 #include "gpu/object/texture.h"
-#include "gpu/object/vertex_array.h"
 
 namespace glibra::gpu {
 namespace {

@@ -6,15 +6,16 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "gpu/context/capabilities.h"
+#include "gpu/object/buffer.h"
 #include "gpu/object/name.h"
 
 namespace glibra::gpu {
@@ -91,5 +92,23 @@ class ProgramBuild {
 
 /// Does both steps.
 BuildOutcome buildProgram(const Capabilities& capabilities, const ProgramSource& source);
+
+// Compute programs. Everything here needs Capabilities::compute.
+
+/// The groups that give at least that many invocations: each count divided by Program::localSize(), rounded
+/// up.
+std::array<std::uint64_t, 3> groupsOver(const std::array<std::uint64_t, 3>& invocations,
+                                        const std::array<int, 3>& localSize);
+
+/// Runs the program in use with that many groups, each at most Capabilities::maxComputeGroups. Nothing runs
+/// if one is 0.
+void dispatch(const std::array<GLuint, 3>& groups);
+/// Runs it with the three group counts that the buffer holds at `offset`, a multiple of 4.
+void dispatchFrom(const Buffer& groups, std::size_t offset = 0);
+
+/// What shaders have written so far is visible to everything after it.
+inline void finishShaderWrites() {
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
 
 }  // namespace glibra::gpu

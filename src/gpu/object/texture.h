@@ -1,10 +1,9 @@
 #pragma once
 // Textures: their texels, levels and layers, and what they share.
 
+#include <glad/gl.h>
 #include <glibra/result.h>
 
-#include <glad/gl.h>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/raster_state.h"
 #include "gpu/context/capabilities.h"
 #include "gpu/format/pixel_format.h"
 #include "gpu/object/name.h"
@@ -166,5 +166,27 @@ void readLayers(const Texture& texture, int level, GLenum format, GLenum type, s
 /// Averages the samples of a multisampled texture into a 2D texture or array of the same format and size. Not
 /// for integers and depth. The scissor test must be off.
 void resolveSamples(const Texture& from, const Texture& to);
+
+// Samplers: how a texture is read.
+
+using base::SamplerState;
+using base::Wrap;
+
+/// True for filters that read one texel of a level.
+bool isNearest(base::Filter filter);
+
+class Sampler {
+  public:
+    /// `compare`: for sampler2DShadow and its like, which read 1 where (reference compared with texel) holds,
+    /// else 0. Anisotropy above 1 needs a driver that supports it.
+    explicit Sampler(const SamplerState& state = {}, std::optional<base::Comparison> compare = {});
+    /// Linear, with the same wrapping in every direction.
+    explicit Sampler(Wrap wrap) : Sampler(SamplerState{.wrap = {wrap, wrap, wrap}, .border = {}}) {}
+    void bind(int unit) const { glBindSampler(static_cast<GLuint>(unit), name_.get()); }
+    [[nodiscard]] GLuint id() const { return name_.get(); }
+
+  private:
+    Name<glDeleteSamplers> name_{glGenSamplers};
+};
 
 }  // namespace glibra::gpu

@@ -8,11 +8,8 @@
 #include <string>
 
 #include "gpu/context/errors.h"
-#include "gpu/object/compute.h"
-#include "gpu/object/deferred_clears.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/readback.h"
-#include "gpu/object/texture.h"
 
 namespace glibra::gpu {
 namespace {

@@ -1,8 +1,5 @@
 #include "gpu/object/timer.h"
 
-#include <cstdint>
-#include <utility>
-
 namespace glibra::gpu {
 namespace {
 

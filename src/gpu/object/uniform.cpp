@@ -5,13 +5,11 @@
 #include <cstring>
 #include <iterator>
 #include <numeric>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/number.h"
-#include "gpu/format/value_type.h"
+#include "gpu/format/gl_names.h"
 
 namespace glibra::gpu {
 namespace {

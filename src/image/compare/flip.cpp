@@ -9,13 +9,10 @@
 #include <cstring>
 #include <numbers>
 #include <span>
-#include <vector>
 
 #include "base/parallel.h"
 #include "image/bytes.h"
 #include "image/compare/alike.h"
-#include "image/compare/lanes.h"
-#include "image/convert.h"
 
 namespace glibra::image {
 namespace {

@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "image/bytes.h"
-#include "image/convert.h"
 #include "image/formats/readers.h"
+#include "image/image.h"
 
 namespace glibra::image {
 namespace {

@@ -16,8 +16,8 @@
 #include <type_traits>
 
 #include "image/bytes.h"
-#include "image/convert.h"
 #include "image/formats/readers.h"
+#include "image/image.h"
 
 namespace glibra::image {
 namespace {

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/lines.h"
+#include "base/text.h"
 #include "image/bytes.h"
-#include "image/convert.h"
 #include "image/formats/readers.h"
+#include "image/image.h"
 
 namespace glibra::image {
 namespace {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "image/file.h"
 #include "image/image.h"
-#include "image/limits.h"
 
 namespace glibra::image {
 

@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "image/bytes.h"
-#include "image/convert.h"
 #include "image/formats/readers.h"
+#include "image/image.h"
 
 namespace glibra::image {
 namespace {

@@ -37,14 +37,8 @@ struct Codec {
 };
 
 /// What reads and writes a format. Colours are as in the file, whether or not they were multiplied by alpha.
-/// The build chooses one of two sources: openimageio.cpp, or without_openimageio.cpp with jpeg.cpp and
-/// tiff.cpp.
+/// The build chooses one of two sources: openimageio.cpp or without_openimageio.cpp.
 const Codec& codecFor(std::string_view format);
-
-void readJpeg(const GlibraReadRequest& request);
-void writeJpeg(const GlibraWriteRequest& request);
-void readTiff(const GlibraReadRequest& request);
-void writeTiff(const GlibraWriteRequest& request);
 
 /// WebP with libwebp: RGBA, u8. OpenImageIO before 3.0 multiplies the colours by alpha, in both directions.
 /// Of an animation the first picture is read. Written without loss.

@@ -7,17 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <optional>
-#include <span>
-#include <string_view>
 #include <utility>
 
 #include "image/bytes.h"
-#include "image/image.h"
 
 namespace glibra::image {
 namespace {

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "image/file.h"
 #include "image/image.h"
-#include "image/limits.h"
 
 namespace glibra::image {
 

@@ -1,5 +1,5 @@
 // A film in a canvas, in place of a runtime: pictures of a scene over time, and over the values of each control
-// (src/page/film.h). It answers as the runtime does. It has pictures of one change at a time: when another control or the time
+// (src/page/page.h). It answers as the runtime does. It has pictures of one change at a time: when another control or the time
 // moves, the earlier one returns to where it begins.
 
 /** @typedef {import("./types.js").Knob} Knob */

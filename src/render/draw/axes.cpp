@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "gpu/state/raster_tracker.h"
+#include "gpu/state/state_tracker.h"
 #include "image/text.h"
 #include "plan/uniform_names.h"
 

@@ -12,7 +12,6 @@
 #include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/program.h"
-#include "gpu/object/vertex_array.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
 #include "render/draw/tiles.h"

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "gpu/object/buffer.h"
-#include "gpu/object/edges.h"
 #include "render/draw/captured_outputs.h"
 
 namespace glibra::render {

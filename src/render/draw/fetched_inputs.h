@@ -10,7 +10,7 @@
 
 #include "gpu/context/capabilities.h"
 #include "gpu/object/texture.h"
-#include "gpu/state/binding_tracker.h"
+#include "gpu/state/state_tracker.h"
 #include "plan/frame_plan.h"
 #include "render/load/device_meshes.h"
 #include "render/load/programs.h"

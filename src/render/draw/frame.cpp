@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "gpu/object/deferred_clears.h"
+#include "gpu/object/framebuffer.h"
 #include "plan/accesses.h"
 #include "render/draw/work_share.h"
 

@@ -13,10 +13,9 @@
 #include <string>
 
 #include "gpu/context/context.h"
-#include "gpu/object/edges.h"
+#include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
-#include "gpu/state/binding_tracker.h"
-#include "gpu/state/raster_tracker.h"
+#include "gpu/state/state_tracker.h"
 #include "plan/frame_plan.h"
 #include "plan/still.h"
 #include "render/draw/dispatch.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "gpu/object/compute.h"
+#include "gpu/object/program.h"
 #include "gpu/object/uniform.h"
 #include "render/draw/frame.h"
 

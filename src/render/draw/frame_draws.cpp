@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "gpu/object/compute.h"
+#include "gpu/object/program.h"
 #include "gpu/object/uniform.h"
 #include "plan/accesses.h"
 #include "render/draw/frame.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "glsl/es/borders.h"
-#include "gpu/object/sampler.h"
+#include "gpu/object/texture.h"
 #include "gpu/object/uniform.h"
 #include "plan/uniform_names.h"
 #include "render/draw/frame.h"

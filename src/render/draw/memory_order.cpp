@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gpu/object/compute.h"
+#include "gpu/object/program.h"
 
 namespace glibra::render {
 namespace {

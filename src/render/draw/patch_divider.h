@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "gpu/context/capabilities.h"
-#include "gpu/object/edges.h"
+#include "gpu/object/buffer.h"
 #include "gpu/object/texture.h"
-#include "gpu/state/binding_tracker.h"
+#include "gpu/state/state_tracker.h"
 #include "plan/frame_plan.h"
 #include "render/draw/captured_outputs.h"
 #include "render/load/programs.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "gpu/object/edges.h"
+#include "gpu/object/buffer.h"
 #include "gpu/object/uniform.h"
 #include "render/draw/captured_outputs.h"
 

@@ -16,8 +16,7 @@
 #include "gpu/context/capabilities.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/texture.h"
-#include "gpu/object/vertex_array.h"
-#include "gpu/state/binding_tracker.h"
+#include "gpu/state/state_tracker.h"
 #include "plan/frame_plan.h"
 #include "render/load/programs.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 // Work for a device that others use too is cut into parts, so that none of them takes long: a driver resets
-// the device when a draw keeps it for seconds (gpu/context/reset.h).
+// the device when a draw keeps it for seconds (gpu/context/driver_reports.h).
 
 #include <functional>
 

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "gpu/context/call_counter.h"
-#include "image/convert.h"
 #include "image/format.h"
+#include "image/image.h"
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/check/nan_search.h"
@@ -31,7 +31,7 @@
 #include "render/scene_renderer.h"
 #include "render/stats.h"
 #include "scene/texture_name.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 
 namespace glibra::render {
 namespace {

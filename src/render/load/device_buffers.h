@@ -11,8 +11,8 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
-#include "gpu/object/deferred_clears.h"
-#include "gpu/state/binding_tracker.h"
+#include "gpu/object/framebuffer.h"
+#include "gpu/state/state_tracker.h"
 #include "plan/buffers.h"
 #include "plan/frame_plan.h"
 #include "render/load/gl_names.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "gpu/object/vertex_array.h"
-#include "gpu/state/binding_tracker.h"
+#include "gpu/object/buffer.h"
+#include "gpu/state/state_tracker.h"
 #include "plan/accesses.h"
 #include "plan/frame_plan.h"
 #include "render/load/device_buffers.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "image/convert.h"
+#include "image/image.h"
 #include "image/texture_file.h"
 #include "noise/noise.h"
 #include "render/load/device_textures.h"

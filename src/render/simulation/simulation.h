@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "gpu/context/context.h"
-#include "gpu/object/work_queue.h"
+#include "gpu/object/timer.h"
 #include "plan/accesses.h"
 #include "plan/frame_plan.h"
 #include "render/draw/frame.h"

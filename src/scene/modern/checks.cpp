@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/suggest.h"
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/number.h"
 #include "scene/modern/modern.h"
 #include "scene/run/evaluate.h"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/suggest.h"
+#include "glib/script.h"
 #include "glib/text.h"
-#include "glib/value.h"
 #include "scene/modern/modern.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"

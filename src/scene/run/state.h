@@ -22,7 +22,7 @@
 #include "expression/expression.h"
 #include "expression/type.h"
 #include "geometry/list_mesh.h"
-#include "glib/message_log.h"
+#include "glib/messages.h"
 #include "glib/script.h"
 #include "glib/statement_table.h"
 #include "scene/camera.h"

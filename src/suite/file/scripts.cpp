@@ -1,4 +1,4 @@
-#include "suite/file/scripts.h"
+#include "suite/file/shot_keys.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,7 @@
 #include "glib/text.h"
 #include "scene/file_lookup.h"
 #include "scene/folder_listings.h"
-#include "suite/file/glob.h"
-#include "suite/file/shot_keys.h"
+#include "suite/file/selection.h"
 #include "suite/file/shot_name.h"
 
 namespace glibra::suite {

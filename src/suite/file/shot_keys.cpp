@@ -6,22 +6,16 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <span>
-#include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "base/suggest.h"
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/text.h"
-#include "suite/day.h"
 #include "suite/file/shot_name.h"
-#include "suite/file/sweep.h"
 #include "suite/number_of.h"
 #include "suite/options/option_words.h"
-#include "suite/options/tolerance_keys.h"
 
 namespace glibra::suite {
 namespace {
@@ -66,6 +60,9 @@ namespace {
 
 constexpr double kLargestNumber = std::numeric_limits<float>::max();
 
+/// Gives `to` the value of one option. Uniform variables and objects' matrices are set one by one; other
+/// values are replaced as a whole. Folders are relative to `folder`. A wrong value is reported and changes
+/// nothing.
 struct OptionReader {
     TomlReader& reader;
     std::string_view key;
@@ -242,15 +239,6 @@ void OptionReader::operator()(const FoldersValue& folders) const {
         all.push_back(path);
     }
 }
-
-}  // namespace
-
-void readOption(TomlReader& reader, const OptionRow& row, const TomlValue& value,
-                const std::filesystem::path& folder, ShotTemplate& shot) {
-    std::visit(OptionReader{reader, row.key, value, folder, shot, row}, row.value);
-}
-
-namespace {
 
 struct Context {
     TomlReader& reader;
@@ -488,7 +476,7 @@ void readTemplate(TomlReader& reader, const TomlTable& table, const std::filesys
     for (const TomlEntry& entry : table) {
         const Key* key = findKey(entry.key);
         if (const OptionRow* option = findOptionKey(entry.key)) {
-            readOption(reader, *option, entry.value, folder, shot);
+            std::visit(OptionReader{reader, option->key, entry.value, folder, shot, *option}, option->value);
         } else if (key && (key->inDefaults || !isDefaults)) {
             key->read(in, entry.value);
         } else if (key) {

@@ -1,5 +1,5 @@
 #pragma once
-// The keys of a shot.
+// The keys of a shot, and the scenes that they name.
 
 #include <glibra/diagnostic.h>
 
@@ -43,12 +43,6 @@ struct ShotTemplate {
 
 // Reads the options of a picture (option_table.h) from a suite.
 
-/// Gives `shot` the value of one option. Uniform variables and objects' matrices are set one by one; other
-/// values are replaced as a whole. Folders are relative to `folder`. A wrong value is reported and changes
-/// nothing.
-void readOption(TomlReader& reader, const OptionRow& row, const TomlValue& value,
-                const std::filesystem::path& folder, ShotTemplate& shot);
-
 // Reads the keys of [defaults] and [[shot]].
 
 /// Applies the keys of a table to `shot`. Uniforms and fields of the tolerance are replaced one by one, tags
@@ -61,5 +55,21 @@ void readTemplate(TomlReader& reader, const TomlTable& table, const std::filesys
 bool isShotKey(std::string_view key);
 /// True for a key that [defaults] may have too.
 bool isDefaultsKey(std::string_view key);
+
+// Finds the scene files of a [[shot]].
+
+struct FoundScript {
+    std::filesystem::path path;
+    std::string name;  ///< name of its shot, without sweeps and times; valid
+    Place place;       ///< place of the text that matched it
+};
+
+/// Returns the files, each once: in the order of the texts, sorted within a pattern, without the exceptions.
+/// A text that is the name of a file stands for that file. Any other text with wildcards is a pattern
+/// (filesThatFit). A single file is named by `name`, or else by its own name. Several files are named by
+/// their paths below the fixed part of their pattern, after `name` and a "/" if there is one. Errors:
+/// suite-E05 a bad name; suite-E09 a pattern that matches no file; suite-E10 there is no such file.
+std::vector<FoundScript> findScripts(TomlReader& reader, const std::filesystem::path& folder,
+                                     const ShotTemplate& shot);
 
 }  // namespace glibra::suite

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <set>
 #include <span>
@@ -18,20 +17,17 @@
 #include "base/files.h"
 #include "base/suggest.h"
 #include "base/text.h"
-#include "glib/diagnostic_catalogue.h"
+#include "glib/messages.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/file_lookup.h"
 #include "scene/folder_listings.h"
-#include "suite/file/glob.h"
-#include "suite/file/scripts.h"
+#include "suite/file/selection.h"
 #include "suite/file/shot_keys.h"
 #include "suite/file/shot_name.h"
-#include "suite/file/store_name.h"
 #include "suite/file/sweep.h"
 #include "suite/file/toml_reader.h"
-#include "suite/suite.h"
 
 namespace glibra::suite {
 namespace {

@@ -4,11 +4,7 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 #include <algorithm>
-#include <cstddef>
 #include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <sstream>
 #include <system_error>
@@ -13,13 +14,41 @@
 
 #include "base/contained.h"
 #include "base/files.h"
-#include "base/lines.h"
+#include "base/text.h"
 #include "image/file.h"
 #include "suite/write_below.h"
 #include "system/file.h"
 #include "system/places.h"
 
 namespace glibra::suite {
+
+Hash hashOf(const image::Image& picture) {
+    const std::array<std::int32_t, 4> shape{picture.width, picture.height, picture.components,
+                                            static_cast<std::int32_t>(picture.type)};
+    return base::hashOf({std::as_bytes(std::span(shape)), picture.data});
+}
+
+Hash hashOf(std::span<const std::byte> bytes) {
+    return base::hashOf({bytes});
+}
+
+std::string toText(const Hash& hash) {
+    return fmt::format("{:016x}{:016x}", hash.high, hash.low);
+}
+
+std::optional<Hash> parseHash(std::string_view text) {
+    constexpr std::size_t kDigits = 16;
+    if (text.size() != 2 * kDigits) return std::nullopt;
+    Hash hash;
+    const auto half = [&](std::size_t at, std::uint64_t& value) {
+        const char* begin = text.data() + at;
+        const auto [end, failed] = std::from_chars(begin, begin + kDigits, value, 16);
+        return failed == std::errc{} && end == begin + kDigits;
+    };
+    if (!half(0, hash.high) || !half(kDigits, hash.low)) return std::nullopt;
+    return hash;
+}
+
 namespace {
 
 /// Processor features that change how floating point is computed, as /proc/cpuinfo names them.

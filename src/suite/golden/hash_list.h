@@ -1,4 +1,38 @@
 #pragma once
+// Hashes of pixels and files, and the file that has those of a suite's goldens.
+
+#include <glibra/result.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/hash.h"
+#include "gpu/context/capabilities.h"
+#include "image/image.h"
+
+namespace glibra::suite {
+
+// Hashes of pixels and files, and their texts.
+
+using base::Hash;
+
+/// Hash of the size, the component count, the component type and all pixels. It is the same on all machines
+/// with the same byte order.
+Hash hashOf(const image::Image& picture);
+/// Hash of the bytes of a file.
+Hash hashOf(std::span<const std::byte> bytes);
+
+/// 32 hexadecimal digits, and back.
+std::string toText(const Hash& hash);
+std::optional<Hash> parseHash(std::string_view text);
+
 // The list of the exact pixels that were accepted, per driver, in a file beside the goldens of a suite. It is
 // a text file of sorted lines, one per shot and driver, so that git can merge it. A lost line costs time, and
 // a shot that no line names may do without a golden if its scene checks itself.
@@ -7,21 +41,6 @@
 //
 // A line is valid only for the golden file and the tolerance that it was written for. So replacing a golden
 // by hand, merging two branches or changing a tolerance invalidates its lines.
-
-#include <glibra/result.h>
-
-#include <filesystem>
-#include <map>
-#include <set>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "gpu/context/capabilities.h"
-#include "suite/golden/hash.h"
-
-namespace glibra::suite {
 
 // What can change the bits of a picture: the driver, its version and, for software drivers, the processor.
 

@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstring>
-#include <optional>
-#include <string>
 
-#include "image/convert.h"
 #include "image/file.h"
 #include "image/format.h"
 #include "image/png/png_reader.h"
 #include "image/read.h"
-#include "suite/day.h"
-#include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
 
 namespace glibra::suite {
 

@@ -8,18 +8,14 @@
 #include <iterator>
 #include <numeric>
 #include <set>
-#include <string>
 #include <system_error>
-#include <utility>
 
 #include "base/files.h"
 #include "base/suggest.h"
-#include "image/convert.h"
 #include "image/file.h"
 #include "image/read.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/golden_store.h"
-#include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
 #include "suite/golden/picture_store.h"
 

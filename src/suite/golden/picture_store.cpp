@@ -13,14 +13,12 @@
 
 #include "base/contained.h"
 #include "base/files.h"
-#include "base/lines.h"
-#include "base/sha256.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "base/utf8.h"
-#include "image/convert.h"
 #include "image/file.h"
 #include "image/png/png_writer.h"
-#include "suite/file/store_name.h"
+#include "suite/file/shot_name.h"
 #include "suite/write_below.h"
 #include "system/places.h"
 #include "system/process.h"
@@ -97,6 +95,12 @@ std::string PictureStore::placeOf(const Pointer& pointer, const std::string& end
     return address.replace(address.find(kHashSlot), kHashSlot.size(), pointer.sha256);
 }
 
+/// The folder of the downloads, in the user's cache; any of its files may be removed. Empty if there is none.
+static fs::path downloadFolder() {
+    const fs::path cache = system::userFolder(system::UserFolder::cache);
+    return cache.empty() ? cache : cache / "goldens";
+}
+
 std::optional<std::vector<std::byte>> PictureStore::find(const Pointer& pointer,
                                                          const std::string& ending) const {
     if (isNamed() && !isRemote())
@@ -115,11 +119,6 @@ Diagnostics PictureStore::keep(std::span<const std::byte> picture, const std::st
     if (const fs::path folder = downloadFolder(); !folder.empty())
         static_cast<void>(base::writeBeneath(folder, pointer.sha256, picture));
     return writeBelow(uploads_.parent_path(), uploads_.filename() / place.filename(), picture);
-}
-
-fs::path downloadFolder() {
-    const fs::path cache = system::userFolder(system::UserFolder::cache);
-    return cache.empty() ? cache : cache / "goldens";
 }
 
 namespace {

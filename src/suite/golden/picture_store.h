@@ -61,9 +61,6 @@ class PictureStore {
     std::filesystem::path uploads_;
 };
 
-/// The folder of the downloads, in the user's cache; any of its files may be removed. Empty if there is none.
-std::filesystem::path downloadFolder();
-
 /// A picture to download.
 struct Download {
     Pointer pointer;

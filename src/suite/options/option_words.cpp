@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <system_error>
 
-#include "base/text.h"
 #include "glib/text.h"
 #include "suite/number_of.h"
 
@@ -128,6 +128,17 @@ struct TextReader {
     }
 };
 
+/// The shortest text that parseMemory() reads as these bytes.
+std::string memoryText(std::uint64_t bytes) {
+    std::string unit;
+    for (const char each : kUnits) {
+        if (bytes == 0 || bytes % 1024 != 0) break;
+        bytes /= 1024;
+        unit = each;
+    }
+    return std::to_string(bytes) + unit;
+}
+
 /// The texts of an option's values, one for each time that the option is given.
 struct TextWriter {
     using Texts = std::vector<std::string>;
@@ -177,16 +188,6 @@ std::optional<std::uint64_t> parseMemory(std::string_view text) {
     const std::uint64_t bytes = *number << shift;
     if (bytes != 0 && bytes < kLeastMemory) return std::nullopt;
     return bytes;
-}
-
-std::string memoryText(std::uint64_t bytes) {
-    std::string unit;
-    for (const char each : kUnits) {
-        if (bytes == 0 || bytes % 1024 != 0) break;
-        bytes /= 1024;
-        unit = each;
-    }
-    return std::to_string(bytes) + unit;
 }
 
 std::string readOptionText(const OptionRow& row, std::string_view text, Shot& shot) {
@@ -310,6 +311,51 @@ std::string optionLines(const Shot& shot, const fs::path& folder) {
     std::string text;
     for (const OptionRow& row : optionTable()) text += optionLine(row, shot, folder);
     return text;
+}
+
+namespace {
+
+using image::Tolerance;
+
+constexpr double kNoLimit = std::numeric_limits<double>::max();
+
+constexpr std::array<ToleranceKey, 9> kKeys{{
+    {"max", 255, [](const Tolerance& of) { return std::optional(of.largest); },
+     [](Tolerance& to, double v) { to.largest = v; }},
+    {"fraction", 1, [](const Tolerance& of) { return std::optional(of.fraction); },
+     [](Tolerance& to, double v) { to.fraction = v; }},
+    {"cluster", 1e9, [](const Tolerance& of) { return std::optional<double>(of.cluster); },
+     [](Tolerance& to, double v) { to.cluster = static_cast<int>(v); }, true},
+    {"line", 1e9, [](const Tolerance& of) { return std::optional<double>(of.line); },
+     [](Tolerance& to, double v) { to.line = static_cast<int>(v); }, true},
+    {"bias", 255, [](const Tolerance& of) { return std::optional(of.bias); },
+     [](Tolerance& to, double v) { to.bias = v; }},
+    {"flip", 1, [](const Tolerance& of) { return of.flip; }, [](Tolerance& to, double v) { to.flip = v; }},
+    {"structure", 1, [](const Tolerance& of) { return of.structure; },
+     [](Tolerance& to, double v) { to.structure = v; }},
+    {"relative", kNoLimit, [](const Tolerance& of) { return std::optional(of.relative); },
+     [](Tolerance& to, double v) { to.relative = v; }},
+    {"absolute", kNoLimit, [](const Tolerance& of) { return std::optional(of.absolute); },
+     [](Tolerance& to, double v) { to.absolute = v; }},
+}};
+
+}  // namespace
+
+std::span<const ToleranceKey> toleranceKeys() {
+    return kKeys;
+}
+
+std::string toleranceLine(const Tolerance& tolerance, bool isStated, bool isFloat) {
+    const Tolerance usual;
+    std::string line;
+    for (const ToleranceKey& each : kKeys) {
+        const std::optional<double> value = each.get(tolerance);
+        const bool isOfFloats = each.key == "relative" || each.key == "absolute";
+        const bool isOfBytes = each.key == "max" || each.key == "bias";
+        const bool isNeeded = value != each.get(usual) || (isStated && !(isFloat ? isOfBytes : isOfFloats));
+        if (value && isNeeded) line += fmt::format("{}{} = {}", line.empty() ? "" : ", ", each.key, *value);
+    }
+    return fmt::format("tolerance = {{ {} }}", line);
 }
 
 }  // namespace glibra::suite

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/text.h"
+#include "image/compare/judge.h"
 #include "suite/options/option_table.h"
 
 namespace glibra::suite {
@@ -28,8 +30,6 @@ std::string optionArguments(const Shot& shot);
 /// Bytes from "512M" or "2G" (K, M, G, T: powers of 1024); nothing if it is not kMemoryForm.
 std::optional<std::uint64_t> parseMemory(std::string_view text);
 inline constexpr std::string_view kMemoryForm = "a size from 64M, as 512M or 2G, or 0";
-/// The shortest text that parseMemory() reads as these bytes.
-std::string memoryText(std::uint64_t bytes);
 
 using base::shellWord;
 
@@ -46,5 +46,21 @@ std::string optionLine(const OptionRow& row, const Shot& shot, const std::filesy
 
 /// The lines of all options.
 std::string optionLines(const Shot& shot, const std::filesystem::path& folder);
+
+// The keys of `tolerance` in a suite, for those who read and those who propose one.
+
+struct ToleranceKey {
+    std::string_view key;
+    double most;  ///< the least is 0
+    std::optional<double> (*get)(const image::Tolerance&);
+    void (*set)(image::Tolerance&, double);
+    bool isWhole = false;
+};
+std::span<const ToleranceKey> toleranceKeys();
+
+/// "tolerance = { cluster = 12, bias = 1.3 }", a line for the [[shot]]. If the suite states a tolerance for
+/// the shot, the line has all its keys, since it takes the place of what the shot has and is merged with
+/// [defaults]; otherwise those that differ from the defaults.
+std::string toleranceLine(const image::Tolerance& tolerance, bool isStated, bool isFloat);
 
 }  // namespace glibra::suite

@@ -1,5 +1,5 @@
 #pragma once
-// The pictures, pixels and scene texts of an HTML report.
+// The HTML report: what a browser shows, and the files of it.
 
 #include <glibra/diagnostic.h>
 
@@ -16,6 +16,8 @@
 #include "suite/results/results.h"
 
 namespace glibra::suite {
+
+// The pictures, pixels and scene texts of an HTML report.
 
 /// What the page shows of a shot besides its result. Paths are relative to the page; an empty path means that
 /// there is no file.
@@ -84,5 +86,27 @@ class ReportFiles {
     Diagnostics problems_;
     std::size_t unnamedCount_ = 0;  ///< pictures that lie outside of the results
 };
+
+// The report for a browser: a folder that needs neither network nor server.
+
+// The part of a report for browsers without scripts.
+
+/// The page with `loading="lazy"` removed from its first 24 pictures. Browsers leave grey boxes for pictures
+/// that load late in a screenshot without a window and on paper; a page of thousands still opens at once.
+std::string loadingFirstScreen(std::string html);
+
+/// Writes REPORT/index.html, REPORT/pictures (copies, as PNG where a browser cannot show the format) and
+/// REPORT/pixels. The latter has, for every shot that is not a plain pass, the values of its pixels as a
+/// script, because a page may not read the pixels of picture files. The folder is made if it does not exist.
+/// Pictures and pixels of an earlier report are removed. The page is written last, when everything that it
+/// needs exists.
+///
+/// The report shows files of the results folder, and what lies below `roots`: scenes, shaders,
+/// goldens. No link is followed, and no other file is read, whatever the results name.
+///
+/// The warning result-W02 names a picture or a scene that cannot be read (at most 20 of them); the report
+/// mentions it too. Errors: file-E10.
+Diagnostics writeHtmlReport(const RunResult& run, const std::filesystem::path& resultsFolder,
+                            const std::filesystem::path& reportFolder, const ReportRoots& roots = {});
 
 }  // namespace glibra::suite

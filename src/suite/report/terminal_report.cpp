@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 #include "base/page_template.h"
@@ -13,8 +12,8 @@
 #include "base/utf8.h"
 #include "embedded/report_page.h"
 #include "image/read.h"
-#include "suite/report/small_heat_map.h"
-#include "suite/results/figures.h"
+#include "suite/options/option_words.h"
+#include "suite/report/report_pictures.h"
 #include "suite/results/results_file.h"
 
 namespace glibra::suite {
@@ -399,6 +398,33 @@ std::string toJunit(const RunResult& run) {
                           {"suites", std::move(rows)},
                           {"ofRun", std::move(rowsOfRun)}});
     return base::filled(report_page::junit_xml(), fields);
+}
+
+std::string reproduceCommand(const Shot& shot) {
+    std::string command = "glibra render " + shellWord(shot.script.generic_string()) + optionArguments(shot);
+    if (shot.expectedError) return command;
+    std::string file = shot.name;
+    std::ranges::replace(file, '/', '_');
+    return command + " -o " + shellWord(file + (shot.options.floatPixels ? ".exr" : ".png"));
+}
+
+std::string checkCommand(const Shot& shot) {
+    const auto isUnknown = [&](const OptionRow& row) {
+        return std::ranges::find(kCheckOptions, row.name) == kCheckOptions.end() &&
+               !optionWords(row, shot).empty();
+    };
+    if (std::ranges::any_of(optionTable(), isUnknown)) return {};
+    return "glibra check --run " + shellWord(shot.script.generic_string()) + optionArguments(shot);
+}
+
+std::string renameCommand(const Suite& suite, const Shot& shot) {
+    return fmt::format("glibra test {} --only {} --rename", shellWord(suite.file.generic_string()),
+                       shellWord(shot.name));
+}
+
+std::string acceptCommand(const Suite& suite, const Shot& shot) {
+    return fmt::format("glibra test {} --only {} --update", shellWord(suite.file.generic_string()),
+                       shellWord(shot.name));
 }
 
 }  // namespace glibra::suite

@@ -17,7 +17,7 @@
 #include "base/text.h"
 #include "image/format.h"
 #include "image/png/png_reader.h"
-#include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
 #include "suite/number_of.h"
 #include "suite/results/results_file.h"
 #include "suite/write_below.h"

@@ -12,10 +12,9 @@
 #include <utility>
 
 #include "base/files.h"
-#include "base/lines.h"
+#include "base/text.h"
 #include "base/utf8.h"
 #include "image/file.h"
-#include "suite/results/results.h"
 #include "suite/write_below.h"
 
 namespace glibra::suite {
@@ -41,9 +40,7 @@ Diagnostics writeWhole(const RunResult& run, const fs::path& file) {
     std::string text = toJsonLine(run) + '\n';
     for (const ShotResult& shot : run.shots) text += toJsonLine(shot) + '\n';
     if (run.complete) text += endLine(run.shots.size()) + '\n';
-    const int problem =
-        base::writeBeneath(file.parent_path(), file.filename(), std::as_bytes(std::span(text)));
-    return problem == 0 ? Diagnostics{} : Diagnostics{cannotWrite(file, problem)};
+    return writeBelow(file.parent_path(), file.filename(), std::as_bytes(std::span(text)));
 }
 
 }  // namespace

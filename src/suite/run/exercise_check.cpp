@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "image/compare/judge.h"
-#include "suite/file/sweep.h"
 #include "suite/run/shot_renderer.h"
 
 namespace glibra::suite {

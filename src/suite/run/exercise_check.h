@@ -1,6 +1,6 @@
 #pragma once
 // Whether an exercise is solved: its picture is that of the solution, at every moment that its file names
-// (suite/file/exercise_file.h).
+// (suite/file/sweep.h).
 
 #include <glibra/render.h>
 
@@ -11,7 +11,7 @@
 
 #include "gpu/context/context.h"
 #include "image/image.h"
-#include "suite/file/exercise_file.h"
+#include "suite/file/sweep.h"
 
 namespace glibra::suite {
 

@@ -3,24 +3,19 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
-#include <map>
-#include <optional>
 #include <set>
 #include <string_view>
-#include <vector>
 
 #include "base/files.h"
 #include "gpu/context/context.h"
 #include "image/file.h"
 #include "render/file/scene_inputs.h"
 #include "suite/golden/golden_store.h"
-#include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
 #include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
+#include "system/folder.h"
 #include "system/places.h"
-#include "system/spelling.h"
 
 namespace glibra::suite {
 namespace {

@@ -2,19 +2,16 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
-#include "base/memory_limit.h"
+#include "base/contained_call.h"
 #include "base/text.h"
 #include "base/workers.h"
-#include "gpu/context/hardware.h"
+#include "gpu/context/context.h"
 #include "image/file.h"
-#include "suite/day.h"
-#include "suite/golden/hash.h"
-#include "suite/run/run_options.h"
-#include "suite/run/run_worker.h"
+#include "suite/golden/hash_list.h"
+#include "suite/run/shot_renderer.h"
 #include "suite/run/verdict.h"
 #include "system/interruption.h"
 

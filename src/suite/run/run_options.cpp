@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <sstream>
-#include <string>
 
-#include "base/memory_limit.h"
+#include "base/contained_call.h"
 #include "base/parallel.h"
-#include "gpu/context/hardware.h"
+#include "gpu/context/context.h"
 #include "suite/golden/golden_store.h"
 #include "system/places.h"
 

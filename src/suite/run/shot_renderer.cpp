@@ -1,14 +1,19 @@
 #include "suite/run/shot_renderer.h"
 
+#include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <new>
-#include <utility>
+#include <string_view>
 
+#include "base/contained.h"
 #include "base/device_lost.h"
+#include "image/write.h"
+#include "render/check/order_check.h"
 #include "render/check/run_checks.h"
 #include "render/consequences.h"
 #include "render/file/job.h"
-#include "suite/file/unknown_uniforms.h"
+#include "suite/golden/hash_list.h"
 #include "suite/options/option_table.h"
 
 namespace glibra::suite {
@@ -162,6 +167,243 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
     rendering.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return rendering;
+}
+
+namespace {
+
+/// "uKd" of "Dots:uKd".
+std::string_view withoutProgram(std::string_view name) {
+    const std::size_t colon = name.rfind(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+}  // namespace
+
+void reportUnknownUniforms(const Shot& shot, Diagnostics& diagnostics) {
+    for (Diagnostic& each : diagnostics) {
+        // A pair in the scene has its own place there.
+        if (each.id != "glib-W23" || !each.place.file.empty()) continue;
+        const auto isAbout = [&](const PlacedUniform& uniform) {
+            return each.subject == withoutProgram(uniform.name);
+        };
+        const auto found = std::ranges::find_if(shot.ownUniforms, isAbout);
+        if (found != shot.ownUniforms.end()) each = diagnose("suite-E19", each.text, found->place);
+    }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Passes shots that must be rendered again from the judging thread to the thread with the context.
+class Recalls {
+  public:
+    struct Recall {
+        ShotReference reference;
+        std::shared_ptr<const Attempt> attempt;
+        int drawing = 2;               ///< the number of the drawing that is asked for
+        std::optional<Judged> failed;  ///< the verdict so far, if there is one
+    };
+    void add(Recall recall) {
+        const std::scoped_lock lock(mutex_);
+        recalls_.push_back(std::move(recall));
+    }
+    std::optional<Recall> next() {
+        const std::scoped_lock lock(mutex_);
+        if (recalls_.empty()) return std::nullopt;
+        Recall first = std::move(recalls_.front());
+        recalls_.pop_front();
+        return first;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::deque<Recall> recalls_;
+};
+
+std::size_t bytesOf(const Attempt& attempt) {
+    std::size_t bytes = 0;
+    for (const Rendering* each : {&attempt.own, attempt.match ? &*attempt.match : nullptr,
+                                  attempt.differ ? &*attempt.differ : nullptr})
+        if (each && each->picture) bytes += each->picture->data.size();
+    return bytes;
+}
+
+}  // namespace
+
+std::string ShotWorker::openContext() {
+    if (context_) return {};
+    shareProcessors(plan_.jobs, plan_.pieces.size());
+    Result<gpu::Context> opened = gpu::openContext({.driver = plan_.options.driver});
+    if (!opened) return opened.diagnostics.empty() ? "no driver" : opened.diagnostics.front().text;
+    context_.emplace(std::move(*opened));
+    renderer_.emplace(*context_, plan_.options.ofAll, [this](const Shot* shot) { awaits_(shot); });
+    const gpu::Capabilities& driver = context_->capabilities();
+    driver_ = driver.renderer + ", " + driver.version;
+    driverKey_ = driverKey(driver);
+    JudgeOptions options(plan_.options);
+    for (std::size_t i = 0; i < plan_.goldens.size(); ++i) {
+        if (i < plan_.options.orphansBySuite.size()) options.orphans = plan_.options.orphansBySuite[i];
+        judges_.emplace_back(plan_.suites[i], plan_.goldens[i], driver.family, driverKey_, options);
+    }
+    return {};
+}
+
+Attempt ShotWorker::attempt(const ShotReference& reference, std::span<const Shot* const> coming) {
+    const Shot& shot = plan_.shotOf(reference);
+    Attempt attempt;
+    attempt.shot = &shot;
+    const auto partner = [&](const std::string& name) -> std::optional<Rendering> {
+        if (name.empty() || !plan_.options.onlyRender.empty()) return std::nullopt;
+        const Shot* found = plan_.suites[reference.suite].find(name);
+        return found ? std::optional(renderer_->render(*found)) : std::nullopt;
+    };
+    attempt.own = renderer_->render(shot, coming);
+    // A golden must not show one order of threads out of many.
+    if (plan_.options.update && attempt.own.picture)
+        append(attempt.own.diagnostics, render::checkOrder(*context_, shot.script, shot.options));
+    // What lacks something is shown, but never judged.
+    if (plan_.options.onlyRender.empty() && hasError(attempt.own.diagnostics)) attempt.own.picture.reset();
+    if (attempt.own.picture) {
+        attempt.match = partner(shot.match);
+        attempt.differ = partner(shot.differ);
+    }
+    return attempt;
+}
+
+Judged ShotWorker::keep(const ShotReference& reference, const Attempt& attempt) const {
+    const Shot& shot = *attempt.shot;
+    const Suite& suite = plan_.suites[reference.suite];
+    Judged judged{ShotJudge::broken(suite, shot, Verdict::passed, {})};
+    ShotResult& result = judged.result;
+    result.accept.clear();
+    result.diagnostics = attempt.own.diagnostics;
+    for (const Diagnostic& each : attempt.own.failedChecks) {
+        if (each.id.starts_with("check-")) continue;
+        result.diagnostics.push_back(each);
+        if (!plan_.options.refusesMisspelt) result.diagnostics.back().severity = severityOf(each.id);
+    }
+    if (attempt.own.picture) {
+        result.width = attempt.own.picture->width;
+        result.height = attempt.own.picture->height;
+        result.got = pictureFile(plan_.options.onlyRender, suite, shot, plan_.suites.size() > 1);
+        // No link below the folder that the user named is followed. A failure is reported with the file.
+        if (base::makeFoldersBeneath(plan_.options.onlyRender, result.got.parent_path().lexically_relative(
+                                                                   plan_.options.onlyRender)) == ELOOP)
+            result.diagnostics.push_back(image::cannotWrite(result.got, "its folder is a link"));
+        else
+            append(result.diagnostics, image::writeImage(*attempt.own.picture, result.got,
+                                                         image::writtenAs(image::NamedBy::program)));
+    }
+    const bool expected = shot.expectedError && contains(result.diagnostics, *shot.expectedError);
+    if (hasError(result.diagnostics) && !expected) {
+        result.verdict = Verdict::failed;
+        for (const Diagnostic& each : result.diagnostics)
+            if (each.severity == Severity::error && result.reason.empty()) result.reason = toString(each);
+    }
+    return judged;
+}
+
+std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const Attempt& drawn,
+                                        const Attempt* again) const {
+    const auto fail = [&](const char* id, const std::string& text) {
+        Judged judged{ShotJudge::broken(plan_.suites[reference.suite], *drawn.shot, Verdict::failed, text),
+                      std::nullopt};
+        judged.result.diagnostics.push_back(diagnose(id, text, {drawn.shot->script.generic_string(), 1, 1}));
+        return judged;
+    };
+    try {
+        if (judges_.empty()) return keep(reference, drawn);
+        const ShotJudge& judge = judges_[reference.suite];
+        return again ? judge.second(drawn, *again) : judge.first(drawn);
+    } catch (const std::bad_alloc&) {
+        return fail("draw-E05", "out of memory while the picture was compared");
+    } catch (const std::exception& failure) {
+        return fail("draw-E06", failure.what());
+    }
+}
+
+int ShotWorker::retriesLeft(const ShotReference& reference) const {
+    if (plan_.options.update || !plan_.options.onlyRender.empty()) return 0;
+    const auto ended = plan_.ended.find(reference);
+    return plan_.shotOf(reference).retries - (ended == plan_.ended.end() ? 0 : ended->second.times);
+}
+
+std::string ShotWorker::operator()(std::size_t piece, const base::Step& step) {
+    std::mutex sending;
+    const auto send = [&](const Message& message) {
+        const std::scoped_lock lock(sending);
+        step(toText(message));
+    };
+    Recalls recalls;
+    /// Sends the verdict, or asks for another rendering. `soFar.failed` is the verdict on the drawings
+    /// before.
+    const auto report = [&](Recalls::Recall soFar, const Attempt* again) {
+        const Clock::time_point start = Clock::now();
+        const ShotReference reference = soFar.reference;
+        const std::shared_ptr<const Attempt> drawn = soFar.attempt;
+        const int drawing = soFar.drawing;
+        const auto askAgain = [&](std::optional<Judged> failed) {
+            send(Phase{Phase::Kind::recalls, reference});
+            recalls.add({reference, drawn, drawing + 1, std::move(failed)});
+        };
+        std::optional<Judged> judged =
+            soFar.failed ? std::move(soFar.failed) : judge(reference, *drawn, again);
+        if (!judged) return askAgain(std::nullopt);
+        if (const int retries = retriesLeft(reference); retries > 0 && isFailure(judged->result.verdict)) {
+            const std::optional<Judged> other = again ? judge(reference, *again, nullptr) : std::nullopt;
+            if (other && other->result.verdict == Verdict::passed)
+                makeFlaky(judged->result, drawing, judged->result);
+            else if (drawing <= retries)
+                return askAgain(std::move(judged));
+        }
+        judged->result.milliseconds +=
+            std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        send(Done{reference, std::move(judged->result), std::move(judged->accepted)});
+    };
+    const std::vector<ShotReference>& shots = plan_.pieces[piece];
+    ShotReference current;
+    awaits_ = [&](const Shot* shot) {
+        const auto found = std::ranges::find_if(
+            shots, [&](const ShotReference& each) { return &plan_.shotOf(each) == shot; });
+        send(Phase{Phase::Kind::awaits, found == shots.end() ? current : *found});
+    };
+    const auto renderRecalled = [&] {
+        while (const std::optional<Recalls::Recall> recall = recalls.next()) {
+            current = recall->reference;
+            send(Begins{recall->reference});
+            renderer_->forget();
+            const Attempt again = attempt(recall->reference, {});
+            report(*recall, &again);
+        }
+    };
+
+    Background judging;
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const ShotReference reference = current = shots[i];
+        send(Begins{reference});
+        const bool first = !context_;
+        if (std::string problem = openContext(); !problem.empty()) return problem;
+        if (first) send(DriverIs{driver_, driverKey_});
+        std::vector<const Shot*> coming;
+        for (std::size_t next = i + 1; next < shots.size() && coming.size() < kShotsAhead; ++next)
+            coming.push_back(&plan_.shotOf(shots[next]));
+        auto drawn = std::make_shared<const Attempt>(attempt(reference, coming));
+        const std::size_t bytes = bytesOf(*drawn);
+        send(Phase{Phase::Kind::drawn, reference});
+        judging.add(
+            [reference, drawn, &report, &send] {
+                send(Phase{Phase::Kind::judges, reference});
+                report({reference, drawn, 1, std::nullopt}, nullptr);
+            },
+            bytes);
+        drawn.reset();
+        renderRecalled();
+    }
+    judging.finish();
+    renderRecalled();
+    return {};
 }
 
 }  // namespace glibra::suite

@@ -7,16 +7,14 @@
 
 #include "base/contained.h"
 #include "base/text.h"
-#include "gpu/context/family.h"
-#include "image/compare/heat_map.h"
-#include "image/convert.h"
+#include "gpu/context/capabilities.h"
+#include "image/compare/compare.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "suite/file/shot_name.h"
 #include "suite/golden/ignored.h"
 #include "suite/options/option_words.h"
-#include "suite/options/tolerance_keys.h"
-#include "suite/report/verdict_commands.h"
+#include "suite/report/terminal_report.h"
 #include "suite/write_below.h"
 
 namespace glibra::suite {

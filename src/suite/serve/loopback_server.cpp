@@ -6,7 +6,6 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
-#include <cstddef>
 #include <exception>
 #include <mutex>
 #include <optional>

@@ -16,7 +16,6 @@
 
 #include "image/image.h"
 #include "suite/golden/golden_store.h"
-#include "suite/golden/hash.h"
 #include "suite/golden/hash_list.h"
 #include "suite/results/results.h"
 #include "suite/serve/loopback_server.h"

@@ -179,4 +179,8 @@ int replaceUnnamed(const fs::path& path, std::span<const std::byte> bytes, bool 
     return nameFile(numberOf(folder), numberOf(file), path.filename());
 }
 
+std::filesystem::path asInFolders(const std::filesystem::path& path) {
+    return path;
+}
+
 }  // namespace glibra::system

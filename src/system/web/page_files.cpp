@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "system/file.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 
 namespace glibra::system {
 

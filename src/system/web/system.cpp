@@ -12,13 +12,13 @@
 #include <string_view>
 #include <vector>
 
+#include "system/child_process.h"
 #include "system/file.h"
 #include "system/folder.h"
 #include "system/library.h"
 #include "system/memory.h"
 #include "system/places.h"
 #include "system/process.h"
-#include "system/worker.h"
 
 namespace glibra::system {
 namespace {
@@ -83,7 +83,7 @@ fs::path programFile() {
 }
 void setVariable(const char* /*name*/, const std::string& /*value*/, Replace /*replace*/) {}
 
-// process.h and worker.h
+// process.h and child_process.h
 
 Process::~Process() = default;
 void onCopy(void (* /*note*/)()) {}

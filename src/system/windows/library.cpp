@@ -1,7 +1,6 @@
 #include "system/library.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "system/windows/win.h"

@@ -13,8 +13,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <initializer_list>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,7 +61,7 @@ struct Pending {
     OVERLAPPED state{};
 };
 
-// Files: file.cpp, owner.cpp
+// Files: file.cpp
 
 /// Opens an existing file. No other process can take our identity by being what is opened.
 File openExisting(const std::filesystem::path& path, DWORD access, DWORD flags, DWORD share = kShareAll);
@@ -105,7 +103,7 @@ int putInPlace(HANDLE file, HANDLE folder, const std::wstring& name);
 /// Removes the name of an open file, whose handle has the right DELETE. Returns 0 or an error number.
 int removeOpen(HANDLE file);
 
-// Pipes: pipe.cpp
+// Pipes: child_process.cpp
 
 enum class PipeEnd { reads, writes, both };
 /// A pipe. `ours` can be waited for if it reads; `theirs` is for simple reads and writes as programs make
@@ -118,7 +116,7 @@ inline DWORD waitOf(int milliseconds) {
     return milliseconds < 0 ? INFINITE : static_cast<DWORD>(milliseconds);
 }
 
-// Processes: process.cpp, start.cpp
+// Processes: process.cpp
 
 /// What the handle of a Process points to.
 struct Started {
@@ -160,8 +158,8 @@ inline constexpr const wchar_t *kWorkerVariable = L"GLIBRA_WORKER", *kChildVaria
 /// Takes over a handle of an inherited list.
 File takeHandle(std::uint64_t value);
 
-/// True in a process that was started to be a worker and has not come to its call (worker.h): functions that
-/// change files report success and do nothing, since the process parentNumber() has done that.
+/// True in a process that was started to be a worker and has not come to its call (child_process.h):
+/// functions that change files report success and do nothing, since the process parentNumber() has done that.
 bool repeatsParent();
 int parentNumber();
 /// What is written there is gone.

@@ -14,11 +14,11 @@
 #include "image/file.h"
 #include "image/image.h"
 #include "image/write.h"
-#include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
+#include "system/folder.h"
 #include "system/memory.h"
 #include "system/places.h"
 #include "system/process.h"
-#include "system/spelling.h"
 #include "view/scene/window_target.h"
 #include "view/session/session.h"
 

@@ -12,7 +12,6 @@
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
 #include "gpu/object/framebuffer.h"
-#include "gpu/object/vertex_array.h"
 #include "render/live/live_scene.h"
 #include "view/debug_view/debug_program.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/suggest.h"
 #include "scene/file_lookup.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 #include "view/edit/text_search.h"
 
 namespace glibra::view {

@@ -14,10 +14,10 @@
 
 #include "base/files.h"
 #include "image/file.h"
-#include "suite/golden/hash.h"
+#include "suite/golden/hash_list.h"
+#include "system/folder.h"
 #include "system/places.h"
 #include "system/process.h"
-#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/files.h"
 #include "image/file.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 #include "view/edit/example_folders.h"
 
 namespace glibra::view {

@@ -7,7 +7,7 @@
 
 #include "image/file.h"
 #include "scene/file_lookup.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 
 namespace glibra::view {
 namespace {

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "editor/call_hint.h"
 #include "editor/completion.h"
 #include "editor/declared_names.h"
 #include "editor/reference.h"

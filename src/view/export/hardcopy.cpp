@@ -19,7 +19,7 @@
 #include "render/live/knobs.h"
 #include "render/scene_renderer.h"
 #include "suite/options/option_words.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 
 namespace glibra::view {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 
 namespace glibra::view {
 namespace {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "base/files.h"
+#include "image/compare/compare.h"
 #include "image/compare/flip.h"
-#include "image/compare/structure.h"
 #include "image/file.h"
-#include "suite/file/exercise_file.h"
+#include "suite/file/sweep.h"
 #include "view/scene/window_target.h"
 
 namespace glibra::view {

@@ -67,7 +67,7 @@ class Comparison {
     std::uint64_t ownFrames_ = 0;
 };
 
-/// The scene that solves the exercise: the file beside the scene names it (suite/file/exercise_file.h). Empty
+/// The scene that solves the exercise: the file beside the scene names it (suite/file/sweep.h). Empty
 /// if there is none.
 std::filesystem::path solutionOf(const std::filesystem::path& scene);
 

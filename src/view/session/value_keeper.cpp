@@ -10,8 +10,8 @@
 
 #include "base/files.h"
 #include "image/file.h"
-#include "suite/golden/hash.h"
-#include "system/spelling.h"
+#include "suite/golden/hash_list.h"
+#include "system/folder.h"
 
 namespace glibra::view {
 namespace {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "system/spelling.h"
+#include "system/folder.h"
 #include "view/edit/names_apart.h"
 
 namespace glibra::view {

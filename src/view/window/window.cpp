@@ -17,7 +17,7 @@
 #include "base/device_lost.h"
 #include "glib/text.h"
 #include "gpu/context/context.h"
-#include "gpu/context/reset.h"
+#include "gpu/context/driver_reports.h"
 #include "system/interruption.h"
 #include "view/browse/file_use.h"
 #include "view/debug_view/texels.h"

@@ -15,7 +15,7 @@
 #include <thread>
 #include <utility>
 
-#include "gpu/context/reset.h"
+#include "gpu/context/driver_reports.h"
 #include "image/file.h"
 #include "view/window/panels/layout.h"
 #include "view/window/panels/syntax_colors.h"

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "functions/grid_model.h"
-#include "geometry/obj/obj_mesh.h"
 #include "geometry/obj/obj_model.h"
 
 namespace {

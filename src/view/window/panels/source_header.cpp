@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "system/spelling.h"
+#include "system/folder.h"
 #include "view/edit/example_folders.h"
 #include "view/edit/external_editor.h"
 #include "view/window/panels/icons.h"

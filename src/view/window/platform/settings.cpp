@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "image/file.h"
+#include "system/folder.h"
 #include "system/places.h"
-#include "system/spelling.h"
 
 namespace glibra::view {
 namespace {

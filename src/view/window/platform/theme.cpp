@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "system/places.h"
-#include "system/title_bar.h"
+#include "system/window.h"
 
 namespace glibra::view {
 namespace {
