@@ -16,7 +16,7 @@
 #include "plan/accesses.h"
 #include "plan/program_variant.h"
 #include "scene/primitives.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 #include "scene/view.h"
 
 namespace glibra::budget {

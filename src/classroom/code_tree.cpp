@@ -1,7 +1,7 @@
 #include "classroom/code_tree.h"
 
-#include "glsl/parse/bodies.h"
 #include "glsl/parse/syntax.h"
+#include "glsl/parse/tree.h"
 
 namespace glibra::classroom {
 

@@ -5,7 +5,7 @@
 #include <ranges>
 #include <set>
 
-#include "glsl/read/condition.h"
+#include "glsl/read/preprocessor.h"
 #include "glsl/read/words.h"
 
 namespace glibra::classroom {

@@ -13,7 +13,7 @@
 #include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/scene_arguments.h"
-#include "render/load/hidden_text.h"
+#include "render/load/program_sources.h"
 #include "system/places.h"
 
 namespace glibra::cli {

@@ -10,7 +10,7 @@
 #include "base/workers.h"
 #include "cli/commands.h"
 #include "render/check/scene_check.h"
-#include "render/file/animation.h"
+#include "render/file/scene_inputs.h"
 #include "suite/suite.h"
 
 namespace glibra::cli {

@@ -26,8 +26,8 @@
 #include "image/file.h"
 #include "image/png/png_reader.h"
 #include "image/video/video_file.h"
-#include "render/file/animation.h"
 #include "render/file/job.h"
+#include "render/file/scene_inputs.h"
 #include "suite/run/run_options.h"
 #include "system/interruption.h"
 

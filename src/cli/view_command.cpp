@@ -10,7 +10,7 @@
 #include "cli/scene_arguments.h"
 #include "cli/sister_program.h"
 #include "glib/text.h"
-#include "scene/folder_listings.h"
+#include "scene/file_lookup.h"
 #include "system/library.h"
 
 namespace glibra::cli {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/text.h"
-#include "glsl/parse/bodies.h"
 #include "glsl/parse/lexical.h"
 #include "glsl/parse/syntax.h"
+#include "glsl/parse/tree.h"
 #include "glsl/parse/unit.h"
 #include "glsl/read/token.h"
 #include "glsl/read/words.h"

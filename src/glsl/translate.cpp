@@ -4,8 +4,9 @@
 
 #include "glsl/emit/emit.h"
 #include "glsl/facts/facts.h"
-#include "glsl/parse/bodies.h"
 #include "glsl/parse/lexical.h"
+#include "glsl/parse/tree.h"
+#include "glsl/parse/unit.h"
 #include "glsl/parse/usage.h"
 #include "glsl/parse/variables.h"
 #include "glsl/read/source.h"

@@ -21,8 +21,7 @@
 #include "render/load/device_buffers.h"
 #include "render/load/device_scene.h"
 #include "render/scene_renderer.h"
-#include "scene/texture_name.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 #include "suite/options/option_table.h"
 
 namespace glibra {

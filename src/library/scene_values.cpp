@@ -26,7 +26,7 @@
 #include "render/consequences.h"
 #include "render/load/device_buffers.h"
 #include "render/load/device_textures.h"
-#include "scene/texture_name.h"
+#include "scene/textures.h"
 
 namespace glibra {
 

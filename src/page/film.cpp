@@ -18,7 +18,7 @@
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/readback.h"
 #include "image/image.h"
-#include "render/live/knob_json.h"
+#include "render/live/knobs.h"
 #include "render/live/live_scene.h"
 #include "render/load/device_textures.h"
 #include "render/scene_renderer.h"

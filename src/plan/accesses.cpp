@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "plan/submission.h"
 #include "plan/texture_binding.h"
 #include "plan/uniform_names.h"
 

@@ -2,13 +2,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/number.h"
 #include "base/suggest.h"

@@ -2,23 +2,18 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cstddef>
 #include <glm/geometric.hpp>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
 #include "base/suggest.h"
 #include "plan/accesses.h"
-#include "plan/inputs.h"
 #include "plan/submission.h"
 #include "plan/texture_binding.h"
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
-#include "scene/camera.h"
-#include "scene/primitives.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
+#include "scene/view.h"
 
 namespace glibra::plan {
 namespace {

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <initializer_list>
-#include <optional>
 #include <ranges>
-#include <string>
 #include <string_view>
 
 #include "base/suggest.h"

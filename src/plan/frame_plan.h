@@ -15,9 +15,7 @@
 #include <vector>
 
 #include "base/raster_state.h"
-#include "plan/inputs.h"
 #include "plan/program_variant.h"
-#include "plan/uniform_values.h"
 #include "scene/scene.h"
 
 namespace glibra::plan {
@@ -96,6 +94,17 @@ struct PlannedProgram {
 
 /// True for members of a uniform block whose values are in a buffer of the scene.
 bool isInBuffer(const PlannedProgram& program, const ActiveUniform& uniform);
+
+/// What feeds one vertex input.
+struct InputSource {
+    /// A mesh attribute by its name in geometry; numbers; or a buffer. An attribute that the mesh lacks reads
+    /// (0, 0, 0, 1), and the current colour where it is geometry::kColor.
+    std::variant<std::string, std::array<double, 4>, scene::BufferView> from;
+    bool isPerInstance = false;  ///< of a buffer
+    scene::ElementPart part{};   ///< of a buffer
+    bool isKnown = true;         ///< false: nothing feeds it but perhaps a list with an attribute of its name
+    friend bool operator==(const InputSource&, const InputSource&) = default;
+};
 
 /// What feeds the inputs of a program; one element per input of its interface.
 struct PlannedInputs {

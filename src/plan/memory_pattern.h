@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/types/memory_facts.h"
+#include "glsl/types/translated_program.h"
 #include "plan/program_variant.h"
 
 namespace glibra::plan {

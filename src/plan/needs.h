@@ -1,17 +1,25 @@
 #pragma once
-// Private to this room.
-// Finds which steps of a frame contribute to the picture: it walks back from the window to the passes whose
-// targets are sampled on the way.
+// Which steps of a frame contribute to the picture, and which stand still.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "plan/accesses.h"
 #include "plan/frame_plan.h"
-#include "plan/planned_programs.h"
 
 namespace glibra::plan {
+
+class PlannedPrograms;
+struct Answers;
+struct PlanOptions;
+struct Questions;
+
+// ---- What is needed. Private to this room.
+// Finds which steps of a frame contribute to the picture: it walks back from the window to the passes whose
+// targets are sampled on the way.
 
 enum class StepNeed : std::uint8_t { needed, coveredByClear, drawsNothing, outOfSight, passNotNeeded };
 
@@ -37,7 +45,33 @@ struct Needs {
 Needs findNeeds(const scene::Scene& scene, const scene::NodeList& nodes, PlannedPrograms& programs,
                 const Answers& answers, const PlanOptions& options, Questions& questions);
 
-/// True if a draw of the pass tests the stencil, or a Clear sets it.
-bool usesStencil(const scene::Pass& pass);
+// ---- What stands still
+// Finds what of a frame is the same as in the frame before, so that it need not be drawn again: the shadow
+// map of a light that stands still, the pictures of a surrounding in which nothing moves.
+
+/// A scene and the plan of its frame.
+struct PlannedScene {
+    const scene::Scene& scene;
+    const FramePlan& plan;
+};
+
+/// The nodes that need not run.
+struct StillNodes {
+    std::vector<bool> nodes;    ///< one per node of FramePlan::order; empty: none is still
+    std::set<Object> contents;  ///< what they would write; it must keep its content
+};
+
+/// False if each node draws into the window or follows Timer, so that none can stand still. Allocates
+/// nothing.
+bool mayStandStill(const FramePlan& plan);
+
+/// The nodes of `now` that would write what their objects hold after `before`, of the same scene, was
+/// drawn completely and nothing else has written since. Such a node is equal in both plans and the only one
+/// of its frame that writes its objects, none of which has a history or shares memory. What it reads comes
+/// from other still nodes before it, or from nothing that has changed. `changed` says which objects Once and
+/// Step blocks have written since. The eye of the window's passes must have stood still for passes that are
+/// seen through it; draws that read Timer are never still.
+StillNodes stillNodes(const PlannedScene& before, const PlannedScene& now,
+                      const std::function<bool(const Object&)>& changed);
 
 }  // namespace glibra::plan

@@ -1,6 +1,7 @@
 #pragma once
-// `--set NAME=VALUE` over a whole scene.
+// `--set NAME=VALUE` over a whole scene, and names that have no effect.
 
+#include <glibra/diagnostic.h>
 #include <glibra/result.h>
 
 #include <cstddef>
@@ -12,6 +13,8 @@
 #include "scene/scene.h"
 
 namespace glibra::plan {
+
+struct FramePlan;
 
 /// One `--set NAME=VALUE`. The value is numbers separated by commas or blanks, or true or false, or a word of
 /// a choice.
@@ -41,5 +44,18 @@ Diagnostics unusedOverrides(std::span<const Override> overrides, const std::vect
 /// glib-W15 for a value of a variable of the scene with another number of components than the variable has;
 /// the variable keeps its value.
 Diagnostic misfit(std::string_view name, std::span<const double> values, std::size_t components);
+
+// ---- Names without effect
+// What only all plans of a scene show together: names of --set and Set that no program has (language, 12.1),
+// and textures that nothing writes (12.4).
+
+/// glib-W23 for `--set` names that no program of the plans has, and glib-W24 for those that are declared but
+/// not active. `plans` are those of the scene's frame and of its Once and Step blocks, made with the same
+/// overrides. For a program that none of them asked for, or that did not link, only the pairs are known, so a
+/// name among them is accepted. Also draw-W11 for textures that are read and never written, and glib-W23 for
+/// names of Set that look misspelt: no program has them, one has a name that is near, and all programs of the
+/// scene are known.
+Diagnostics reportNames(const scene::Scene& scene, std::span<const FramePlan* const> plans,
+                        std::span<const Override> overrides);
 
 }  // namespace glibra::plan

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plan/loop_rounds.h"
+#include "plan/submission.h"
 #include "plan/uniform_names.h"
 #include "plan/uniforms.h"
 

@@ -2,7 +2,6 @@
 // Private to this room: the programs of a plan, each once, with what they read and write.
 
 #include <map>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>

@@ -6,16 +6,13 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "plan/accesses.h"
 #include "plan/draw_remarks.h"
-#include "plan/frame_plan.h"
-#include "plan/inputs.h"
 #include "plan/needs.h"
+#include "plan/overrides.h"
 #include "plan/planned_programs.h"
-#include "plan/reported_names.h"
 #include "plan/submission.h"
 #include "plan/texture_binding.h"
 #include "plan/uniform_names.h"
@@ -25,7 +22,8 @@
 namespace glibra::plan {
 namespace {
 
-// Finds what a plan leaves out, and why.
+// Finds what a plan leaves out, and why: passes, draws, statements, programs, meshes, attributes, textures,
+// files, in this order, and each kind in the order of the scene.
 
 class SkipList {
   public:
@@ -215,12 +213,6 @@ class SkipList {
     std::vector<Skipped> skipped_;
 };
 
-/// Lists everything of the scene that is not in the plan: passes, draws, statements, programs, meshes,
-/// attributes, textures, files, in this order, and each kind in the order of the scene.
-std::vector<Skipped> listSkipped(const scene::Scene& scene, const Needs& needs, const FramePlan& plan) {
-    return SkipList(scene, needs, plan).list();
-}
-
 class FramePlanner {
   public:
     FramePlanner(const scene::Scene& scene, const scene::NodeList& nodes, const Answers& answers,
@@ -260,7 +252,7 @@ class FramePlanner {
         findBeginnings(scene_, plan_);
         if (options_.shareTargets && !options_.everything)
             plan_.sharing = sharedTargets(scene_, plan_, options_.roots);
-        if (!options_.everything) plan_.skipped = listSkipped(scene_, needs, plan_);
+        if (!options_.everything) plan_.skipped = SkipList(scene_, needs, plan_).list();
     }
 
     /// Built-in noise that is planned only because all textures are, unless PlanOptions::idleNoise.

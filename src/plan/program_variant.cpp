@@ -1,7 +1,6 @@
 #include "plan/program_variant.h"
 
 #include <algorithm>
-#include <variant>
 
 namespace glibra::plan {
 namespace {

@@ -6,9 +6,13 @@
 
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "glsl/types/request.h"
 #include "plan/frame_plan.h"
+#include "plan/program_variant.h"
+#include "scene/scene.h"
 
 namespace glibra::plan {
 
@@ -36,5 +40,21 @@ bool ignoresPointSize(const scene::Draw& draw, const scene::Program* program,
 
 /// The file name of the program's stage as the scene writes it, without folders; empty without that stage.
 std::string stageFileName(const scene::Scene& scene, const scene::Program& program, glsl::Stage stage);
+
+// ---- Inputs
+// Finds what feeds the vertex inputs of a program, and the attributes that meshes have for them.
+
+/// The sources of all inputs of a program, in the order of ProgramInterface::inputs, for draws with one set
+/// of attributes. Inputs read, in this order: what the set gives them by name; what the runtime supplies
+/// (language, 6); where names are supplied what they say in books (glsl::wellKnownAttribute); the attribute
+/// of a list that has the same name.
+std::vector<InputSource> inputSources(const scene::Scene& scene, scene::AttributeSetIndex attributes,
+                                      const ProgramInterface& interface);
+
+/// The name of an input or output as the user wrote it.
+std::string userNameOf(const ProgramInterface& interface, const std::string& name);
+
+/// The attributes that the mesh of a shape may have, in the order of the constants of geometry.
+std::vector<std::string> attributesOf(const scene::Shape& shape);
 
 }  // namespace glibra::plan

@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "plan/uniform_names.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::plan {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plan/uniform_values.h"
+#include "plan/program_variant.h"
 
 namespace glibra::plan {
 

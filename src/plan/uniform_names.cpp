@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "base/suggest.h"
 #include "base/text.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "glsl/types/builtins.h"
-#include "glsl/types/memory_facts.h"
+#include "glsl/types/translated_program.h"
 #include "plan/program_variant.h"
 #include "plan/type_table.h"
 

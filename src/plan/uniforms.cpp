@@ -5,12 +5,9 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "plan/texture_binding.h"
-#include "plan/type_table.h"
-#include "plan/uniform_names.h"
 
 namespace glibra::plan {
 namespace {

@@ -15,7 +15,6 @@
 #include "plan/program_variant.h"
 #include "plan/type_table.h"
 #include "plan/uniform_names.h"
-#include "plan/uniform_values.h"
 #include "scene/scene.h"
 
 namespace glibra::plan {

@@ -6,11 +6,10 @@
 #include <set>
 #include <utility>
 
-#include "glsl/es/loop_guards.h"
+#include "glsl/es/additions.h"
 #include "gpu/object/loop_limit.h"
-#include "plan/accesses.h"
-#include "plan/reported_names.h"
-#include "render/draw/dispatch.h"
+#include "plan/overrides.h"
+#include "render/draw/work_share.h"
 #include "scene/view.h"
 
 namespace glibra::render {

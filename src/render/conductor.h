@@ -14,11 +14,10 @@
 
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
+#include "plan/needs.h"
 #include "plan/planner.h"
-#include "plan/still.h"
 #include "render/draw/axes.h"
 #include "render/draw/frame.h"
-#include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
 #include <variant>
 
 #include "render/simulation/block_checks.h"

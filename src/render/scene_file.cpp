@@ -5,8 +5,6 @@
 #include "glib/limits.h"
 #include "glib/text.h"
 #include "image/file.h"
-#include "plan/overrides.h"
-#include "scene/interpret.h"
 
 namespace glibra::render {
 namespace {

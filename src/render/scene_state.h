@@ -16,7 +16,7 @@
 #include "image/image.h"
 #include "render/conductor.h"
 #include "render/draw/axes.h"
-#include "render/draw/tiles.h"
+#include "render/draw/view_matrices.h"
 #include "render/gpu_times.h"
 #include "render/scene_file.h"
 

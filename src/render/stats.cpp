@@ -6,9 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace glibra::render {
 

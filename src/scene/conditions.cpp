@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
-#include <string_view>
 
 #include "base/text.h"
-#include "expression/expression.h"
 #include "glib/number.h"
 
 namespace glibra::scene {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <exception>
 #include <utility>
-#include <vector>
 
+#include "geometry/shapes/primitive.h"
 #include "glib/messages.h"
 #include "glib/statement_table.h"
 #include "scene/actions.h"
@@ -315,6 +315,28 @@ expression::Depends Interpretation::depends() const {
 
 Scene interpret(const glib::Script& script, const InterpretOptions& options) {
     return Interpretation(script, options).at({});
+}
+
+// ---- The actions of all statements
+
+std::span<const CommandAction> allActions() {
+    static const std::vector<CommandAction> kActions = [] {
+        const auto first = static_cast<std::size_t>(CommandId::firstPrimitive);
+        std::vector<CommandAction> all(first);
+        all.resize(first + geometry::primitives().size(), {.handler = doPrimitive, .draws = true});
+        for (const auto& some :
+             {viewActions(), drawActions(), passActions(), textureActions(), programActions()})
+            for (const CommandAction& each : some) all.at(static_cast<std::size_t>(each.id)) = each;
+        for (const auto& some : {structureActions(), variableActions(), tagActions(), cameraActions(),
+                                 objectActions(), targetActions(), stateActions(), vertexActions(),
+                                 bufferActions(), blockActions(), checkActions()})
+            for (const CommandAction& each : some) {
+                all.at(static_cast<std::size_t>(each.id)) = each;
+                all.at(static_cast<std::size_t>(each.id)).isModern = true;
+            }
+        return all;
+    }();
+    return kActions;
 }
 
 }  // namespace glibra::scene

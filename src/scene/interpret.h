@@ -7,7 +7,6 @@
 #include "expression/known_names.h"
 #include "glib/script.h"
 #include "scene/file_lookup.h"
-#include "scene/frame_inputs.h"
 #include "scene/scene.h"
 
 namespace glibra::scene {

@@ -3,12 +3,12 @@
 
 #include <glibra/diagnostic.h>
 #include <glibra/draw_id.h>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
 #include <array>
 #include <cstdint>
 #include <deque>
-#include <glm/mat4x4.hpp>
-#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -338,5 +338,10 @@ struct OnceBlock {
     NodeList nodes;
     std::vector<double> reads;  ///< the values of what it depends on; other values mean that it runs again
 };
+
+// The most that one draw may have (language, 12.6), whether the scene or a buffer gives the number.
+
+inline constexpr int kMostInstances = 100'000'000;
+inline constexpr int kMostVertices = 500'000'000;
 
 }  // namespace glibra::scene

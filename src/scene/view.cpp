@@ -1,20 +1,136 @@
 #include "scene/view.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
-#include <glm/common.hpp>
 #include <limits>
 #include <optional>
 #include <vector>
 
-#include "base/matrices.h"
-#include "scene/matrices.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::scene {
+
+// ---- Matrices
+
+namespace {
+
+double largestElement(const glm::dmat3& matrix) {
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) largest = std::max(largest, std::abs(matrix[i][j]));
+    return largest;
+}
+
+/// Returns matrix * factor. If a float cannot hold the largest element of that product, the matrix is divided
+/// by its largest element instead.
+glm::dmat3 timesWithinFloats(const glm::dmat3& matrix, double factor) {
+    const double largest = largestElement(matrix);
+    const double product = largest * factor;
+    const bool fits =
+        product >= std::numeric_limits<float>::min() && product <= std::numeric_limits<float>::max();
+    if (largest == 0 || fits) return matrix * factor;
+    return matrix / largest;
+}
+
+}  // namespace
+
+glm::dmat3 normalMatrix(const glm::dmat4& modelView) {
+    // Dividing by a power of two first keeps the products of very small and very large elements in range,
+    // and changes no bit of them.
+    glm::dmat3 linear(modelView);
+    const double largest = largestElement(linear);
+    if (!(largest > 0) || !std::isfinite(largest)) return glm::dmat3(0.0);
+    const double unit = std::ldexp(1.0, std::ilogb(largest));
+    linear /= unit;
+    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                               glm::cross(linear[0], linear[1]));
+    if (isSingular(linear)) return timesWithinFloats(cofactors, unit * unit);
+    const double determinant = glm::dot(linear[0], cofactors[0]);
+    return timesWithinFloats(cofactors / determinant, 1 / unit);
+}
+
+bool isFinite(const glm::dmat4& matrix) {
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            if (!(std::abs(matrix[i][j]) <= std::numeric_limits<float>::max())) return false;
+    return true;
+}
+
+// ---- Cameras
+
+glm::dmat4 CameraValues::inverseView() const {
+    return inverseOrZero(view);
+}
+
+glm::dvec3 CameraValues::position() const {
+    return glm::dvec3(inverseView()[3]);
+}
+
+glm::dvec3 CameraValues::direction() const {
+    const glm::dvec3 backward(inverseView()[2]);
+    const double length = glm::length(backward);
+    return length > 0 ? -backward / length : glm::dvec3(0, 0, -1);
+}
+
+glm::dmat4 CameraValues::shadow() const {
+    return translation({.5, .5, .5}) * scaling({.5, .5, .5}) * viewProjection();
+}
+
+Lens lensOf(const glm::dmat4& projection) {
+    const auto isRow = [&](const glm::dvec4& row) { return glm::row(projection, 3) == row; };
+    const double w = projection[2][3] != 0 ? -projection[2][3] : projection[3][3];
+    const double depth = projection[2][2] / w, shift = projection[3][2] / w;
+    if (w != 0 && isRow({0, 0, 0, w})) return {(shift + 1) / depth, (shift - 1) / depth, 0};
+    if (w == 0 || !isRow({0, 0, -w, 0})) return {};
+    const double height = projection[1][1] / w, middle = projection[2][1] / w;
+    const double angle = std::atan((middle + 1) / height) - std::atan((middle - 1) / height);
+    return {shift / (depth - 1), shift / (depth + 1), std::abs(glm::degrees(angle))};
+}
+
+glm::dmat4 reflection(const glm::dvec3& normal, double d) {
+    const double squared = glm::dot(normal, normal);
+    glm::dmat4 result(1.0);
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) result[column][row] -= 2 * normal[column] * normal[row] / squared;
+    for (int row = 0; row < 3; ++row) result[3][row] = -2 * d * normal[row] / squared;
+    return result;
+}
+
+glm::dmat4 withNearPlane(const glm::dmat4& projection, const glm::dvec4& plane) {
+    // The corner of the far plane that lies opposite to the new plane stays a corner of the far plane.
+    const glm::dvec4 corner =
+        inverseOrZero(projection) * glm::dvec4(plane.x < 0 ? -1 : 1, plane.y < 0 ? -1 : 1, 1, 1);
+    const glm::dvec4 scaled = plane * (2 / glm::dot(plane, corner));
+    glm::dmat4 result = projection;
+    for (int column = 0; column < 4; ++column) result[column][2] = scaled[column] - projection[column][3];
+    return result;
+}
+
+glm::dmat4 faceView(int face, const glm::dvec3& eye) {
+    struct Axes {
+        glm::dvec3 direction, up;
+    };
+    // The s and t axes of each face: OpenGL 4.5, table 8.19. Rows of a texture run from its first texel
+    // upward.
+    static constexpr std::array<Axes, 6> kFaces{{{{1, 0, 0}, {0, -1, 0}},
+                                                 {{-1, 0, 0}, {0, -1, 0}},
+                                                 {{0, 1, 0}, {0, 0, 1}},
+                                                 {{0, -1, 0}, {0, 0, -1}},
+                                                 {{0, 0, 1}, {0, -1, 0}},
+                                                 {{0, 0, -1}, {0, -1, 0}}}};
+    const Axes& axes = kFaces.at(static_cast<std::size_t>(face));
+    return viewingMatrix(eye, eye + axes.direction, axes.up).value_or(glm::dmat4(1.0));
+}
+
+// ---- Views
+
 namespace {
 
 constexpr double kRounding = 1e-9;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "glsl/emit/wrapped_main.h"
+#include "glsl/emit/emit.h"
 #include "support.h"
 
 namespace glibra::glsl::test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "glsl/emit/log.h"
-#include "glsl/emit/log_phrases.h"
+#include "glsl/emit/log_line.h"
 #include "support.h"
 
 namespace glibra::glsl::test {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "glsl/parse/bodies.h"
+#include "glsl/parse/tree.h"
 #include "glsl/read/source.h"
 
 namespace glibra::glsl::test {

@@ -11,8 +11,8 @@
 
 #include "compatibility_picture.h"
 #include "geometry/mesh.h"
-#include "scene/matrices.h"
 #include "scene/scene.h"
+#include "scene/view.h"
 
 namespace glibra::oracle {
 

@@ -1,7 +1,7 @@
 // Whether an animation is worth dividing, decided without a context, and how the diagnostics of its parts are
 // joined.
 
-#include "render/file/animation.h"
+#include "render/file/scene_inputs.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "render/draw/dispatch.h"
+#include "render/draw/work_share.h"
 
 namespace glibra::render {
 namespace {

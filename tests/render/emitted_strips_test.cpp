@@ -1,4 +1,4 @@
-#include "render/draw/emitted_strips.h"
+#include "render/draw/expanded_geometry.h"
 
 #include <gtest/gtest.h>
 

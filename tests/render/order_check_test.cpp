@@ -5,7 +5,7 @@
 #include <string>
 
 #include "modern_text.h"
-#include "render/check/order_check.h"
+#include "render/check/run_checks.h"
 #include "skip_runs.h"
 
 namespace glibra::test {

@@ -12,7 +12,6 @@
 #include <limits>
 #include <random>
 
-#include "scene/matrices.h"
 #include "scene/view.h"
 
 namespace glibra::render {

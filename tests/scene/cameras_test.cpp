@@ -7,7 +7,6 @@
 #include <string>
 
 #include "base/matrices.h"
-#include "scene/camera.h"
 #include "scene/view.h"
 #include "support.h"
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "scene/folder_listings.h"
 #include "support.h"
 
 namespace glibra::scene {

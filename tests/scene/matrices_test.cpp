@@ -1,6 +1,6 @@
 // Matrices compared with other ways to compute the same numbers (language, 6.2).
 
-#include "scene/matrices.h"
+#include "scene/view.h"
 
 #include <gtest/gtest.h>
 

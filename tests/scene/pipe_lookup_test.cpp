@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 
 #include "scene/file_lookup.h"
-#include "scene/folder_listings.h"
 #include "support.h"
 
 namespace glibra::scene {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/texture_name.h"
 #include "support.h"
 
 namespace glibra::scene {

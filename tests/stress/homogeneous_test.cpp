@@ -14,7 +14,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "scene/matrices.h"
 #include "scene/view.h"
 #include "support.h"
 

@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 #include <variant>
 
-#include "scene/matrices.h"
+#include "scene/view.h"
 #include "support.h"
 
 namespace glibra::stress {

@@ -1,5 +1,10 @@
 #include "glsl/emit/emit.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
 #include <utility>
 
 #include "glsl/read/source.h"
@@ -184,6 +189,79 @@ TranslatedStage emitAsIs(Unit& unit) {
     emitter.own(lineDirective(unit, 0, 1, dialect.given ? dialect.version : 110));
     emitter.written();
     return emitter.take();
+}
+
+// ---- Emitted texts
+
+std::vector<EmittedLine> emittedLines(const TranslatedStage& stage, const Place& place) {
+    const LineMap& map = stage.lineMap;
+    const auto file = std::ranges::find(map.files, place.file);
+    if (file == map.files.end()) return {};
+    const auto index = static_cast<int>(file - map.files.begin());
+    std::vector<EmittedLine> lines;
+    std::string_view rest = stage.source;
+    for (std::size_t i = 0; i < map.lines.size() && !rest.empty(); ++i) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        const std::string_view text = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        const bool isThere = map.lines[i].file == index && map.lines[i].line == place.line;
+        const bool isBlank = text.find_first_not_of(" \t\r") == std::string_view::npos;
+        if (isThere && !isBlank && !text.starts_with("#line"))
+            lines.push_back({static_cast<int>(i) + 1, std::string(text)});
+    }
+    return lines;
+}
+
+std::vector<std::string_view> textLines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+std::string withSource(std::string_view directive, int before) {
+    std::string text;
+    std::ranges::copy_if(directive, std::back_inserter(text), [](char c) { return c != '"'; });
+    const std::size_t lineAt = text.find(' ') + 1, sourceAt = text.find(' ', lineAt) + 1;
+    if (lineAt == 0 || sourceAt == 0) return text;
+    int line = 0, source = 0;
+    std::from_chars(text.data() + lineAt, text.data() + text.size(), line);
+    std::from_chars(text.data() + sourceAt, text.data() + text.size(), source);
+    source += before;
+    return fmt::format("#line {} {}", source * kLinesOfSource + line % kLinesOfSource, source);
+}
+
+namespace {
+
+/// Length of the #version line, with which a translated source begins; 0 if it has none.
+std::size_t versionLength(std::string_view source) {
+    if (!source.starts_with("#version")) return 0;
+    return std::min(source.find('\n'), source.size() - 1) + 1;
+}
+
+}  // namespace
+
+std::string wrappedMain(const TranslatedStage& stage, const MainWrapper& wrapper) {
+    const std::size_t version = versionLength(stage.source);
+    std::string text = stage.source.substr(0, version);
+    text += "#define main glibra_sceneMain\n";
+    text.append(stage.source, version);
+    text += "\n#undef main\n";
+    text += wrapper.declarations;
+    text += "void main() {\n";
+    text += wrapper.before;
+    text += "    glibra_sceneMain();\n";
+    text += wrapper.after;
+    text += "}\n";
+    return text;
+}
+
+std::string versionLine(const TranslatedStage& stage) {
+    const std::size_t version = versionLength(stage.source);
+    return version == 0 ? "#version 410 core\n" : stage.source.substr(0, version);
 }
 
 }  // namespace glibra::glsl

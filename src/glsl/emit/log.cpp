@@ -9,14 +9,12 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "base/text.h"
 #include "glsl/emit/emit.h"
 #include "glsl/emit/log_advice.h"
 #include "glsl/emit/log_line.h"
-#include "glsl/emit/log_phrases.h"
 #include "glsl/read/source.h"
 #include "glsl/read/token.h"
 

@@ -8,13 +8,10 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/suggest.h"
 #include "base/utf8.h"
-#include "glsl/emit/log_line.h"
-#include "glsl/emit/log_phrases.h"
 #include "glsl/facts/stage_variables.h"
 #include "glsl/parse/types.h"
 #include "glsl/read/token.h"

@@ -56,4 +56,19 @@ std::string_view lineOfText(std::string_view text, std::size_t number);
 /// The first quoted word of a message: `foo', 'foo' or "foo"; empty if there is none.
 std::string_view quotedWord(std::string_view text);
 
+// ---- What a message is about
+// What the message of a compile log is about, in the words of each compiler.
+
+/// The name that a message says to be undeclared; empty if it says something else.
+std::string_view undeclaredName(std::string_view message);
+
+/// True for messages about types that do not fit.
+bool isAboutTypes(std::string_view message);
+
+/// True for messages that follow from an error before them on the same line.
+bool isConsequence(std::string_view message);
+
+/// True for a message that a token does not fit the grammar.
+bool isSyntaxError(std::string_view message);
+
 }  // namespace glibra::glsl

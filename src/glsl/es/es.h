@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/es/options.h"
+#include "glsl/types/request.h"
 #include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
@@ -20,7 +20,7 @@ struct EsProgram {
     std::map<std::string, std::string>
         userNames{};  ///< by the names in their place; those of the core text are not here
     WideLines wideLines{};
-    std::vector<Place> loopSites{};  ///< the loops that are guarded (loop_guards.h), of all stages
+    std::vector<Place> loopSites{};  ///< the loops that are guarded (additions.h), of all stages
     /// What GLSL ES 3.00 lacks: web-E01 to web-E05, at the user's places. `stages` may then not compile.
     Diagnostics diagnostics;
 };

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "glsl/es/options.h"
 #include "glsl/es/parts.h"
 #include "glsl/parse/unit.h"
+#include "glsl/types/request.h"
 
 namespace glibra::glsl {
 
@@ -34,7 +34,7 @@ class EsStage {
     void adapt(std::vector<InitialValue>& initialValues);
     /// The text, with a map that leads to the user's lines.
     [[nodiscard]] TranslatedStage take();
-    /// Guards the loops (loop_guards.h), which `sites` gets. False: there are none.
+    /// Guards the loops (additions.h), which `sites` gets. False: there are none.
     bool guardLoops(std::vector<Place>& sites);
     /// Of the vertex stage, if loops of it or of the stages that become parts of it are guarded.
     void beginUncut();

@@ -8,9 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "glsl/facts/assigned_parts.h"
 #include "glsl/parse/usage.h"
-#include "glsl/parse/zero.h"
+#include "glsl/parse/variables.h"
 
 namespace glibra::glsl {
 namespace {

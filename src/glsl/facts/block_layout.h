@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/types/memory_facts.h"
+#include "glsl/types/translated_program.h"
 
 namespace glibra::glsl {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "glsl/parse/usage.h"
-#include "glsl/read/condition.h"
+#include "glsl/read/preprocessor.h"
 
 namespace glibra::glsl {
 namespace {

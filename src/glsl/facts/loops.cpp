@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <unordered_map>
 
 #include "glsl/facts/facts.h"

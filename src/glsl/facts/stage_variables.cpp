@@ -1,6 +1,5 @@
 #include "glsl/facts/stage_variables.h"
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>

@@ -5,8 +5,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <set>
-#include <string>
 #include <string_view>
 
 #include "glsl/facts/facts.h"

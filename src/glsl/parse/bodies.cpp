@@ -1,4 +1,4 @@
-#include "glsl/parse/bodies.h"
+#include "glsl/parse/tree.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "glsl/parse/visible_names.h"
-#include "glsl/read/condition.h"
+#include "glsl/read/preprocessor.h"
 #include "glsl/read/words.h"
 
 namespace glibra::glsl {

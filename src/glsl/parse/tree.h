@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <iterator>
 #include <map>
 #include <span>
 #include <string>
@@ -181,5 +180,11 @@ struct Bodies {
     std::map<std::string, std::uint32_t, std::less<>> memberNames;
     std::vector<std::uint32_t> memberDeclarations;  ///< view indices of all of these members
 };
+
+// Reads the statements and expressions of a stage into a tree (tree.h).
+
+/// Parses all functions and initialisers, and sets Declaration::code and Declarator::value. The depth is
+/// limited, and the time is linear in the number of tokens.
+Bodies parseBodies(std::span<const ViewToken> view, Syntax& syntax);
 
 }  // namespace glibra::glsl

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "glsl/read/condition.h"
-#include "glsl/read/words.h"
+#include "glsl/read/preprocessor.h"
 
 namespace glibra::glsl {
 namespace {

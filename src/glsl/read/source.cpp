@@ -10,10 +10,9 @@
 #include "base/files.h"
 #include "base/suggest.h"
 #include "base/text.h"
-#include "glsl/read/condition.h"
 #include "glsl/read/extensions.h"
 #include "glsl/read/preprocessor.h"
-#include "glsl/read/version.h"
+#include "glsl/read/words.h"
 
 namespace glibra::glsl {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "glsl/read/token.h"
-#include "glsl/read/version.h"
+#include "glsl/read/words.h"
 #include "glsl/types/request.h"
 
 namespace glibra::glsl {

@@ -4,8 +4,6 @@
 #include <array>
 #include <span>
 
-#include "base/text.h"
-
 namespace glibra::glsl {
 namespace {
 

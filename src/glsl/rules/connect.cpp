@@ -9,7 +9,7 @@
 #include "base/suggest.h"
 #include "glsl/parse/types.h"
 #include "glsl/parse/usage.h"
-#include "glsl/parse/zero.h"
+#include "glsl/parse/variables.h"
 #include "glsl/rules/rules.h"
 
 namespace glibra::glsl {

@@ -97,8 +97,8 @@ bool isProduct(std::string_view user) {
     return user.ends_with("Product");
 }
 
-constexpr std::array<std::string_view, 4> kLimits = {"gl_MaxLights", "gl_MaxClipPlanes", "gl_MaxTextureUnits",
-                                                     "gl_MaxTextureCoords"};
+constexpr std::array<std::string_view, 4> kFixedLimits = {"gl_MaxLights", "gl_MaxClipPlanes",
+                                                          "gl_MaxTextureUnits", "gl_MaxTextureCoords"};
 
 class FixedState {
   public:
@@ -112,7 +112,7 @@ class FixedState {
             }
         for (const Value& each : kValues)
             if (isWanted(each.user)) value(each);
-        for (const std::string_view each : kLimits)
+        for (const std::string_view each : kFixedLimits)
             if (isWanted(each)) {
                 unit_.declare("const int " + emittedName(each) + " = 8;");
                 unit_.renames[std::string(each)] = emittedName(each);

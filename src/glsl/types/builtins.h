@@ -85,8 +85,6 @@ std::optional<Builtin> wellKnownUniform(std::string_view name, std::string_view 
 std::string_view wellKnownAttribute(std::string_view name, std::string_view type);
 /// The name that may have been meant by one that is none, with the same prefix; empty if none is near.
 std::string inputNear(std::string_view name, std::string_view type);
-/// The GLSL types of inputs that can take the attribute: floats, the first one with all its components.
-std::span<const std::string_view> inputTypes(std::string_view attribute);
 
 // The runtime does the following for translated programs:
 // - It compares names with these tables as the linked program spells them, before it applies

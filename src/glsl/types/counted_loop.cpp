@@ -8,7 +8,7 @@ namespace {
 
 /// Mesa unrolls loops with constant bounds up to this number of rounds.
 constexpr double kUnrolled = 32;
-constexpr double kMostRounds = 1e18;
+constexpr double kMostCounted = 1e18;
 
 std::optional<double> applied(Operation operation, double a, double b) {
     switch (operation) {
@@ -76,7 +76,7 @@ double roundsOf(const CountedLoop& loop, const UniformValue& uniform) {
     if (!loop.untilEqual && (*step < 0) != loop.falling) return 0;
     const double steps = (*bound - *first) / *step;
     if (loop.untilEqual && steps != std::floor(steps)) return 0;  // it steps over the bound
-    return std::clamp(loop.including ? std::floor(steps) + 1 : std::ceil(steps), 0., kMostRounds);
+    return std::clamp(loop.including ? std::floor(steps) + 1 : std::ceil(steps), 0., kMostCounted);
 }
 
 double emittedBy(const CountedLoop& loop, const UniformValue& uniform) {
@@ -103,7 +103,7 @@ double totalRounds(const CountedLoop& loop, const UniformValue& uniform) {
     double inside = 0;
     for (const CountedLoop& each : loop.inside) inside += totalRounds(each, uniform);
     if (isUnrolled(loop)) return 0;
-    return std::min(kMostRounds, std::max(rounds * (1 + inside), inside));
+    return std::min(kMostCounted, std::max(rounds * (1 + inside), inside));
 }
 
 }  // namespace glibra::glsl

@@ -4,16 +4,40 @@
 
 #include <glibra/diagnostic.h>
 
+#include <compare>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "glsl/types/constant.h"
 #include "glsl/types/stage.h"
 
 namespace glibra::glsl {
+
+// ---- Values that a scene gives the constants of its shaders (language, 12.1)
+
+/// A constant of a program: a macro of this name, or the value of the `const` variable or `#define` of that
+/// name which a shader has.
+struct Constant {
+    std::string name;
+    std::string type;  ///< a scalar, vector or square matrix of GLSL; empty: as the shader declares it
+    bool isBoolean = false;
+    std::vector<double> components;  ///< finite; of a matrix by columns; none: the value has an error
+
+    friend auto operator<=>(const Constant&, const Constant&) = default;
+};
+
+/// The value as GLSL writes it for that type: "4", "(-.5)", "uvec2(1u, 2u)". Floating-point numbers have as
+/// few digits as give the same double. Without a type it is a number whose type is int if it is whole, a
+/// bool, a floating-point vector or matrix. Nothing if the type has another number of components, if it is an
+/// integer and a component is no integer of 32 bits, or if it is no type of a constant.
+std::optional<std::string> textOf(const Constant& constant, std::string_view type);
+
+/// "4", "2.5", "(1, 0, 0)", "true": for messages.
+std::string valueText(const Constant& constant);
+
+// ---- The sources and the driver
 
 /// The source of one stage as read from its file. Messages name `path`.
 struct StageSource {
@@ -45,7 +69,6 @@ struct Target {
     std::function<bool(std::string_view)> hasExtension;  ///< null: none beyond the version's own
 };
 
-/// Everything that decides how one program is translated. A compute stage is a program of its own.
 /// How a scene draws with a program.
 struct DrawForms {
     int patchVertices = 3;          ///< 0: patches of several sizes
@@ -56,6 +79,7 @@ struct DrawForms {
     bool haveWideLines = false;     ///< some have a line width that the driver lacks
 };
 
+/// Everything that decides how one program is translated. A compute stage is a program of its own.
 struct ProgramRequest {
     std::string name;  ///< the Program's name, for messages
     Place place;       ///< the scene line of the Program
@@ -107,6 +131,14 @@ struct ProgramRequest {
     /// The kinds of texture that the scene ever binds to the unit that the tag names. It decides the type of
     /// a `uniform int u` that is used as a sampler.
     std::function<std::vector<SamplerKind>(std::string_view tag)> samplerKindsOfTag;
+};
+
+/// What decides how a program is written in GLSL ES, besides its text.
+struct EsOptions {
+    /// Textures that the program reads may have a border, which whoever draws says by the uniforms of
+    /// glsl/es/additions.h.
+    bool hasBorders = false;
+    DrawForms draws{};
 };
 
 }  // namespace glibra::glsl

@@ -21,7 +21,7 @@
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "render/draw/view_matrices.h"
-#include "render/live/knob_json.h"
+#include "render/live/knobs.h"
 #include "render/live/live_scene.h"
 #include "render/load/device_textures.h"
 #include "source/code_html.h"

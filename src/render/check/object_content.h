@@ -4,7 +4,6 @@
 #include <glibra/result.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -9,7 +9,6 @@
 #include <set>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "gpu/state/state_tracker.h"
 #include "image/text.h"

@@ -14,7 +14,6 @@
 #include "gpu/object/program.h"
 #include "image/image.h"
 #include "plan/frame_plan.h"
-#include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
 #include "scene/scene.h"
 

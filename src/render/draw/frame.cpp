@@ -3,16 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <set>
 #include <utility>
 
 #include "gpu/object/framebuffer.h"
 #include "plan/accesses.h"
-#include "render/draw/work_share.h"
 
 namespace glibra::render {
 namespace {

@@ -17,15 +17,12 @@
 #include "gpu/object/framebuffer.h"
 #include "gpu/state/state_tracker.h"
 #include "plan/frame_plan.h"
-#include "plan/still.h"
-#include "render/draw/dispatch.h"
-#include "render/draw/emitted_strips.h"
-#include "render/draw/fetched_inputs.h"
+#include "plan/needs.h"
+#include "render/draw/expanded_geometry.h"
 #include "render/draw/memory_order.h"
-#include "render/draw/patch_divider.h"
-#include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
 #include "render/draw/wide_lines.h"
+#include "render/draw/work_share.h"
 #include "render/load/device_scene.h"
 #include "render/load/programs.h"
 #include "render/load/supplied.h"
@@ -225,7 +222,7 @@ class FrameDrawer {
                        const Elements& elements) const;
     /// What OpenGL ES draws otherwise than the scene states, as a text; null: nothing.
     const char* lackOfEs(const base::RasterState& raster) const;
-    /// True, once for each draw, if it reads borders that OpenGL ES lacks (glsl/es/borders.h).
+    /// True, once for each draw, if it reads borders that OpenGL ES lacks (glsl/es/additions.h).
     bool lacksBorders(const plan::PlannedDraw& planned, const BuiltProgram& built);
     /// The driver fills triangles only, and the draw shows their edges.
     [[nodiscard]] bool drawsEdges(const plan::PlannedDraw& planned) const;
@@ -249,7 +246,7 @@ class FrameDrawer {
     /// Draws with the loop counter of the program, whose state is set. True if that is the draw itself.
     bool recordLoops(const plan::PlannedDraw& planned, const BuiltProgram& built, const Frame& frame,
                      const base::RasterState& raster);
-    /// Gives a program with guarded loops (glsl/es/loop_guards.h) as many rounds as they need. Where the
+    /// Gives a program with guarded loops (glsl/es/additions.h) as many rounds as they need. Where the
     /// frame records loops, or its target has become larger, some pixels are drawn into another target: if
     /// their loops end by themselves, all have kMostRounds; else as many as a frame has time for.
     void tryLoops(const plan::PlannedDraw& planned, const BuiltProgram& built, const PassInProgress& pass,

@@ -1,7 +1,6 @@
 // One dispatch, and one clear of an object.
 
 #include <algorithm>
-#include <array>
 
 #include "gpu/object/program.h"
 #include "gpu/object/uniform.h"

@@ -1,12 +1,10 @@
 // What the shaders of a draw or dispatch read: values of uniforms and inputs, textures, buffers.
 
 #include <algorithm>
-#include <array>
 #include <ranges>
-#include <set>
 #include <utility>
 
-#include "glsl/es/borders.h"
+#include "glsl/es/additions.h"
 #include "gpu/object/texture.h"
 #include "gpu/object/uniform.h"
 #include "plan/uniform_names.h"
@@ -131,7 +129,7 @@ Diagnostics FrameDrawer::setConstantInputs(const plan::PlannedDraw& planned, con
     return fetched_.bind(context_.capabilities(), bindings_, built, planned, mesh, fetched);
 }
 
-/// The uniform of glsl/es/borders.h, if the program has it.
+/// The uniform of glsl/es/additions.h, if the program has it.
 static void setBorder(const plan::TextureUse& use, const BuiltProgram& built) {
     const std::string name = glsl::kBorderOf + at(built.interface.uniforms, use.uniform).emittedName;
     const auto border = std::ranges::find(built.interface.uniforms, name, &base::ActiveUniform::emittedName);

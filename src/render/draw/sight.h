@@ -8,9 +8,8 @@
 #include "geometry/mesh.h"
 #include "glsl/types/translated_program.h"
 #include "gpu/context/capabilities.h"
-#include "render/draw/tiles.h"
 #include "render/draw/view_matrices.h"
-#include "render/load/vertex_box.h"
+#include "render/load/shared_parts.h"
 #include "scene/scene.h"
 
 namespace glibra::render {

@@ -1,13 +1,21 @@
 #pragma once
-// The matrices of a draw, with the transforms of a window (language, 6.2).
+// The matrices of a draw, with the transforms of a window (language, 6.2), and the tiles of a picture.
 
 #include <glibra/render.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
+
+namespace glibra::image {
+struct Image;
+}
 
 namespace glibra::render {
 
@@ -54,5 +62,28 @@ class ViewMatrices {
     double eyeDistance_ = 0;
     bool clipsFromZero_ = false;
 };
+
+// ---- Tiles
+// Pictures larger than the driver or its memory allows are drawn in parts, which join without a seam.
+
+/// A rectangle of the picture, in pixels from the picture's lower left corner.
+struct Tile {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Tiles of one size, and the part of each tile that goes into the picture. A tile is larger than its part by
+/// a margin, as far as the picture reaches, because points and lines that begin outside the part may extend
+/// into it.
+struct TileGrid {
+    std::vector<Tile> tiles;
+    std::vector<Tile> parts;
+};
+
+/// Returns one tile if the picture fits into `largest` (pixels per side) and `mostPixels`, and `wanted` (the
+/// side of a part) is 0.
+TileGrid tileGrid(int width, int height, int wanted, int largest, std::int64_t mostPixels);
+
+/// Copies the pixels of a part (top row first) to its place in the picture.
+void pasteTile(std::span<const std::byte> pixels, const Tile& part, image::Image& picture);
 
 }  // namespace glibra::render

@@ -5,11 +5,10 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <vector>
 
 #include "gpu/object/buffer.h"
 #include "gpu/object/uniform.h"
-#include "render/draw/captured_outputs.h"
+#include "render/draw/expanded_geometry.h"
 
 namespace glibra::render {
 namespace {

@@ -6,14 +6,10 @@
 #include <array>
 #include <cstdio>
 #include <deque>
-#include <functional>
-#include <map>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "gpu/context/call_counter.h"
 #include "image/format.h"
@@ -21,16 +17,15 @@
 #include "image/video/video_file.h"
 #include "image/write.h"
 #include "render/check/nan_search.h"
-#include "render/check/order_check.h"
 #include "render/check/run_checks.h"
 #include "render/consequences.h"
-#include "render/file/animation.h"
 #include "render/file/buffer_file.h"
 #include "render/file/picture_writer.h"
+#include "render/file/scene_inputs.h"
 #include "render/gpu_times.h"
 #include "render/scene_renderer.h"
 #include "render/stats.h"
-#include "scene/texture_name.h"
+#include "scene/textures.h"
 #include "system/folder.h"
 
 namespace glibra::render {

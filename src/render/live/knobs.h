@@ -3,6 +3,7 @@
 // uniform.
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -103,5 +104,12 @@ std::vector<std::string> onlyLabels(std::vector<std::string> labels, std::span<c
 /// An argument for `--set`: "uKd=0.25", or "8:uKd=0.25" with the line of the Program command if another
 /// program has the uniform too. The numbers are the shortest text that reads back as the same value.
 std::string setArgument(const scene::Scene& scene, const Knob& knob, std::span<const Knob> knobs);
+
+/// A knob as JSON, for the pages that show its control:
+/// { "owner": the program or "", "name", "widget": "slider", "checkBox", "color" or "numbers", "declaration":
+///   as "vec3 uColor", "isInteger", "isShared": other programs have it, too, "minimum", "maximum",
+///   "components": of one element of an array, "initial": [numbers], "current": [numbers],
+///   "words": [of a choice] }
+nlohmann::ordered_json jsonOf(const Knob& knob);
 
 }  // namespace glibra::render

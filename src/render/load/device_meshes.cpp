@@ -9,7 +9,6 @@
 
 #include "geometry/adjacency.h"
 #include "plan/submission.h"
-#include "render/load/reuse.h"
 #include "scene/primitives.h"
 
 namespace glibra::render {

@@ -4,13 +4,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <memory>
-#include <utility>
 
 #include "base/text.h"
 #include "plan/texture_binding.h"
-#include "render/load/reuse.h"
-#include "scene/textures.h"
 
 namespace glibra::render {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "glsl/emit/emitted_lines.h"
+#include "glsl/emit/emit.h"
 #include "glsl/es/es.h"
 #include "glsl/translate.h"
 #include "plan/overrides.h"

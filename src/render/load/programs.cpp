@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
 #include "glsl/emit/log.h"
-#include "glsl/es/loop_guards.h"
 #include "glsl/es/parts.h"
 #include "glsl/facts/stage_variables.h"
 #include "glsl/types/translated_program.h"
@@ -19,7 +15,6 @@
 #include "plan/accesses.h"
 #include "plan/submission.h"
 #include "render/load/gl_names.h"
-#include "scene/scene.h"
 
 namespace glibra::render {
 namespace {

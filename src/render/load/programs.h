@@ -6,15 +6,13 @@
 
 #include <array>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "glsl/emit/emitted_lines.h"
-#include "glsl/emit/wrapped_main.h"
-#include "glsl/es/loop_guards.h"
+#include "glsl/emit/emit.h"
+#include "glsl/es/additions.h"
 #include "glsl/types/request.h"
 #include "gpu/context/context.h"
 #include "gpu/object/buffer.h"
@@ -54,7 +52,7 @@ struct BuiltProgram {
     /// The program with ProgramRequest::recordsLoops, which makes the same and stores in the same places.
     /// countLoops() makes it; null: none.
     std::unique_ptr<BuiltProgram> loopCounter{};
-    /// Of a program with guarded loops (glsl/es/loop_guards.h): what FrameDrawer::tryLoops() has found.
+    /// Of a program with guarded loops (glsl/es/additions.h): what FrameDrawer::tryLoops() has found.
     struct Tried {
         int rounds = glsl::kMostRounds;  ///< that the loops may have
         int site = 0;                    ///< of facts.loopSites, from 1 on: the loop that these end; 0: none

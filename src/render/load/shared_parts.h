@@ -4,19 +4,18 @@
 // removed when a store is full.
 
 #include <cstddef>
+#include <glm/vec4.hpp>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 
 #include "base/program_resources.h"
 #include "gpu/object/program.h"
 #include "gpu/object/texture.h"
-#include "render/load/vertex_box.h"
 
 namespace glibra::geometry {
 struct Mesh;
@@ -24,8 +23,32 @@ struct Mesh;
 namespace glibra::glsl {
 struct TranslatedProgram;
 }
+namespace glibra::scene {
+struct Scene;
+struct Shape;
+struct Texture;
+}  // namespace glibra::scene
 
 namespace glibra::render {
+
+/// The smallest and largest value of each coordinate of all vertices, in model space; w is 1 if the mesh has
+/// none.
+struct VertexBox {
+    glm::dvec4 low{0.0}, high{0.0};
+    bool isKnown = false;  ///< false: there are no vertices, or one is not finite
+};
+VertexBox boundsOf(const geometry::Mesh& mesh);
+
+// Keys that say what a shape or a texture is made from, so that a scene that is read again keeps what has not
+// changed.
+
+/// Shapes with equal keys give the same mesh. A key holds the command and its numbers, and a file's path,
+/// length and modification time. It is empty for shapes whose vertices are in the scene's text; they are
+/// never reused.
+std::string reuseKey(const scene::Scene& scene, const scene::Shape& shape);
+
+/// The same for textures. It is empty for render targets, whose content belongs to the drawn frames.
+std::string reuseKey(const scene::Scene& scene, const scene::Texture& texture);
 
 struct DeviceMesh;
 

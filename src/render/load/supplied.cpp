@@ -1,6 +1,6 @@
 #include "render/load/supplied.h"
 
-#include "scene/matrices.h"
+#include "scene/view.h"
 
 namespace glibra::render {
 namespace {

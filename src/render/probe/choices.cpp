@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +14,6 @@
 #include "budget/contour_shift.h"
 #include "glib/number.h"
 #include "render/probe/patch_probe.h"
-#include "render/probe/probe_options.h"
 
 namespace glibra::render {
 namespace {

@@ -2,23 +2,46 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "base/text.h"
-#include "glsl/emit/wrapped_main.h"
+#include "glsl/emit/emit.h"
 #include "gpu/object/timer.h"
 #include "gpu/object/uniform.h"
 #include "render/draw/frame.h"
-#include "render/draw/patch_split.h"
+#include "render/draw/work_share.h"
 #include "render/load/derived_program.h"
-#include "render/probe/probe_options.h"
 
 namespace glibra::render {
+
+// ---- Options
+
+ProbeOptions probeOptions(const RenderOptions& options, int width, int height, int largestSide) {
+    ProbeOptions probe{options, std::max(1., static_cast<double>(std::max(width, height)) / largestSide)};
+    RenderOptions& small = probe.options;
+    small.width = std::max(1, static_cast<int>(std::lround(width / probe.shrink)));
+    small.height = std::max(1, static_cast<int>(std::lround(height / probe.shrink)));
+    small.maxError = 0;
+    small.samples = 1;
+    small.tileSize = 0;
+    small.wantedObjects.clear();
+    small.labels = LabelCorner::none;
+    small.axes = small.checkNan = small.strict = false;
+    return probe;
+}
+
+std::vector<double> momentsOf(const RenderOptions& options) {
+    if (options.lastTime <= options.time) return {options.time};
+    return {options.time, (options.time + options.lastTime) / 2, options.lastTime};
+}
+
+// ---- Patches
+
 namespace {
 
 constexpr int kLargestSide = 64;

@@ -21,6 +21,23 @@
 
 namespace glibra::render {
 
+// ---- Options
+
+struct ProbeOptions {
+    RenderOptions options;
+    double shrink = 1;  ///< pixels of the picture per pixel of the probe, along one side; at least 1
+};
+
+/// Options for a small picture that is measured and not shown: of the same aspect, at most `largestSide`
+/// pixels per side, with one sample, without error bound, tiles, axes and warnings.
+ProbeOptions probeOptions(const RenderOptions& options, int width, int height, int largestSide);
+
+/// The moments (seconds) at which a scene is measured: that of the picture, or the beginning, the middle and
+/// the end of an animation.
+std::vector<double> momentsOf(const RenderOptions& options);
+
+// ---- Patches
+
 /// Draws one draw of a scene in small pictures and captures the output of the evaluation stage.
 class PatchProbe {
   public:

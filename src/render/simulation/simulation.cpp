@@ -7,11 +7,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "base/text.h"
-#include "plan/accesses.h"
 #include "render/draw/view_matrices.h"
 #include "render/simulation/block_checks.h"
 #include "scene/conditions.h"

@@ -14,7 +14,7 @@ namespace glibra::scene {
 
 std::span<const CommandAction> viewActions();     // view.cpp
 std::span<const CommandAction> drawActions();     // geometry.cpp
-std::span<const CommandAction> passActions();     // passes.cpp
+std::span<const CommandAction> passActions();     // textures.cpp
 std::span<const CommandAction> textureActions();  // textures.cpp
 std::span<const CommandAction> programActions();  // programs.cpp
 

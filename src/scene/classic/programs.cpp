@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <utility>
 
-#include "glsl/read/predefined.h"
+#include "glsl/read/macros.h"
 #include "glsl/read/words.h"
 #include "scene/classic/classic.h"
 #include "scene/run/evaluate.h"

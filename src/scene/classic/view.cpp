@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "scene/classic/classic.h"
-#include "scene/matrices.h"
 #include "scene/run/evaluate.h"
+#include "scene/view.h"
 
 namespace glibra::scene {
 namespace {

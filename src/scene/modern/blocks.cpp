@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "base/text.h"
 #include "glib/number.h"
@@ -15,7 +12,6 @@
 #include "scene/conditions.h"
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"
-#include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/scope.h"
 #include "scene/run/selections.h"

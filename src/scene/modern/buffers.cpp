@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/number.h"
 #include "base/suggest.h"

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,11 +11,8 @@
 #include "base/suggest.h"
 #include "base/text.h"
 #include "expression/known_names.h"
-#include "scene/camera.h"
-#include "scene/matrices.h"
 #include "scene/modern/modern.h"
 #include "scene/run/camera_use.h"
-#include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"

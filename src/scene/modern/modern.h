@@ -1,7 +1,6 @@
 #pragma once
 // Private to this room: what the files of modern statements give to each other and to the interpretation.
 
-#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -18,7 +17,7 @@ std::span<const CommandAction> tagActions();        // tags.cpp
 std::span<const CommandAction> cameraActions();     // cameras.cpp
 std::span<const CommandAction> objectActions();     // textures.cpp
 std::span<const CommandAction> targetActions();     // passes.cpp
-std::span<const CommandAction> stateActions();      // state.cpp
+std::span<const CommandAction> stateActions();      // draws.cpp
 std::span<const CommandAction> vertexActions();     // draws.cpp
 std::span<const CommandAction> bufferActions();     // buffers.cpp
 std::span<const CommandAction> blockActions();      // blocks.cpp
@@ -65,7 +64,7 @@ std::optional<CountFrom> countFrom(Interpreter&, const Command& command);
 /// may contain any statement.
 bool isOutsidePass(Interpreter&, const Command& command);
 
-// undecided.cpp
+// structure.cpp
 
 /// The textures that statements of ModernState::untaken may write, also through the groups that they draw,
 /// and those that the other words of a choice would make the target of a statement. Uniforms of dispatches

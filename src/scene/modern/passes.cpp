@@ -18,7 +18,7 @@
 #include "scene/run/scope.h"
 #include "scene/run/statements.h"
 #include "scene/run/uniforms.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::scene {
 namespace {

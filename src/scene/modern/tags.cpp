@@ -6,11 +6,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/suggest.h"
 #include "glib/script.h"

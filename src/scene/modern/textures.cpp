@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/suggest.h"
 #include "base/text.h"
@@ -20,9 +18,7 @@
 #include "scene/modern/modern.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
-#include "scene/run/state.h"
 #include "scene/run/statements.h"
-#include "scene/texture_parts.h"
 #include "scene/textures.h"
 
 namespace glibra::scene {

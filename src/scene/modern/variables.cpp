@@ -13,7 +13,6 @@
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/modern/modern.h"
-#include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "scene/view.h"
-
 namespace glibra::scene {
 
 const SceneCamera* findCamera(const Interpreter& in, const CameraName& name) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "scene/camera.h"
 #include "scene/run/state.h"
+#include "scene/view.h"
 
 namespace glibra::scene {
 

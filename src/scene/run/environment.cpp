@@ -1,12 +1,7 @@
 #include "scene/run/environment.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <set>
-#include <utility>
-
-#include "expression/known_names.h"
 
 namespace glibra::scene {
 namespace {

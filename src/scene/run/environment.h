@@ -29,8 +29,8 @@
 #include <vector>
 
 #include "expression/known_names.h"
-#include "scene/camera.h"
 #include "scene/objects.h"
+#include "scene/view.h"
 
 namespace glibra::scene {
 

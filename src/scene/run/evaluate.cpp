@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/number.h"
 #include "base/text.h"
 #include "glib/number.h"
 #include "glib/text.h"
 #include "scene/run/camera_use.h"
-#include "scene/run/counts.h"
 #include "scene/run/scope.h"
 
 namespace glibra::scene {

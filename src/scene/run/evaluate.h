@@ -12,7 +12,7 @@
 #include "expression/known_names.h"
 #include "glib/parse/arguments.h"
 #include "glib/script.h"
-#include "scene/buffer_values.h"
+#include "scene/objects.h"
 #include "scene/run/state.h"
 
 namespace glibra::scene {

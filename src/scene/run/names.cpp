@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <utility>
 
 #include "base/suggest.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
-#include "scene/count_limits.h"
+#include "scene/nodes.h"
 #include "scene/run/evaluate.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::scene {
 namespace {

@@ -14,7 +14,7 @@
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
 #include "scene/run/scope.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::scene {
 namespace {

@@ -14,7 +14,6 @@
 #include <span>
 #include <string>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -25,11 +24,10 @@
 #include "glib/messages.h"
 #include "glib/script.h"
 #include "glib/statement_table.h"
-#include "scene/camera.h"
 #include "scene/file_lookup.h"
-#include "scene/frame_inputs.h"
 #include "scene/run/environment.h"
 #include "scene/scene.h"
+#include "scene/view.h"
 
 namespace glibra::scene {
 

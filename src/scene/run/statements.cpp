@@ -8,9 +8,9 @@
 
 #include "glib/number.h"
 #include "glib/statement_table.h"
-#include "scene/run/counts.h"
 #include "scene/run/evaluate.h"
 #include "scene/run/names.h"
+#include "scene/run/scope.h"
 
 namespace glibra::scene {
 

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
-#include <string>
 #include <type_traits>
 #include <utility>
 

@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "glib/text.h"
 #include "scene/file_lookup.h"
-#include "scene/folder_listings.h"
 #include "suite/file/selection.h"
 #include "suite/file/shot_name.h"
 

@@ -22,7 +22,6 @@
 #include "glib/text.h"
 #include "image/file.h"
 #include "scene/file_lookup.h"
-#include "scene/folder_listings.h"
 #include "suite/file/selection.h"
 #include "suite/file/shot_keys.h"
 #include "suite/file/shot_name.h"

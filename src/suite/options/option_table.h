@@ -5,7 +5,7 @@
 //
 // Three things cannot be read from a row. The members are declared by hand, because include/glibra/render.h
 // describes them to users of the library. What an option means for a single frame and for small pictures of
-// probes depends on what it does: src/library/renderer.cpp and src/render/probe/probe_options.cpp say it.
+// probes depends on what it does: src/library/renderer.cpp and src/render/probe/patch_probe.cpp say it.
 // docs/suites.md explains keys in the words of suites, and a test compares which keys it has.
 
 #include <glibra/render.h>

@@ -9,7 +9,6 @@
 #include "base/contained.h"
 #include "base/device_lost.h"
 #include "image/write.h"
-#include "render/check/order_check.h"
 #include "render/check/run_checks.h"
 #include "render/consequences.h"
 #include "render/file/job.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/emit/wrapped_main.h"
+#include "glsl/emit/emit.h"
 #include "gpu/object/uniform.h"
 #include "render/load/derived_program.h"
 #include "render/load/gl_names.h"

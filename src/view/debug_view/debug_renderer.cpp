@@ -10,7 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "glsl/types/builtins.h"
-#include "scene/matrices.h"
+#include "scene/view.h"
 #include "view/debug_view/bound_target.h"
 #include "view/scene/window_target.h"
 

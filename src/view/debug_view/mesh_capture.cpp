@@ -17,7 +17,7 @@
 #include "gpu/object/program.h"
 #include "gpu/object/timer.h"
 #include "gpu/object/uniform.h"
-#include "plan/inputs.h"
+#include "plan/submission.h"
 #include "render/load/derived_program.h"
 #include "render/load/gl_names.h"
 #include "view/debug_view/bound_target.h"

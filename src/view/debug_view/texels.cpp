@@ -11,7 +11,7 @@
 #include <span>
 
 #include "base/texel_format.h"
-#include "scene/texture_parts.h"
+#include "scene/textures.h"
 
 namespace glibra::view {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "gpu/object/timer.h"
-#include "scene/matrices.h"
+#include "scene/view.h"
 
 namespace glibra::view {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/matrices.h"
+#include "scene/view.h"
 
 namespace glibra::view {
 namespace {

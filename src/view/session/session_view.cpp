@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/draw/view_matrices.h"
-#include "scene/matrices.h"
+#include "scene/view.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
