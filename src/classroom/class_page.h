@@ -10,30 +10,17 @@
 #include <vector>
 
 #include "classroom/classroom.h"
-#include "classroom/import_table.h"
+#include "classroom/grades.h"
 
 namespace glibra::classroom {
 
 // Pages that leave the teacher's hands: one per student, and a class without names.
-
-inline constexpr const char* kStudentPages = "students";
-inline constexpr std::size_t kMostStudentPictures = 12;
-
-/// The page of one submission, to send back: its pictures beside the reference's, points, comment and
-/// messages, all in one file. It has nothing of other submissions.
-std::string studentPage(const Classroom& classroom, std::size_t entry, const std::filesystem::path& site);
-
-/// The names of the files of all: "Ana Lee.html".
-std::vector<std::string> studentFiles(const Classroom& classroom);
 
 /// The class with "Submission 01" and so on for names, in an order that does not show the names, without
 /// numbers, addresses, commands and folders. `keys` are the names in the new order.
 Classroom anonymous(const Classroom& classroom, std::vector<std::string>& keys);
 
 // The page of a class, for a browser, and its table.
-
-/// Pairs of similar submissions that the page lists with their passages; the others are counted.
-inline constexpr std::size_t kMostListedPairs = 50;
 
 /// The page as HTML. Nothing on it needs its script, which compares pictures and sorts the table. The
 /// passages of similar submissions are read from their own folders (and no link is followed); a passage whose
@@ -47,7 +34,7 @@ std::string_view gradeScript();
 /// What is written besides the page and the table.
 struct SiteFiles {
     ImportOptions import{};     ///< the table for a grade book, if one is named
-    bool studentPages = false;  ///< SITE/students/NAME.html (student_page.h)
+    bool studentPages = false;  ///< SITE/students/NAME.html
     bool isAnonymous = false;   ///< the page has no names; SITE/names.csv has the key
 };
 

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "classroom/similarity.h"
 #include "classroom/submissions.h"
 #include "classroom/tokens.h"
 #include "suite/file/sweep.h"
@@ -130,7 +129,7 @@ struct Classroom {
     std::size_t commonFingerprints = 0;  ///< how many were left out for that
     /// The most similar first, of two entries, or of an entry and an earlier one (comparedEntry).
     std::vector<SimilarPair> pairs;
-    bool isAnonymous = false;  ///< names are numbers (student_page.h)
+    bool isAnonymous = false;  ///< names are numbers (class_page.h)
     std::string driver, machine, command, began;
     double seconds = 0;
 };
@@ -187,5 +186,15 @@ std::vector<std::string> lookalikesOf(const Classroom& classroom, const Entry& e
 
 /// "200 submissions: 30 drawn, 8 failed ..."
 std::string summary(const Classroom& classroom);
+
+// Compares the shader code of all submissions of a class with each other.
+
+/// Sets the fingerprints and pairs of a class, and names in each entry what was not compared. Code of the
+/// reference and of `given` is left out, and so is what more than `common` submissions have (MOSS's -m): it
+/// comes from a lecture or a book. 0: usualCommon().
+void compareSources(Classroom& classroom, const std::vector<SourceFile>& given, std::size_t common);
+
+/// A third of the class, but at least 4 and at most 10, as for MOSS.
+std::size_t usualCommon(std::size_t submissions);
 
 }  // namespace glibra::classroom

@@ -1,6 +1,5 @@
 #include "classroom/cut_objects.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "classroom/code_blocks.h"
 #include "classroom/normal_form.h"
 #include "glsl/read/words.h"
 

@@ -13,7 +13,6 @@
 
 #include "classroom/cut_objects.h"
 #include "classroom/pattern_points.h"
-#include "classroom/tone_scales.h"
 #include "image/compare/flip.h"
 
 namespace glibra::classroom {

@@ -3,15 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 #include <utility>
+#include <variant>
 
+#include "base/contained.h"
+#include "base/files.h"
 #include "base/text.h"
+#include "classroom/names.h"
 #include "glib/number.h"
+#include "image/png/png_writer.h"
+#include "image/read.h"
 #include "suite/file/suite_file.h"
 #include "suite/file/sweep.h"
+#include "suite/options/option_words.h"
+#include "suite/write_below.h"
 
 namespace glibra::classroom {
 namespace {}  // namespace
@@ -72,6 +85,122 @@ Result<std::vector<Moment>> momentsOfSuite(const std::filesystem::path& file) {
     if (moments.empty())
         return withoutId(Severity::error, "the suite has no shots", {file.generic_string(), 1, 1});
     return {std::move(moments), std::move(read.diagnostics)};
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr std::uint64_t kLargestDescription = std::uint64_t{4} << 20U;
+constexpr std::uint64_t kLargestReference = std::uint64_t{1} << 30U;
+
+/// False for options that name files of one machine or say what its processes may take.
+bool isHandedOut(const suite::OptionRow& row) {
+    return !row.name.empty() && !std::holds_alternative<suite::FoldersValue>(row.value) &&
+           !std::holds_alternative<suite::MemoryValue>(row.value);
+}
+
+/// The options of a shot as words of a command line: {"--time", "0.5", "--set", "uKd=1"}.
+OrderedJson optionWordsOf(const suite::Shot& shot) {
+    OrderedJson words = OrderedJson::array();
+    for (const suite::OptionRow& row : suite::optionTable())
+        if (isHandedOut(row))
+            for (std::string& each : suite::optionWords(row, shot)) words.push_back(std::move(each));
+    return words;
+}
+
+/// Gives a shot options that optionWordsOf wrote. Returns what is wrong, or an empty text.
+std::string readOptions(const OrderedJson& words, suite::Shot& shot) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto word = words[i].get<std::string>();
+        const suite::OptionRow* row = word.starts_with("--") ? suite::findOption(word.substr(2)) : nullptr;
+        if (!row || !isHandedOut(*row)) return fmt::format("'{}' is no option of a picture", word);
+        std::string value;
+        if (!std::holds_alternative<suite::FlagValue>(row->value)) {
+            if (++i >= words.size()) return fmt::format("'{}' has no value", word);
+            value = words[i].get<std::string>();
+        }
+        if (const std::string wrong = suite::readOptionText(*row, value, shot); !wrong.empty())
+            return fmt::format("{}: {}", word, wrong);
+    }
+    return {};
+}
+
+OrderedJson colorsOf(const std::optional<suite::ColorShare>& has) {
+    if (!has) return nullptr;
+    return {{"color", has->color}, {"within", has->within}, {"least", has->least}, {"most", has->most}};
+}
+
+/// The names of the pictures, which every system accepts: "uTol=0.1.png".
+std::vector<std::string> pictureFiles(const std::vector<Moment>& moments) {
+    std::vector<std::string> names;
+    for (const Moment& each : moments) names.push_back(each.label.empty() ? "reference" : each.label);
+    names = fileNames(std::move(names));
+    for (std::string& each : names) each += ".png";
+    return names;
+}
+
+Diagnostic unreadable(const fs::path& folder, const std::string& why) {
+    return diagnose("suite-E35", fmt::format("these are no pictures of a reference: {}", why),
+                    {(folder / kReferenceFile).generic_string(), 1, 1});
+}
+
+}  // namespace
+
+bool hasReferencePictures(const fs::path& folder) {
+    std::error_code failure;
+    return fs::exists(folder / kReferenceFile, failure);
+}
+
+Result<ReferencePictures> readReferencePictures(const fs::path& folder) try {
+    const auto text = base::textIn(base::openBeneath(folder, kReferenceFile), kLargestDescription);
+    if (!text) return unreadable(folder, "the file cannot be read");
+    const OrderedJson json = OrderedJson::parse(*text);
+    ReferencePictures found;
+    found.scene = fs::path(json.at("scene").get<std::string>()).filename().generic_string();
+    for (const OrderedJson& each : json.at("pictures")) {
+        Moment moment;
+        moment.label = each.at("label").get<std::string>();
+        if (const std::string wrong = readOptions(each.at("options"), moment.shot); !wrong.empty())
+            return unreadable(folder, wrong);
+        if (const OrderedJson& has = each.at("has"); !has.is_null())
+            moment.has = suite::ColorShare{has.at("color").get<std::array<double, 3>>(),
+                                           has.at("within").get<double>(), has.at("least").get<double>(),
+                                           has.at("most").get<double>()};
+        found.moments.push_back(std::move(moment));
+        found.files.push_back(folder / fs::path(each.at("file").get<std::string>()).filename());
+    }
+    if (found.moments.empty()) return unreadable(folder, "there are none");
+    if (found.moments.size() > suite::kMostMoments) return suite::tooManyMoments(found.moments.size());
+    return found;
+} catch (const OrderedJson::exception& failure) {
+    return unreadable(folder, failure.what());
+}
+
+Diagnostics writeReferencePictures(const Classroom& room, const fs::path& site, const fs::path& folder) {
+    const std::vector<std::string> files = pictureFiles(room.moments);
+    if (const Result<ReferencePictures> earlier = readReferencePictures(folder))
+        for (const fs::path& each : earlier->files) base::removeBeneath(folder, each.filename());
+    OrderedJson json = {{"scene", room.reference.submission.scene.filename().generic_string()},
+                        {"pictures", OrderedJson::array()}};
+    for (std::size_t i = 0; i < room.moments.size(); ++i) {
+        const std::string& drawn = room.reference.pictures[i].file;
+        const auto bytes = base::bytesIn(base::openBeneath(site, drawn), kLargestReference);
+        if (!bytes) return {suite::cannotWrite(folder / files[i], EIO)};
+        // Written anew, because a PNG file may tell more than its pixels.
+        const Result<image::Image> picture = image::decodeImage(*bytes, site / drawn);
+        if (!picture) return picture.diagnostics;
+        if (Diagnostics problems = suite::writeBelow(folder, files[i], image::encodePng(*picture));
+            !problems.empty())
+            return problems;
+        json["pictures"].push_back({{"file", files[i]},
+                                    {"label", room.moments[i].label},
+                                    {"options", optionWordsOf(room.moments[i].shot)},
+                                    {"has", colorsOf(room.moments[i].has)}});
+    }
+    const std::string text = json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    return suite::writeBelow(folder, kReferenceFile, std::as_bytes(std::span(text)));
 }
 
 }  // namespace glibra::classroom

@@ -6,10 +6,7 @@
 #include <iterator>
 #include <regex>
 #include <set>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "base/contained.h"
 #include "base/files.h"
@@ -46,39 +43,6 @@ std::string allowed(std::string_view name) {
     while (made.ends_with('.') || made.ends_with(' ')) made.pop_back();  // Windows drops them
     return made;
 }
-
-}  // namespace
-
-std::vector<std::string> fileNames(std::vector<std::string> names) {
-    std::set<std::string> taken;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        std::string name = allowed(names[i]);
-        if (name.empty() || name.front() == '.' || isOfWindows(name) ||
-            taken.contains(suite::nameOnAnyDisk(name)))
-            name = fmt::format("{:04} {}", i + 1, name);
-        while (!taken.insert(suite::nameOnAnyDisk(name)).second) name += '_';
-        names[i] = std::move(name);
-    }
-    return names;
-}
-
-Result<std::string> givenText(const std::filesystem::path& file, std::uint64_t largest) {
-    if (std::error_code failure; std::filesystem::is_fifo(file, failure)) {
-        std::ifstream pipe(file, std::ios::binary);
-        std::string text(largest + 1, '\0');
-        pipe.read(text.data(), static_cast<std::streamsize>(text.size()));
-        text.resize(static_cast<std::size_t>(pipe.gcount()));
-        if (text.size() > largest)
-            return diagnose("file-E09",
-                            fmt::format("'{}' is longer than {} bytes", file.generic_string(), largest));
-        return text;
-    }
-    const auto bytes = image::readFile(file, {file.generic_string(), {}}, largest);
-    if (!bytes) return bytes.diagnostics;
-    return std::string(base::asText(*bytes));
-}
-
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -139,22 +103,6 @@ std::map<std::string, Person> readMetadata(std::string_view text) {
     return people;
 }
 
-}  // namespace
-
-std::string joined(const std::vector<Member>& members, std::string Member::* which) {
-    std::string all;
-    for (const Member& each : members)
-        if (!(each.*which).empty()) all += (all.empty() ? "" : ", ") + each.*which;
-    return all;
-}
-
-std::string_view name(GradeBook book) {
-    constexpr std::string_view kNames[] = {"", "moodle", "canvas", "gradescope"};
-    return kNames[static_cast<std::size_t>(book)];
-}
-
-namespace {
-
 /// A place in a name that counts how often it is read: an expression such as (a+)+b tries a number of ways
 /// that grows exponentially with the name.
 class CountedLetter {
@@ -203,6 +151,47 @@ bool matches(const std::string& text, std::match_results<CountedLetter>& found,
 }
 
 }  // namespace
+
+std::vector<std::string> fileNames(std::vector<std::string> names) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        std::string name = allowed(names[i]);
+        if (name.empty() || name.front() == '.' || isOfWindows(name) ||
+            taken.contains(suite::nameOnAnyDisk(name)))
+            name = fmt::format("{:04} {}", i + 1, name);
+        while (!taken.insert(suite::nameOnAnyDisk(name)).second) name += '_';
+        names[i] = std::move(name);
+    }
+    return names;
+}
+
+Result<std::string> givenText(const std::filesystem::path& file, std::uint64_t largest) {
+    if (std::error_code failure; std::filesystem::is_fifo(file, failure)) {
+        std::ifstream pipe(file, std::ios::binary);
+        std::string text(largest + 1, '\0');
+        pipe.read(text.data(), static_cast<std::streamsize>(text.size()));
+        text.resize(static_cast<std::size_t>(pipe.gcount()));
+        if (text.size() > largest)
+            return diagnose("file-E09",
+                            fmt::format("'{}' is longer than {} bytes", file.generic_string(), largest));
+        return text;
+    }
+    const auto bytes = image::readFile(file, {file.generic_string(), {}}, largest);
+    if (!bytes) return bytes.diagnostics;
+    return std::string(base::asText(*bytes));
+}
+
+std::string joined(const std::vector<Member>& members, std::string Member::* which) {
+    std::string all;
+    for (const Member& each : members)
+        if (!(each.*which).empty()) all += (all.empty() ? "" : ", ") + each.*which;
+    return all;
+}
+
+std::string_view name(GradeBook book) {
+    constexpr std::string_view kNames[] = {"", "moodle", "canvas", "gradescope"};
+    return kNames[static_cast<std::size_t>(book)];
+}
 
 struct NameRule::Pattern {
     std::regex expression;

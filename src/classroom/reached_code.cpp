@@ -4,13 +4,10 @@
 #include <cstddef>
 #include <deque>
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "base/hash.h"
-#include "classroom/code_blocks.h"
-#include "classroom/code_tree.h"
 #include "classroom/normal_form.h"
 #include "glsl/parse/types.h"
 #include "glsl/parse/usage.h"

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <system_error>
 
 #include "base/contained.h"
 #include "base/files.h"
 #include "base/packed.h"
 #include "classroom/effect.h"
-#include "classroom/hand_in_digest.h"
+#include "classroom/hand_in.h"
 #include "classroom/likeness.h"
 #include "classroom/reached_code.h"
 #include "image/compare/compare.h"

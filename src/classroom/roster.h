@@ -15,15 +15,11 @@
 
 namespace glibra::classroom {
 
-/// The records of comma-separated values (RFC 4180), of a table whose separator is a semicolon, or of one
-/// with tabs: the character that the first line has most often. A byte order mark is left out.
-std::vector<std::vector<std::string>> csvRecords(std::string_view text);
-
 struct Student {
     std::string name, number, email;
     std::string scene;                ///< pattern for --scene-of, or empty
     std::optional<double> daysLate;   ///< of the column "days late", or Gradescope's "Lateness (H:M:S)"
-    std::optional<std::string> time;  ///< when it was handed in, as daysBetween reads it (hand_in_time.h)
+    std::optional<std::string> time;  ///< when it was handed in, as daysBetween reads it (hand_in.h)
     std::size_t record = 0;           ///< in Roster::records
     std::string status{};             ///< of Moodle: "Submitted for grading - 1 day late"
 };

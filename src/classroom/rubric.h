@@ -57,7 +57,6 @@ Rubric solvedRubric();
 /// Errors: suite-E01 to suite-E03, suite-E04 (a number out of its limits, or two in the wrong order),
 /// suite-E24 (a check asks for nothing or for several things, or has a key of another kind), suite-E25 (two
 /// checks of one name).
-Result<Rubric> readRubric(const std::filesystem::path& file);
 Result<Rubric> readRubricText(std::string_view text, const std::string& file);
 
 /// The checks that name a moment or a slider which the class does not draw (suite-E26).
@@ -69,7 +68,7 @@ Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,
 /// `isLate`, which is one day.
 struct HandedIn {
     std::optional<double> daysLate;
-    std::optional<std::string> time;  ///< as daysBetween reads it (hand_in_time.h)
+    std::optional<std::string> time;  ///< as daysBetween reads it (hand_in.h)
     bool isLate = false;              ///< late, but nobody says how much
     std::string status{};             ///< Moodle's column of that name
 };

@@ -4,17 +4,13 @@
 #include <glibra/result.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "classroom/archive.h"
 #include "classroom/names.h"
-#include "system/sandbox.h"
 
 namespace glibra::classroom {
 
@@ -72,43 +68,10 @@ Result<Submissions> findSubmissions(const std::filesystem::path& folder, const S
 /// Error: it is none of these.
 Result<Submissions> ownSubmission(const std::filesystem::path& path, const SubmissionOptions& options);
 
+/// True for a file name that ends with ".zip".
+bool isArchive(const std::filesystem::path& file);
+
 /// Gives a submission the scene of its folder, or the problem why there is none.
 void findScene(Submission& submission, const SubmissionOptions& options);
-
-/// The first pattern that fits some of several scenes leaves these: it is compared with the file name, or
-/// with the whole path if it contains a "/". A pattern for the submission itself must fit one. Of several,
-/// the first of these rules that leaves exactly one decides: the file with the name of the reference, the
-/// file named as the submission, the file that is less deep than all others. The paths are relative to the
-/// folder. Returns the index, or the reason why there is none.
-struct ChosenScene {
-    std::size_t index = 0;
-    std::string problem;  ///< empty if a scene was chosen
-};
-ChosenScene chooseScene(std::span<const std::filesystem::path> scenes, const Submission& submission,
-                        const SubmissionOptions& options);
-
-/// Where zip files are unpacked, and who does it.
-struct UnpackOptions {
-    std::filesystem::path site;  ///< SITE/unpacked/NAME is the folder of a submission
-    double timeout = 0;          ///< seconds for each submission; 0: no limit
-    const system::Sandbox* sandbox = nullptr;
-    std::function<bool()> stop{};
-    UnpackLimits ofClass{std::uint64_t{4} << 30U, 200'000};  ///< all together; each has its own, too
-};
-
-inline constexpr const char* kUnpacked = "unpacked";
-inline constexpr const char* kExport = "export";
-
-/// Unpacks the zip file in which a learning platform exports all submissions to SITE/export. Returns that
-/// folder, or the only folder in it if that is not itself a submission. Errors: file-E10, or why it cannot be
-/// unpacked.
-Result<std::filesystem::path> unpackExport(const std::filesystem::path& archive,
-                                           const UnpackOptions& options);
-
-/// Makes the folders of the submissions that have `parts` and finds their scenes. Those that cannot be
-/// unpacked have a `problem`, and so have those that do not fit beside those before them. Removes what an
-/// earlier run has unpacked. Error: file-E10.
-Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions& find,
-                              const UnpackOptions& options);
 
 }  // namespace glibra::classroom

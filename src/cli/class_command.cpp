@@ -14,23 +14,21 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/utf8.h"
 #include "classroom/class_page.h"
 #include "classroom/class_run.h"
-#include "classroom/hand_in_time.h"
-#include "classroom/import_table.h"
-#include "classroom/own_results.h"
-#include "classroom/reference_pictures.h"
+#include "classroom/grades.h"
+#include "classroom/hand_in.h"
+#include "classroom/moments.h"
 #include "classroom/rubric.h"
 #include "classroom/teacher_marks.h"
+#include "classroom/unpack.h"
 #include "cli/class_input.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/library_hint.h"
+#include "cli/file_access.h"
 #include "cli/picture_options.h"
-#include "cli/run_facts.h"
+#include "cli/scene_arguments.h"
 #include "cli/suite_progress.h"
-#include "cli/untrusted.h"
 #include "suite/golden/hash_list.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
@@ -121,7 +119,7 @@ classroom::ImportOptions importOptions(const ClassArguments& arguments, const Cl
 void noteImport(const classroom::ImportOptions& import, const classroom::Classroom& room) {
     for (const std::string& why :
          {classroom::whyNoAssignment(import), classroom::whyOtherMaximum(room, import)})
-        if (!why.empty()) printLine(base::printableText("glibra: note: " + why));
+        if (!why.empty()) printNote(why);
 }
 
 /// Writes the page, the table, and what the grade book imports. The exit status; kDone if all is well.
@@ -150,9 +148,9 @@ void reportMissing(const classroom::Classroom& room) {
         const std::string ending = fs::path(file).extension().generic_string();
         const bool isShader = ending == ".vert" || ending == ".frag" || ending == ".geom" ||
                               ending == ".tcs" || ending == ".tes" || ending == ".comp" || ending == ".glsl";
-        printLine(base::printableText(fmt::format(
-            "glibra: note: {} submissions miss '{}'; if it was given to all, put it into '{}'", count, file,
-            (fs::path(room.folder) / (isShader ? "shaders" : "textures")).generic_string())));
+        printNote(
+            fmt::format("{} submissions miss '{}'; if it was given to all, put it into '{}'", count, file,
+                        (fs::path(room.folder) / (isShader ? "shaders" : "textures")).generic_string()));
     }
 }
 
@@ -166,8 +164,8 @@ void reportEarlier(const classroom::Classroom& room) {
     const bool isMore = names.size() > kMostNames;
     const std::string count = base::counted(names.size(), "earlier submission");
     if (isMore) names.resize(kMostNames);
-    printLine(base::printableText(fmt::format("glibra: note: {} without a scene cannot be compared: {}{}",
-                                              count, fmt::join(names, ", "), isMore ? ", ..." : "")));
+    printNote(fmt::format("{} without a scene cannot be compared: {}{}", count, fmt::join(names, ", "),
+                          isMore ? ", ..." : ""));
 }
 
 /// Says which fields nobody has typed points into yet.
@@ -184,9 +182,9 @@ void reportOpen(const classroom::Classroom& room) {
     std::string checks;
     for (const auto& [check, count] : open)
         checks += fmt::format("{}'{}' of {}", checks.empty() ? "" : ", ", check, count);
-    printLine(base::printableText(fmt::format(
-        "glibra: note: {} not yet marked by hand: {}; submissions with such fields have no grade to import",
-        all == 1 ? "1 field is" : fmt::format("{} fields are", all), checks)));
+    printNote(
+        fmt::format("{} not yet marked by hand: {}; submissions with such fields have no grade to import",
+                    all == 1 ? "1 field is" : fmt::format("{} fields are", all), checks));
 }
 
 /// Says that a check of likeness cannot tell an effect from the rest of a picture.
@@ -194,17 +192,17 @@ void noteWholePictures(const ClassInput& input, const classroom::Classroom& room
     if (!input.rubric || room.moments.size() > 1) return;
     for (const classroom::Check& each : input.rubric->checks)
         if (each.kind == classroom::Check::Kind::like)
-            return printLine(base::printableText(fmt::format(
-                "glibra: note: the check '{}' compares whole pictures, because there is one of each "
-                "submission; with --sweep or --time it also compares what changes",
-                each.name)));
+            return printNote(
+                fmt::format("the check '{}' compares whole pictures, because there is one of each "
+                            "submission; with --sweep or --time it also compares what changes",
+                            each.name));
 }
 
 void report(const classroom::Classroom& room, const fs::path& site) {
     for (const classroom::Entry& each : room.entries)
         if (classroom::stateOf(each) != "drawn")
-            printLine(base::printableText(fmt::format("{}: {}: {}", each.submission.name,
-                                                      classroom::stateOf(each), classroom::reasonOf(each))));
+            printLine(fmt::format("{}: {}: {}", each.submission.name, classroom::stateOf(each),
+                                  classroom::reasonOf(each)));
     reportMissing(room);
     reportEarlier(room);
     reportOpen(room);
@@ -222,9 +220,8 @@ int reportOwn(const ClassArguments& arguments, const ClassInput& input, const cl
     const classroom::Entry& own = room.entries.front();
     print(own.diagnostics);
     if (const std::string why = classroom::reasonOf(own); !why.empty() && own.diagnostics.empty())
-        printLine(base::printableText("glibra: note: " + why));
-    for (const std::string& each : classroom::resultLines(*input.rubric, room))
-        printLine(base::printableText(each));
+        printNote(why);
+    for (const std::string& each : classroom::resultLines(*input.rubric, room)) printLine(each);
     for (const auto& [format, file] : arguments.results) {
         const std::string text = classroom::resultText(format, *input.rubric, room);
         const fs::path path(file);
@@ -285,11 +282,11 @@ int handOut(const ClassArguments& given) {
     if (end.noDriver) return kNoDriver;
     if (end.misspelt) return kWrongUsage;
     if (printErrors(problems) || !isDrawn) return kSceneIsWrong;
-    printLine(base::printableText(fmt::format(
-        "{}: {} of '{}'{}; students run: glibra class . --mine --reference {}", folder.generic_string(),
-        base::counted(input.plan.moments.size(), "picture"), input.plan.reference.filename().generic_string(),
-        input.rubricText.empty() ? " without a rubric" : " and the rubric",
-        suite::shellWord(folder.filename().generic_string()))));
+    printLine(fmt::format("{}: {} of '{}'{}; students run: glibra class . --mine --reference {}",
+                          folder.generic_string(), base::counted(input.plan.moments.size(), "picture"),
+                          input.plan.reference.filename().generic_string(),
+                          input.rubricText.empty() ? " without a rubric" : " and the rubric",
+                          suite::shellWord(folder.filename().generic_string())));
     return kDone;
 }
 
@@ -335,8 +332,8 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     print(marked.remarks);
     noteWholePictures(input, room);
     if (!marked.knowsTimes && !arguments.isOwn)
-        printLine(
-            "glibra: note: the late rule takes nothing, because nothing says when the submissions came in; a "
+        printNote(
+            "the late rule takes nothing, because nothing says when the submissions came in; a "
             "roster "
             "says it in a column 'submitted' or 'days late'");
     noteImport(importOptions(arguments, input), room);

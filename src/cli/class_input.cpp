@@ -3,19 +3,14 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include "base/suggest.h"
-#include "classroom/archive.h"
 #include "classroom/moments.h"
-#include "classroom/reference_pictures.h"
+#include "classroom/unpack.h"
 #include "cli/commands.h"
-#include "cli/untrusted.h"
+#include "cli/file_access.h"
 #include "glib/text.h"
 
 namespace glibra::cli {

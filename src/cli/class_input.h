@@ -10,8 +10,8 @@
 
 #include "classroom/class_run.h"
 #include "classroom/classroom.h"
+#include "classroom/grades.h"
 #include "classroom/names.h"
-#include "classroom/own_results.h"
 #include "classroom/roster.h"
 #include "classroom/rubric.h"
 #include "classroom/submissions.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The subcommands, one per file. Each adds itself to the program's command line and stores its exit status in
+// The subcommands. Each adds itself to the program's command line and stores its exit status in
 // `status`.
 
 #include <glibra/diagnostic.h>
@@ -69,6 +69,8 @@ void print(const Diagnostics& diagnostics, const SourceLines& lines = {});
 bool printErrors(const Diagnostics& diagnostics);
 /// Prints a line to standard error.
 void printLine(std::string_view text);
+/// Prints "glibra: note: WHY" to standard error.
+void printNote(std::string_view why);
 /// Prints "glibra: error: WHY" to standard error.
 void printError(std::string_view why);
 /// The same about the command line. Returns kWrongUsage.

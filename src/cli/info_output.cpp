@@ -1,29 +1,22 @@
 #include "cli/info_output.h"
 
+#include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/sister_program.h"
 #include "gpu/context/context.h"
 
 namespace glibra::cli {
+namespace {
 
-std::string infoText(const gpu::Context& context) {
-    return "glibra " GLIBRA_VERSION "\n" + gpu::toText(gpu::describe(context));
-}
-
+/// The same as the text of a JSON object.
 std::string infoJsonText(const gpu::Context& context) {
     return infoJson(context).dump(2) + "\n";
 }
-
-nlohmann::ordered_json infoJson(const gpu::Context& context) {
-    nlohmann::ordered_json json;
-    json["glibra"] = GLIBRA_VERSION;
-    for (const gpu::InfoEntry& each : gpu::describe(context))
-        std::visit([&](const auto& value) { json[each.key] = value; }, each.value);
-    return json;
-}
-
-namespace {
 
 using Json = nlohmann::ordered_json;
 
@@ -44,7 +37,49 @@ Json asJson(const Diagnostics& diagnostics) {
     return list;
 }
 
+/// Runs `glibra bench` and `glibra info --precision`.
+constexpr SisterProgram kBenchProgram{
+    "glibra-bench",
+    "build it with `cmake --build BUILD_FOLDER --target glibra_bench_program` (this needs Boost)"};
+
+struct InfoArguments {
+    Driver driver = Driver::automatic;
+    bool json = false;
+    bool precision = false;
+};
+
+/// Starts glibra-bench, which prints what `runInfoCommand` prints, with the measured precision.
+int measurePrecision(const InfoArguments& arguments) {
+    std::vector<std::string> words{"precision"};
+    if (arguments.json) words.emplace_back("--json");
+    words.insert(words.end(), {"--driver", std::string(word(arguments.driver))});
+    return becomeProgram(kBenchProgram, words);
+}
+
+int runInfoCommand(const InfoArguments& arguments) {
+    if (arguments.precision) return measurePrecision(arguments);
+    const Result<gpu::Context> context = gpu::openContext({.driver = arguments.driver});
+    if (!context) {
+        print(context.diagnostics);
+        return kNoDriver;
+    }
+    std::fputs((arguments.json ? infoJsonText(*context) : infoText(*context)).c_str(), stdout);
+    return kDone;
+}
+
 }  // namespace
+
+std::string infoText(const gpu::Context& context) {
+    return "glibra " GLIBRA_VERSION "\n" + gpu::toText(gpu::describe(context));
+}
+
+nlohmann::ordered_json infoJson(const gpu::Context& context) {
+    nlohmann::ordered_json json;
+    json["glibra"] = GLIBRA_VERSION;
+    for (const gpu::InfoEntry& each : gpu::describe(context))
+        std::visit([&](const auto& value) { json[each.key] = value; }, each.value);
+    return json;
+}
 
 std::string toJson(const std::vector<CheckedScene>& scenes) {
     Json list = Json::array();
@@ -92,6 +127,28 @@ std::string toJson(const image::Judgement& judged, const image::Image& expected,
 
 double differingFraction(const image::Comparison& found, const image::Image& picture) {
     return static_cast<double>(found.differingPixels) / (static_cast<double>(picture.width) * picture.height);
+}
+
+void addBench(CommandLine& program, int& status) {
+    program.subcommand("bench", "measures run time against error, as curves with their Pareto fronts",
+                       [&status](const std::vector<std::string>& arguments) {
+                           status = becomeProgram(kBenchProgram, arguments);
+                       });
+}
+
+void addInfo(CommandLine& program, int& status) {
+    auto arguments = std::make_shared<InfoArguments>();
+    CommandLine command =
+        program.subcommand("info", "prints the driver, its limits and its capabilities",
+                           "glibra info                 # driver, limits, capabilities\n"
+                           "glibra info --json\n"
+                           "glibra info --precision     # the errors of the GLSL functions");
+    command.driver(arguments->driver);
+    command.flag(
+        "--precision", arguments->precision,
+        "measure the errors of the GLSL functions and compare them with the limits of the specification");
+    command.flag("--json", arguments->json, "print as JSON");
+    command.onRun([arguments, &status] { status = runInfoCommand(*arguments); });
 }
 
 }  // namespace glibra::cli

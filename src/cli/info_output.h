@@ -15,9 +15,6 @@ namespace glibra::cli {
 /// Lines for a terminal, the version of glibra first.
 std::string infoText(const gpu::Context& context);
 
-/// The same as the text of a JSON object.
-std::string infoJsonText(const gpu::Context& context);
-
 /// The same as an object.
 nlohmann::ordered_json infoJson(const gpu::Context& context);
 

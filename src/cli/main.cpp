@@ -11,7 +11,7 @@
 #include "base/suggest.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/open_window.h"
+#include "cli/sister_program.h"
 #include "system/memory.h"
 #include "system/terminal.h"
 

@@ -1,17 +1,12 @@
 #include "cli/picture_options.h"
 
 #include <fmt/format.h>
-#include <filesystem>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <variant>
-#include <vector>
 
-#include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/untrusted.h"
-#include "cli/written_files.h"
+#include "cli/file_access.h"
 #include "plan/overrides.h"
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"

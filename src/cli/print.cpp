@@ -122,6 +122,10 @@ void printLine(std::string_view text) {
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
+void printNote(std::string_view why) {
+    printLine("glibra: note: " + std::string(why));
+}
+
 void printError(std::string_view why) {
     printLine("glibra: error: " + std::string(why));
 }

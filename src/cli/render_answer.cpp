@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/packed.h"
-#include "cli/library_hint.h"
+#include "cli/scene_arguments.h"
 
 namespace glibra::render {
 

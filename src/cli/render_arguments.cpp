@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
-#include <functional>
-#include <optional>
 #include <ranges>
 #include <set>
 #include <span>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -18,15 +14,12 @@
 #include "base/utf8.h"
 #include "base/workers.h"
 #include "cli/commands.h"
+#include "cli/file_access.h"
 #include "cli/render_answer.h"
 #include "cli/scene_arguments.h"
-#include "cli/untrusted.h"
-#include "cli/written_files.h"
 #include "gpu/context/context.h"
-#include "image/file.h"
 #include "image/png/png_reader.h"
 #include "image/video/video_file.h"
-#include "render/file/job.h"
 #include "render/file/scene_inputs.h"
 #include "suite/run/run_options.h"
 #include "system/interruption.h"
@@ -54,14 +47,8 @@ fs::path absolutePath(const std::string& scene) {
     return (failed ? fs::path(scene) : path).lexically_normal();
 }
 
-}  // namespace
-
-image::NamedBy namedBy(const RenderArguments& arguments) {
-    return arguments.output.empty() || arguments.frames > 1 || writesIntoFolder(arguments)
-               ? image::NamedBy::program
-               : image::NamedBy::user;
-}
-
+/// The file that each scene is written to. Without -o it is the scene's name in the current folder. Where two
+/// scenes have the same name, they keep the folders in which they differ.
 std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     std::vector<fs::path> names;
     std::set<std::string> distinct;
@@ -89,17 +76,6 @@ std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     return names;
 }
 
-bool isFilm(const RenderArguments& arguments) {
-    return arguments.frames > 1 && !arguments.outputIsFolder && !isFolder(arguments.output) &&
-           image::holdsAnimation(arguments.output);
-}
-
-fs::path framesOf(fs::path film) {
-    return film.replace_extension(".png");
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 /// Reads a frame with the PNG reader alone, since a worker that a scene has taken over may have written
@@ -110,30 +86,6 @@ Result<image::Image> readFrame(const fs::path& file) {
     if (!bytes) return bytes.diagnostics;
     return image::decodePng(*bytes, label);
 }
-
-}  // namespace
-
-Diagnostics writeFilm(const Film& film, const std::function<std::optional<fs::path>(int)>& frameFile,
-                      const std::function<bool()>& stop) {
-    for (int i = 0; i < film.frames; ++i)
-        if (!frameFile(i)) return {};
-    std::optional<image::VideoFile> video;
-    for (int i = 0; i < film.frames && !stop(); ++i) {
-        const Result<image::Image> frame = readFrame(*frameFile(i));
-        if (!frame) return frame.diagnostics;
-        if (!video) {
-            Result<image::VideoFile> begun = image::VideoFile::create(film.file, frame->width, frame->height,
-                                                                      film.framesPerSecond, "glibra");
-            if (!begun) return begun.diagnostics;
-            video = std::move(begun.value);
-        }
-        if (Diagnostics problems = video->add(*frame); !problems.empty()) return problems;
-    }
-    if (stop() || !video) return {};
-    return video->finish();
-}
-
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -522,6 +474,41 @@ class SceneBatch {
 };
 
 }  // namespace
+
+image::NamedBy namedBy(const RenderArguments& arguments) {
+    return arguments.output.empty() || arguments.frames > 1 || writesIntoFolder(arguments)
+               ? image::NamedBy::program
+               : image::NamedBy::user;
+}
+
+bool isFilm(const RenderArguments& arguments) {
+    return arguments.frames > 1 && !arguments.outputIsFolder && !isFolder(arguments.output) &&
+           image::holdsAnimation(arguments.output);
+}
+
+fs::path framesOf(fs::path film) {
+    return film.replace_extension(".png");
+}
+
+Diagnostics writeFilm(const Film& film, const std::function<std::optional<fs::path>(int)>& frameFile,
+                      const std::function<bool()>& stop) {
+    for (int i = 0; i < film.frames; ++i)
+        if (!frameFile(i)) return {};
+    std::optional<image::VideoFile> video;
+    for (int i = 0; i < film.frames && !stop(); ++i) {
+        const Result<image::Image> frame = readFrame(*frameFile(i));
+        if (!frame) return frame.diagnostics;
+        if (!video) {
+            Result<image::VideoFile> begun = image::VideoFile::create(film.file, frame->width, frame->height,
+                                                                      film.framesPerSecond, "glibra");
+            if (!begun) return begun.diagnostics;
+            video = std::move(begun.value);
+        }
+        if (Diagnostics problems = video->add(*frame); !problems.empty()) return problems;
+    }
+    if (stop() || !video) return {};
+    return video->finish();
+}
 
 std::optional<render::Job::Save> readSave(const std::string& text) {
     const std::size_t equals = text.find('=');

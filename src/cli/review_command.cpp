@@ -110,8 +110,8 @@ int review(const ReviewArguments& arguments) {
         return kDone;
     }
     if (suites->empty())
-        printLine(
-            "glibra: note: nothing can be accepted, because the suites are not below the current folder; "
+        printNote(
+            "nothing can be accepted, because the suites are not below the current folder; "
             "name them");
     const system::Interruption interruption;
     auto server = suite::LoopbackServer::open();

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/own_library.h"
+
 namespace glibra::cli {
 
 /// The name of the scene that comes from standard input, in messages. Its files are looked for in the current
@@ -35,5 +37,12 @@ std::filesystem::path wholePath(const std::filesystem::path& path);
 /// The library of a folder of scenes: the nearest folder, from itself upwards, with `shaders` or `textures`,
 /// as for a scene in it. A scene of the folder may read its files although they lie outside of the folder.
 std::optional<std::filesystem::path> libraryAbove(std::filesystem::path folder);
+
+// What a scene names and does not have may be in the library that glibra is installed with.
+
+/// A note for the first of the missing files (file-E01) of a scene that the library has, with the --library
+/// that finds it. Nothing if the library has none of them, or is searched already.
+Diagnostics libraryHint(const std::filesystem::path& scene, const Diagnostics& diagnostics,
+                        const std::filesystem::path& library = base::ownLibrary());
 
 }  // namespace glibra::cli

@@ -1,12 +1,16 @@
 #include "cli/suite_progress.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 #include "base/utf8.h"
+#include "suite/options/option_words.h"
+#include "system/places.h"
 #include "system/terminal.h"
 
 namespace glibra::cli {
@@ -78,6 +82,18 @@ void SuiteProgress::print(const std::string& line) {
 
 void SuiteProgress::clear() {
     if (terminal_) std::fputs("\r\033[K", stderr);
+}
+
+std::string commandLine() {
+    std::string line;
+    for (const std::string& word : system::ownWords())
+        line += (line.empty() ? "" : " ") + suite::shellWord(word);
+    return line;
+}
+
+std::string utcNow() {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
 }  // namespace glibra::cli

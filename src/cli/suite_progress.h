@@ -36,4 +36,12 @@ class SuiteProgress {
 /// Returns "0:07", "12:30" or "1:02:03"; seconds are rounded up.
 std::string readableTime(double seconds);
 
+// What a report says about the run that it comes from.
+
+/// The command line of this process, or empty if the system does not provide it.
+std::string commandLine();
+
+/// "2026-01-31T12:00:00Z"
+std::string utcNow();
+
 }  // namespace glibra::cli

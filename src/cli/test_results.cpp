@@ -1,26 +1,26 @@
 #include "cli/test_results.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <set>
-#include <span>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 #include "base/contained.h"
+#include "base/files.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "image/file.h"
 #include "scene/file_lookup.h"
+#include "suite/file/shot_name.h"
 #include "suite/golden/golden_store.h"
+#include "suite/golden/picture_store.h"
 #include "suite/report/report_files.h"
 #include "suite/report/terminal_report.h"
-#include "suite/results/results_file.h"
 #include "suite/run/fingerprint.h"
 #include "suite/run/verdict.h"
 
@@ -64,53 +64,12 @@ void orRemove(const Diagnostics& problems, const fs::path& old) {
     if (printErrors(problems)) fs::remove(old, failure);
 }
 
-}  // namespace
-
-void markUnfinished(const ResultFiles& files) {
-    if (!files.results.empty()) markResults(files.results);
-    suite::RunResult unfinished;
-    unfinished.missingShards = "this run has not reached its end";
-    if (!files.junit.empty() && hasMark(files.junit, "<testsuites name=\"glibra\"")) {
-        const std::string xml = suite::toJunit(unfinished);
-        orRemove(image::writeFileAtomically(files.junit, std::as_bytes(std::span(xml))), files.junit);
-    }
-    if (!files.report.empty() && hasMark(files.report / "index.html", "- glibra</title>"))
-        orRemove(suite::writeHtmlReport(unfinished, files.results, files.report),
-                 files.report / "index.html");
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
 Diagnostics writeText(const std::string& file, const std::string& text) {
     std::error_code ignored;  // reported with the file that cannot be written
     if (const fs::path folder = fs::path(file).parent_path(); !folder.empty())
         fs::create_directories(folder, ignored);
     return image::writeFileAtomically(file, std::as_bytes(std::span(text)));
 }
-
-}  // namespace
-
-bool writeReports(const suite::RunResult& run, const ReportRequest& request, const fs::path& results,
-                  const suite::ReportRoots& roots) {
-    Diagnostics problems;
-    if (!request.report.empty()) {
-        append(problems, suite::writeHtmlReport(run, results, request.report, roots));
-        if (!hasError(problems))
-            printLine("report: " + (fs::path(request.report) / "index.html").generic_string());
-    }
-    if (!request.junit.empty()) append(problems, writeText(request.junit, suite::toJunit(run)));
-    if (!request.summary.empty())
-        append(problems,
-               writeText(request.summary,
-                         suite::toMarkdown(run, {.results = results, .picturesAt = request.picturesAt})));
-    return !printErrors(problems);
-}
-
-namespace {
-
-namespace fs = std::filesystem;
 
 /// True for names that only a run gives to its pictures: "SHOT.got.png".
 bool isOfRun(const fs::path& file) {
@@ -142,6 +101,35 @@ bool isLocked(const Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+void markUnfinished(const ResultFiles& files) {
+    if (!files.results.empty()) markResults(files.results);
+    suite::RunResult unfinished;
+    unfinished.missingShards = "this run has not reached its end";
+    if (!files.junit.empty() && hasMark(files.junit, "<testsuites name=\"glibra\"")) {
+        const std::string xml = suite::toJunit(unfinished);
+        orRemove(image::writeFileAtomically(files.junit, std::as_bytes(std::span(xml))), files.junit);
+    }
+    if (!files.report.empty() && hasMark(files.report / "index.html", "- glibra</title>"))
+        orRemove(suite::writeHtmlReport(unfinished, files.results, files.report),
+                 files.report / "index.html");
+}
+
+bool writeReports(const suite::RunResult& run, const ReportRequest& request, const fs::path& results,
+                  const suite::ReportRoots& roots) {
+    Diagnostics problems;
+    if (!request.report.empty()) {
+        append(problems, suite::writeHtmlReport(run, results, request.report, roots));
+        if (!hasError(problems))
+            printLine("report: " + (fs::path(request.report) / "index.html").generic_string());
+    }
+    if (!request.junit.empty()) append(problems, writeText(request.junit, suite::toJunit(run)));
+    if (!request.summary.empty())
+        append(problems,
+               writeText(request.summary,
+                         suite::toMarkdown(run, {.results = results, .picturesAt = request.picturesAt})));
+    return !printErrors(problems);
+}
 
 std::optional<RunRecord> RunRecord::open(const fs::path& folder, const suite::RunResult& run, bool resume,
                                          bool update, const std::function<bool()>& stop) {
@@ -260,6 +248,68 @@ int exitStatus(const suite::RunResult& run) {
         status = std::max(status, suite::wasNotDrawn(each) ? kSceneIsWrong : kDiffers);
     }
     return status;
+}
+
+bool mayDownload(const suite::ShotResult& shot, const Selection& selection,
+                 const suite::RunOptions& options) {
+    if (shot.awaits.empty() || !shot.awaitsStore || options.sandbox != nullptr) return false;
+    const auto found = std::ranges::find(selection.suites, shot.suite, &suite::Suite::name);
+    return found != selection.suites.end() && suite::isAddress(found->store);
+}
+
+std::set<suite::ShotKey> downloadFor(std::vector<suite::ShotResult>& waiting, const Selection& selection,
+                                     const suite::RunOptions& options, const std::function<bool()>& stop) {
+    std::map<std::string, std::size_t> known;  // by address
+    std::vector<suite::Download> wanted;
+    std::map<suite::ShotKey, std::vector<std::string>> addressesOf;
+    for (const suite::ShotResult& shot : waiting) {
+        const suite::Suite& suite = *std::ranges::find(selection.suites, shot.suite, &suite::Suite::name);
+        const suite::PictureStore store(suite.store, {});
+        for (const fs::path& golden : shot.awaits) {
+            const fs::path inside = golden.lexically_relative(suite::goldenFolder(suite, options.goldens));
+            if (inside.empty() || *inside.begin() == "..") continue;
+            constexpr std::uint64_t kLongest = 4096;
+            const auto bytes = image::readFile(golden, {golden.generic_string(), {}}, kLongest);
+            const auto pointer = bytes ? suite::parsePointer(*bytes) : std::nullopt;
+            if (!pointer) continue;
+            const std::string address = store.placeOf(*pointer, golden.extension().generic_string());
+            if (known.try_emplace(address, wanted.size()).second) wanted.push_back({*pointer, address});
+            addressesOf[{shot.suite, shot.shot}].push_back(address);
+        }
+    }
+    printLine(fmt::format("downloading {} of goldens", base::counted(wanted.size(), "picture")));
+    suite::download(wanted, stop);
+    std::set<suite::ShotKey> ready;
+    for (suite::ShotResult& shot : waiting) {
+        const suite::ShotKey key(shot.suite, shot.shot);
+        std::string why;
+        for (const std::string& each : addressesOf[key])
+            if (const suite::Download& one = wanted[known.at(each)]; why.empty() && !one.whyNot.empty())
+                why = fmt::format("the picture of its golden cannot be downloaded from '{}': {}", each,
+                                  one.whyNot);
+        if (why.empty()) {
+            ready.insert(key);
+            continue;
+        }
+        shot.reason = why;
+        std::erase_if(shot.diagnostics, [](const Diagnostic& each) { return each.id == "suite-E34"; });
+        shot.diagnostics.push_back(diagnose("suite-E34", why, {shot.awaits.front().generic_string(), 1, 1}));
+    }
+    return ready;
+}
+
+void noteUploads(const std::vector<suite::Suite>& suites, const fs::path& results) {
+    const fs::path folder = results / suite::kUploads;
+    const std::size_t count = base::entriesOf(folder).size();
+    std::set<std::string> stores;
+    for (const suite::Suite& each : suites)
+        if (suite::isAddress(each.store)) stores.insert(each.store);
+    for (const std::string& each : stores)
+        if (count > 0)
+            print({withoutId(Severity::note,
+                             fmt::format("'{}' has {} for {}: upload {}, then commit the pointers",
+                                         folder.generic_string(), base::counted(count, "picture"), each,
+                                         count == 1 ? "it" : "them"))});
 }
 
 }  // namespace glibra::cli

@@ -5,14 +5,19 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "cli/suite_options.h"
 #include "suite/report/report_files.h"
 #include "suite/results/results.h"
 #include "suite/results/results_file.h"
 #include "suite/run/run.h"
+#include "suite/run/run_options.h"
+#include "suite/suite.h"
 
 namespace glibra::cli {
 
@@ -104,5 +109,17 @@ suite::ReportRoots shownRoots(std::span<const suite::Suite> suites,
 /// The exit status for the verdicts: 0, 1 for a comparison that failed or goldens of no shot that may not be,
 /// 3 for a scene that is wrong, crashed or hung.
 int exitStatus(const suite::RunResult& run);
+
+// `glibra test` and goldens whose pictures lie on a web server (suite/golden/picture_store.h): what a run
+// downloads, and what is to be uploaded.
+
+/// True for a shot whose verdict waits for pictures of the store, in a run that may download them.
+bool mayDownload(const suite::ShotResult& shot, const Selection& selection, const suite::RunOptions& options);
+/// Downloads the pictures that shots wait for, all of which mayDownload() chose. Returns the shots that have
+/// all of theirs now; the others get the reason (suite-E34).
+std::set<suite::ShotKey> downloadFor(std::vector<suite::ShotResult>& waiting, const Selection& selection,
+                                     const suite::RunOptions& options, const std::function<bool()>& stop);
+/// Prints where new pictures are that belong to a web server.
+void noteUploads(const std::vector<suite::Suite>& suites, const std::filesystem::path& results);
 
 }  // namespace glibra::cli

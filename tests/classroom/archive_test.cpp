@@ -1,6 +1,6 @@
 // Zip files of strangers: what is unpacked, and what is not.
 
-#include "classroom/archive.h"
+#include "classroom/unpack.h"
 
 #include <gtest/gtest.h>
 #include <minizip/zip.h>

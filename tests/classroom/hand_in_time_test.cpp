@@ -1,6 +1,6 @@
 // Times and latenesses as learning platforms write them.
 
-#include "classroom/hand_in_time.h"
+#include "classroom/hand_in.h"
 
 #include <gtest/gtest.h>
 

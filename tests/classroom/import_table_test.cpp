@@ -1,13 +1,12 @@
 // The tables that grade books import, read by strict readers of their documented columns.
 
-#include "classroom/import_table.h"
+#include "classroom/grades.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "../suite/folder.h"
-#include "classroom/grades.h"
 #include "strict_csv.h"
 
 namespace glibra::classroom {

@@ -21,7 +21,6 @@
 
 #include "classroom/cut_objects.h"
 #include "classroom/pattern_points.h"
-#include "classroom/tone_scales.h"
 
 namespace glibra::classroom {
 namespace {

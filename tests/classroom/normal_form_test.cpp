@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "classroom/compare_sources.h"
-#include "classroom/similarity.h"
+#include "classroom/classroom.h"
 #include "classroom/tokens.h"
 
 namespace glibra::classroom {

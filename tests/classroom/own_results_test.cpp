@@ -1,6 +1,6 @@
 // What platforms read of a submission's checks, against the descriptions that the platforms publish.
 
-#include "classroom/own_results.h"
+#include "classroom/grades.h"
 
 #include <gtest/gtest.h>
 

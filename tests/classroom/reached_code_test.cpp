@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "classroom/similarity.h"
+#include "classroom/tokens.h"
 
 namespace glibra::classroom {
 namespace {

@@ -1,6 +1,6 @@
 // Winnowing: what is found to be similar, and where.
 
-#include "classroom/similarity.h"
+#include "classroom/tokens.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Pictures of pages that are sent, and pictures that were cut from others.
-#include "classroom/hand_in_digest.h"
+#include "classroom/hand_in.h"
 
 #include <gtest/gtest.h>
 

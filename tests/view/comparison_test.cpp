@@ -1,7 +1,6 @@
 // A scene beside the solution of its exercise, and the chapters of examples.
 
 #include "view/session/comparison.h"
-#include "view/session/solution_check.h"
 
 #include <cstring>
 #include <functional>

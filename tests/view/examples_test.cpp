@@ -8,8 +8,7 @@
 #include "render/scene_renderer.h"
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
-#include "view/browse/thumbnails.h"
-#include "view/edit/example_folders.h"
+#include "view/edit/edited_file.h"
 
 namespace glibra::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "view/browse/file_use.h"
+#include "view/edit/source_files.h"
 
 #include "scene_folder.h"
 #include "view/session/session.h"

@@ -8,7 +8,6 @@
 #include "scene_folder.h"
 #include "view/debug_view/frame_items.h"
 #include "view/debug_view/frame_watch.h"
-#include "view/debug_view/pixel_history.h"
 #include "view/session/session.h"
 
 namespace glibra::test {

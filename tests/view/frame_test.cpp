@@ -8,9 +8,7 @@
 #include "view/debug_view/frame_items.h"
 #include "view/debug_view/frame_watch.h"
 #include "view/debug_view/mesh_capture.h"
-#include "view/debug_view/pixel_history.h"
 #include "view/debug_view/pixel_probe.h"
-#include "view/debug_view/state_choices.h"
 #include "view/session/frame_cost.h"
 #include "view/session/session.h"
 

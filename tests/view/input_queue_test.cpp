@@ -1,4 +1,4 @@
-#include "view/window/platform/input_queue.h"
+#include "view/window/platform/input.h"
 
 #include <gtest/gtest.h>
 

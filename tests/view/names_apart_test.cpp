@@ -1,4 +1,4 @@
-#include "view/edit/names_apart.h"
+#include "view/edit/source_files.h"
 
 #include <gtest/gtest.h>
 

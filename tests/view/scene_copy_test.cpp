@@ -1,6 +1,6 @@
 // Copies of scenes, examples, and files that the user chooses.
 
-#include "view/edit/scene_copy.h"
+#include "view/edit/saved_scene.h"
 
 #include <algorithm>
 #include <fstream>
@@ -9,8 +9,6 @@
 #include "scene_folder.h"
 #include "view/browse/example_scenes.h"
 #include "view/edit/edited_file.h"
-#include "view/edit/example_folders.h"
-#include "view/edit/save_values.h"
 
 namespace glibra::test {
 namespace {

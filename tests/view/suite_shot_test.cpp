@@ -1,4 +1,4 @@
-#include "view/export/suite_shot.h"
+#include "view/export/hardcopy.h"
 
 #include "render/scene_renderer.h"
 #include "scene_folder.h"

@@ -1,4 +1,4 @@
-#include "view/edit/text_search.h"
+#include "view/edit/source_lines.h"
 
 #include <gtest/gtest.h>
 

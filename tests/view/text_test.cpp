@@ -3,7 +3,7 @@
 
 #include "glib/script.h"
 #include "scene_folder.h"
-#include "view/edit/save_values.h"
+#include "view/edit/saved_scene.h"
 #include "view/edit/source_lines.h"
 #include "view/session/history.h"
 

@@ -1,4 +1,4 @@
-#include "view/scene/typed_number.h"
+#include "view/scene/slider_scale.h"
 
 #include <gtest/gtest.h>
 

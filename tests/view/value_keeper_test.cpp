@@ -1,4 +1,4 @@
-#include "view/session/value_keeper.h"
+#include "view/session/history.h"
 
 #include "scene_folder.h"
 

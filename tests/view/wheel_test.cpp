@@ -1,4 +1,4 @@
-#include "view/session/wheel.h"
+#include "view/scene/transforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Long lines in rows: where they are broken, and what an edit of the rows makes of the text.
 
-#include "view/edit/wrapped_text.h"
+#include "view/edit/source_lines.h"
 
 #include <gtest/gtest.h>
 

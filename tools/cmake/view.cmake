@@ -14,5 +14,6 @@ set_target_properties(glibra_window PROPERTIES OUTPUT_NAME glibra-view RUNTIME_O
 glibra_compile_options(glibra_window)
 glibra_quick_to_compile(glibra_window -Og)
 glibra_precompile(glibra_window glibra_window)
+target_compile_definitions(glibra_window PRIVATE GLFW_INCLUDE_NONE)  # OpenGL comes from glad
 target_link_libraries(glibra_window PRIVATE glibra_view glibra_cli PkgConfig::imgui PkgConfig::glfw Threads::Threads)
 glibra_on_windows(glibra_window WINDOW)

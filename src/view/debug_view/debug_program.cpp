@@ -3,10 +3,7 @@
 #include <embedded/debug_shaders.h>
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "glsl/emit/emit.h"
 #include "gpu/object/uniform.h"
@@ -64,64 +61,6 @@ Rgb texelColor(DebugView kind, const float* rgba, const ValueRange& range) {
             return colorOfCount(rgba[0]);
     }
 }
-
-}  // namespace
-
-std::string_view nameOf(DebugView kind) {
-    constexpr std::array<std::string_view, kDebugViewCount> kNames{
-        "picture", "normals", "texture coordinates", "facing", "overdraw", "layers", "depth"};
-    return kNames.at(static_cast<std::size_t>(kind));
-}
-
-ValueRange rangeOf(DebugView kind, const TexelImage& numbers) {
-    ValueRange range;
-    for (std::size_t i = 0; i + 3 < numbers.rgba.size(); i += 4) {
-        const float* texel = numbers.rgba.data() + i;
-        const double number = shownNumber(kind, texel);
-        if (!isSomething(texel) || !std::isfinite(number)) continue;
-        range.lowest = range.isEmpty ? number : std::min(range.lowest, number);
-        range.highest = range.isEmpty ? number : std::max(range.highest, number);
-        range.isEmpty = false;
-    }
-    return range;
-}
-
-std::array<std::uint8_t, 3> colorOfCount(double count) {
-    const double last = static_cast<double>(kCounts.size()) - 1;
-    return kCounts.at(static_cast<std::size_t>(std::clamp(count, 0.0, last)));
-}
-
-std::vector<std::uint8_t> colorsOf(DebugView kind, const TexelImage& numbers) {
-    const ValueRange range = rangeOf(kind, numbers);
-    std::vector<std::uint8_t> bytes(numbers.rgba.size(), 255);
-    for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
-        const float* texel = numbers.rgba.data() + i;
-        const Rgb color = isSomething(texel) ? texelColor(kind, texel, range) : kNothing;
-        std::copy(color.begin(), color.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-    return bytes;
-}
-
-std::string wordsOf(DebugView kind, const float* rgba) {
-    if (!isSomething(rgba)) return "nothing is drawn here";
-    switch (kind) {
-        case DebugView::picture:
-        case DebugView::normals:
-            return {};
-        case DebugView::coordinates:
-            return fmt::format("s {:.4g}, t {:.4g}, p {:.4g}", rgba[0], rgba[1], rgba[2]);
-        case DebugView::facing:
-            return rgba[0] > .5F ? "front" : "back";
-        case DebugView::depth:
-            return fmt::format("depth {:.5g}, {:.4g} from the eye", rgba[0], rgba[1]);
-        case DebugView::overdraw:
-        case DebugView::layers:
-            break;
-    }
-    return fmt::format("{:g} fragment{}", rgba[0], rgba[0] == 1 ? "" : "s");
-}
-
-namespace {
 
 constexpr std::string_view kEyeOfFragment =
     "uniform mat4 glibra_debugProjectionInverse;\nuniform vec2 glibra_debugSize, glibra_debugToClip;\n"
@@ -205,6 +144,60 @@ std::optional<DebugProgram> link(const gpu::Context& context, const render::Buil
 }
 
 }  // namespace
+
+std::string_view nameOf(DebugView kind) {
+    constexpr std::array<std::string_view, kDebugViewCount> kNames{
+        "picture", "normals", "texture coordinates", "facing", "overdraw", "layers", "depth"};
+    return kNames.at(static_cast<std::size_t>(kind));
+}
+
+ValueRange rangeOf(DebugView kind, const TexelImage& numbers) {
+    ValueRange range;
+    for (std::size_t i = 0; i + 3 < numbers.rgba.size(); i += 4) {
+        const float* texel = numbers.rgba.data() + i;
+        const double number = shownNumber(kind, texel);
+        if (!isSomething(texel) || !std::isfinite(number)) continue;
+        range.lowest = range.isEmpty ? number : std::min(range.lowest, number);
+        range.highest = range.isEmpty ? number : std::max(range.highest, number);
+        range.isEmpty = false;
+    }
+    return range;
+}
+
+std::array<std::uint8_t, 3> colorOfCount(double count) {
+    const double last = static_cast<double>(kCounts.size()) - 1;
+    return kCounts.at(static_cast<std::size_t>(std::clamp(count, 0.0, last)));
+}
+
+std::vector<std::uint8_t> colorsOf(DebugView kind, const TexelImage& numbers) {
+    const ValueRange range = rangeOf(kind, numbers);
+    std::vector<std::uint8_t> bytes(numbers.rgba.size(), 255);
+    for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+        const float* texel = numbers.rgba.data() + i;
+        const Rgb color = isSomething(texel) ? texelColor(kind, texel, range) : kNothing;
+        std::copy(color.begin(), color.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return bytes;
+}
+
+std::string wordsOf(DebugView kind, const float* rgba) {
+    if (!isSomething(rgba)) return "nothing is drawn here";
+    switch (kind) {
+        case DebugView::picture:
+        case DebugView::normals:
+            return {};
+        case DebugView::coordinates:
+            return fmt::format("s {:.4g}, t {:.4g}, p {:.4g}", rgba[0], rgba[1], rgba[2]);
+        case DebugView::facing:
+            return rgba[0] > .5F ? "front" : "back";
+        case DebugView::depth:
+            return fmt::format("depth {:.5g}, {:.4g} from the eye", rgba[0], rgba[1]);
+        case DebugView::overdraw:
+        case DebugView::layers:
+            break;
+    }
+    return fmt::format("{:g} fragment{}", rgba[0], rgba[0] == 1 ? "" : "s");
+}
 
 void writeOnly(int output) {
     std::array<GLenum, kDebugOutput + 1> outputs{};

@@ -8,7 +8,6 @@
 #include <cctype>
 #include <initializer_list>
 #include <span>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -7,7 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include "plan/frame_plan.h"
 #include "plan/texture_binding.h"
 #include "render/gpu_times.h"
 

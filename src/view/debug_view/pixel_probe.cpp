@@ -13,7 +13,6 @@
 #include "gpu/object/uniform.h"
 #include "view/debug_view/bound_target.h"
 #include "view/debug_view/debug_program.h"
-#include "view/scene/pick.h"
 #include "view/scene/window_target.h"
 
 namespace glibra::view {
@@ -341,6 +340,38 @@ class Probe {
     std::optional<LayerOfPass> layer_;         ///< of them
 };
 
+// Probed values as text.
+
+/// "mat4", "mat3x2" (3 columns, 2 rows), and arrays of them; 0: it is no matrix.
+std::size_t rowsOfMatrix(std::string_view type) {
+    if (type.starts_with('d')) type.remove_prefix(1);
+    if (!type.starts_with("mat") || type.size() < 4) return 0;
+    const char rows = type.size() > 5 && type[4] == 'x' ? type[5] : type[3];
+    return rows >= '2' && rows <= '4' ? static_cast<std::size_t>(rows - '0') : 0;
+}
+
+/// The rows as lines, with the numbers of a column below each other; an empty line between matrices.
+std::string matrixText(const ProbedValue& value, std::size_t rows) {
+    const auto columns = static_cast<std::size_t>(value.type[value.type.front() == 'd' ? 4 : 3] - '0');
+    std::vector<std::string> texts;
+    std::size_t widest = 0;
+    for (const double each : value.numbers) {
+        texts.push_back(fmt::format("{:.6g}", each == 0 ? 0 : each));  // no "-0"
+        widest = std::max(widest, texts.back().size());
+    }
+    std::string text;
+    for (std::size_t first = 0; first + rows * columns <= texts.size(); first += rows * columns) {
+        if (first > 0) text += "\n";
+        for (std::size_t row = 0; row < rows; ++row) {
+            if (!text.empty()) text += "\n";
+            for (std::size_t column = 0; column < columns; ++column)
+                text += fmt::format("{}{:>{}}", column > 0 ? "  " : "", texts[first + column * rows + row],
+                                    widest);
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 ProbedPixel probePixel(gpu::Context& context, render::LiveScene& scene, int width, int height, double time,
@@ -368,6 +399,22 @@ ProbedPixel probeDraw(gpu::Context& context, render::LiveScene& scene, scene::St
         windowTarget(context.capabilities(), scene.scene(), width, height, gpu::TexelFormat::rgba32f);
     if (target) Probe(context, scene, *target, time, pixel.x, pixel.y).run(result, step, size, pixel.layer);
     return result;
+}
+
+const ProbedValue* ProbedPixel::find(std::string_view name) const {
+    for (const std::vector<ProbedValue>* list : {&outputs, &inputs, &uniforms})
+        for (const ProbedValue& each : *list)
+            if (each.name == name) return &each;
+    return nullptr;
+}
+
+std::string numbersText(const ProbedValue& value) {
+    if (value.numbers.empty()) return value.why;
+    std::string text;
+    if (value.type == "bool") return value.numbers.front() != 0 ? "true" : "false";
+    if (const std::size_t rows = rowsOfMatrix(value.type); rows > 0) return matrixText(value, rows);
+    for (const double each : value.numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", each);
+    return text;
 }
 
 }  // namespace glibra::view

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>

@@ -1,18 +1,25 @@
 #include "view/edit/edited_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "base/files.h"
+#include "base/own_library.h"
+#include "base/text.h"
 #include "base/utf8.h"
 #include "image/file.h"
-#include "view/edit/example_folders.h"
-#include "view/edit/text_search.h"
+#include "system/process.h"
+#include "view/edit/source_lines.h"
 
 namespace glibra::view {
 namespace {
@@ -24,72 +31,6 @@ bool isContinuation(char c) {
 bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\n';
 }
-
-}  // namespace
-
-/// Typing joins the last step until a new word or line begins; deleting joins until another kind of change.
-bool TextHistory::join(const Step& step) {
-    if (!mayJoin_ || at_ == 0 || at_ < steps_.size()) return false;
-    Step& last = steps_[at_ - 1];
-    if (step.removed.empty() && last.removed.empty() && step.begin == last.begin + last.added.size()) {
-        const bool beginsWord = isBlank(last.added.back()) && !isBlank(step.added.front());
-        const bool isLine = step.added.find('\n') != std::string::npos;
-        if (beginsWord || isLine) return false;
-        last.added += step.added;
-        return true;
-    }
-    if (!step.added.empty() || !last.added.empty()) return false;
-    if (step.begin == last.begin) {
-        last.removed += step.removed;
-        return true;
-    }
-    if (step.begin + step.removed.size() != last.begin) return false;
-    last.removed = step.removed + last.removed;
-    last.begin = step.begin;
-    return true;
-}
-
-void TextHistory::record(std::string_view text) {
-    if (text == present_) return;
-    const std::size_t shorter = std::min(text.size(), present_.size());
-    auto same = static_cast<std::size_t>(std::ranges::mismatch(text, present_).in1 - text.begin());
-    // The common parts end at whole characters, so that every state is UTF-8.
-    const auto cuts = [](std::string_view of, std::size_t at) {
-        return at < of.size() && isContinuation(of[at]);
-    };
-    while (same > 0 && (cuts(text, same) || cuts(present_, same))) --same;
-    std::size_t after = 0;
-    while (after < shorter - same && text[text.size() - 1 - after] == present_[present_.size() - 1 - after])
-        ++after;
-    while (after > 0 && (cuts(text, text.size() - after) || cuts(present_, present_.size() - after))) --after;
-    Step step{same, present_.substr(same, present_.size() - after - same),
-              std::string(text.substr(same, text.size() - after - same))};
-    present_ = text;
-    if (join(step)) return;
-    steps_.resize(at_);
-    steps_.push_back(std::move(step));
-    if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
-    at_ = steps_.size();
-    mayJoin_ = true;
-}
-
-TextHistory::State TextHistory::undo() {
-    mayJoin_ = false;
-    if (at_ == 0) return {present_, 0};
-    const Step& step = steps_[--at_];
-    present_.replace(step.begin, step.added.size(), step.removed);
-    return {present_, step.begin + step.removed.size()};
-}
-
-TextHistory::State TextHistory::redo() {
-    mayJoin_ = false;
-    if (at_ == steps_.size()) return {present_, 0};
-    const Step& step = steps_[at_++];
-    present_.replace(step.begin, step.removed.size(), step.added);
-    return {present_, step.begin + step.added.size()};
-}
-
-namespace {
 
 constexpr std::uint64_t kLargestFile = 1ULL << 20;
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
@@ -161,7 +102,106 @@ std::optional<std::string> withChangedLines(std::string_view before, std::string
     return result;
 }
 
+constexpr const char* kTerminal = "x-terminal-emulator";
+/// Editors that need a terminal.
+constexpr std::array<std::string_view, 10> kTerminalEditors{"vi", "vim", "nvim", "nano", "micro",
+                                                            "ne", "joe", "hx",   "kak",  "emacs-nox"};
+
+/// The words of a variable, or the one program that it is the path of.
+std::vector<std::string> words(const std::string& text) {
+    if (const std::filesystem::path whole = text; whole.is_absolute() && system::isProgram(whole))
+        return {text};
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// Without the suffix that programs have on Windows.
+std::string editorName(const std::string& program) {
+    const std::filesystem::path name = std::filesystem::path(program).filename();
+    return (name.extension() == ".exe" ? name.stem() : name).generic_string();
+}
+
+/// Adds the file and the line in the form that the editor expects.
+void addPlace(std::vector<std::string>& command, const std::string& editor, const Place& place) {
+    if (editor == "code" || editor == "Code" || editor == "codium") {
+        command.insert(command.end(),
+                       {"--goto", fmt::format("{}:{}:{}", place.file, place.line, place.column)});
+    } else if (editor == "subl" || editor == "hx" || editor == "zed") {
+        command.push_back(fmt::format("{}:{}:{}", place.file, place.line, place.column));
+    } else if (editor == "kate" || editor == "kwrite") {
+        command.insert(command.end(), {"--line", std::to_string(place.line), place.file});
+    } else if (editor == "notepad++") {
+        command.insert(command.end(), {fmt::format("-n{}", place.line), place.file});
+    } else if (editor == "notepad") {  // it knows no lines
+        command.push_back(place.file);
+    } else {
+        command.insert(command.end(), {fmt::format("+{}", place.line), place.file});
+    }
+}
+
 }  // namespace
+
+/// Typing joins the last step until a new word or line begins; deleting joins until another kind of change.
+bool TextHistory::join(const Step& step) {
+    if (!mayJoin_ || at_ == 0 || at_ < steps_.size()) return false;
+    Step& last = steps_[at_ - 1];
+    if (step.removed.empty() && last.removed.empty() && step.begin == last.begin + last.added.size()) {
+        const bool beginsWord = isBlank(last.added.back()) && !isBlank(step.added.front());
+        const bool isLine = step.added.find('\n') != std::string::npos;
+        if (beginsWord || isLine) return false;
+        last.added += step.added;
+        return true;
+    }
+    if (!step.added.empty() || !last.added.empty()) return false;
+    if (step.begin == last.begin) {
+        last.removed += step.removed;
+        return true;
+    }
+    if (step.begin + step.removed.size() != last.begin) return false;
+    last.removed = step.removed + last.removed;
+    last.begin = step.begin;
+    return true;
+}
+
+void TextHistory::record(std::string_view text) {
+    if (text == present_) return;
+    const std::size_t shorter = std::min(text.size(), present_.size());
+    auto same = static_cast<std::size_t>(std::ranges::mismatch(text, present_).in1 - text.begin());
+    // The common parts end at whole characters, so that every state is UTF-8.
+    const auto cuts = [](std::string_view of, std::size_t at) {
+        return at < of.size() && isContinuation(of[at]);
+    };
+    while (same > 0 && (cuts(text, same) || cuts(present_, same))) --same;
+    std::size_t after = 0;
+    while (after < shorter - same && text[text.size() - 1 - after] == present_[present_.size() - 1 - after])
+        ++after;
+    while (after > 0 && (cuts(text, text.size() - after) || cuts(present_, present_.size() - after))) --after;
+    Step step{same, present_.substr(same, present_.size() - after - same),
+              std::string(text.substr(same, text.size() - after - same))};
+    present_ = text;
+    if (join(step)) return;
+    steps_.resize(at_);
+    steps_.push_back(std::move(step));
+    if (steps_.size() > kMostSteps) steps_.erase(steps_.begin());
+    at_ = steps_.size();
+    mayJoin_ = true;
+}
+
+TextHistory::State TextHistory::undo() {
+    mayJoin_ = false;
+    if (at_ == 0) return {present_, 0};
+    const Step& step = steps_[--at_];
+    present_.replace(step.begin, step.added.size(), step.removed);
+    return {present_, step.begin + step.removed.size()};
+}
+
+TextHistory::State TextHistory::redo() {
+    mayJoin_ = false;
+    if (at_ == steps_.size()) return {present_, 0};
+    const Step& step = steps_[at_++];
+    present_.replace(step.begin, step.removed.size(), step.added);
+    return {present_, step.begin + step.added.size()};
+}
 
 EditedFile::EditedFile(std::filesystem::path path) : path_(std::move(path)) {
     takeDisk();
@@ -314,6 +354,51 @@ Diagnostics EditedFile::save() {
     savedText_ = text_;
     isGone_ = false;
     return {};
+}
+
+namespace fs = std::filesystem;
+
+fs::path exampleRoot(const std::vector<fs::path>& roots, const fs::path& scene, const fs::path& program) {
+    for (const fs::path& each : roots)
+        if (base::isLibrary(each)) return each;
+    for (const fs::path& each : {program, scene})
+        if (!each.empty())
+            if (fs::path root = base::libraryAbove(each.parent_path()); !root.empty()) return root;
+    return {};
+}
+
+bool isExample(const fs::path& file) {
+    static const fs::path kRoot = base::ownLibrary();
+    if (kRoot.empty() || file.empty()) return false;
+    std::error_code failure;
+    // Windows has the folder by names in any case, too.
+    for (fs::path at = fs::weakly_canonical(file, failure); at.has_relative_path(); at = at.parent_path())
+        for (const fs::path each : {"glib", "shaders", "textures", "scenes/models"})
+            if (base::sameWord(at.filename().generic_string(), each.filename().generic_string()) &&
+                fs::equivalent(at, kRoot / each, failure))
+                return true;
+    return false;
+}
+
+Diagnostics writingProblem(const fs::path& file) {
+    if (!isExample(file)) return {};
+    return {diagnose("view-E03", "the folders of the examples are not written to; choose another one")};
+}
+
+std::string openInEditor(const Place& place) {
+    const char* variable = std::getenv("VISUAL");
+    if (!variable || !*variable) variable = std::getenv("EDITOR");
+    std::vector<std::string> command = words(variable && *variable ? variable : system::usualEditor());
+    if (command.empty())
+        return "no editor is set: set the environment variable EDITOR, for example EDITOR=gedit";
+    const std::string editor = editorName(command.front());
+    if (std::ranges::find(kTerminalEditors, editor) != kTerminalEditors.end())
+        command.insert(command.begin(), {kTerminal, "-e"});
+    const bool isInTerminal = command.front() == kTerminal && command.size() > 2;
+    addPlace(command, isInTerminal ? editorName(command[2]) : editor, place);
+    const std::string failure = system::startDetached(command);
+    if (!failure.empty()) return fmt::format("cannot start '{}': {}", command.front(), failure);
+    return fmt::format("opened {}:{} with {}", place.file, place.line, editor);
 }
 
 }  // namespace glibra::view

@@ -108,4 +108,24 @@ class EditedFile {
          isGone_ = false;
 };
 
+// The folders of the scenes, shaders, textures and models that ship with glibra.
+
+/// The folder with the examples: the first of `roots` that is a library, or else the nearest library above
+/// the program, or else above the scene (base/own_library.h). Empty if there is none.
+std::filesystem::path exampleRoot(const std::vector<std::filesystem::path>& roots,
+                                  const std::filesystem::path& scene, const std::filesystem::path& program);
+
+/// True for the scenes, shaders, textures and models that ship with the running program, and for any other
+/// file in their folders, whether it exists or not. They are not written to.
+bool isExample(const std::filesystem::path& file);
+/// view-E03 if the file may not be written, because it is in such a folder.
+Diagnostics writingProblem(const std::filesystem::path& file);
+
+// Opens a file in the user's own editor.
+
+/// Starts $VISUAL or $EDITOR, or else the editor that the system has, at that line without waiting for it, in
+/// a terminal if the editor needs one. Returns a message for the status line: what was opened, or why it
+/// failed.
+std::string openInEditor(const Place& place);
+
 }  // namespace glibra::view

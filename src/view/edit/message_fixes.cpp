@@ -8,7 +8,7 @@
 #include "base/suggest.h"
 #include "scene/file_lookup.h"
 #include "system/folder.h"
-#include "view/edit/text_search.h"
+#include "view/edit/source_lines.h"
 
 namespace glibra::view {
 namespace {

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdint>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
-#include <utility>
 
 #include "base/files.h"
 #include "image/file.h"

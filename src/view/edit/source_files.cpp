@@ -4,8 +4,7 @@
 #include <array>
 #include <set>
 #include <string_view>
-
-#include "view/edit/names_apart.h"
+#include <system_error>
 
 namespace glibra::view {
 namespace {
@@ -17,6 +16,28 @@ constexpr std::array<const char*, glsl::kStageCount> kStageWords{
 SourceFile* find(std::vector<SourceFile>& files, const std::filesystem::path& path) {
     const auto found = std::ranges::find(files, path, &SourceFile::path);
     return found == files.end() ? nullptr : &*found;
+}
+
+namespace fs = std::filesystem;
+
+/// The last parts of a path.
+fs::path tailOf(const fs::path& file, std::size_t count) {
+    const std::vector<fs::path> parts(file.begin(), file.end());
+    fs::path tail;
+    for (std::size_t i = parts.size() - std::min(count, parts.size()); i < parts.size(); ++i)
+        tail /= parts[i];
+    return tail;
+}
+
+bool isMadeOf(const scene::Texture& texture, scene::FileIndex file) {
+    if (const auto* noise = std::get_if<scene::NoiseSource>(&texture.source)) return noise->file == file;
+    const auto* picture = std::get_if<scene::PictureSource>(&texture.source);
+    return picture != nullptr && std::ranges::find(picture->files, file) != picture->files.end();
+}
+
+bool isEquivalent(const fs::path& a, const fs::path& b) {
+    std::error_code failure;
+    return !a.empty() && fs::equivalent(a, b, failure);
 }
 
 }  // namespace
@@ -47,6 +68,35 @@ std::vector<SourceFile> sourceFiles(const render::LiveScene& live) {
     const std::vector<std::string> names = namesApart(paths);
     for (std::size_t i = 0; i < files.size(); ++i) files[i].label = names[i];
     return files;
+}
+
+std::vector<std::string> namesApart(std::span<const fs::path> files) {
+    std::vector<std::string> names;
+    for (const fs::path& file : files) {
+        std::size_t count = 1;
+        const auto isTaken = [&](const fs::path& other) {
+            return other != file && tailOf(other, count) == tailOf(file, count);
+        };
+        while (tailOf(file, count) != file && std::any_of(files.begin(), files.end(), isTaken)) ++count;
+        names.push_back(tailOf(file, count).generic_string());
+    }
+    return names;
+}
+
+FileUse useOf(const render::LiveScene& live, const fs::path& file) {
+    for (const SourceFile& each : sourceFiles(live))
+        if (isEquivalent(each.path, file))
+            return {FileUse::Kind::text, {}, {each.path.generic_string(), 1, 1}};
+    const scene::Scene& scene = live.scene();
+    FileUse use;
+    for (const scene::FileIndex i : scene.files.indices()) {
+        if (!isEquivalent(scene.files[i].path, file)) continue;
+        use = {FileUse::Kind::data, {}, scene.files[i].place};
+        for (const scene::TextureIndex texture : scene.textures.indices())
+            if (isMadeOf(scene.textures[texture], i) && live.texture(texture))
+                return {FileUse::Kind::texture, texture, scene.textures[texture].place};
+    }
+    return use;
 }
 
 }  // namespace glibra::view

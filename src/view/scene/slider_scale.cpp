@@ -6,6 +6,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "expression/expression.h"
 
 namespace glibra::view {
 namespace {
@@ -32,6 +37,26 @@ double rounded(double value, int exponent) {
     double result = value;
     std::from_chars(text.data(), end, result);
     return result + 0.0;  // not -0
+}
+
+class NoNames final : public expression::Names {
+  public:
+    [[nodiscard]] std::optional<expression::Symbol> find(std::string_view /*path*/) const override {
+        return std::nullopt;
+    }
+    [[nodiscard]] std::vector<std::string> known(std::string_view /*path*/) const override { return {}; }
+};
+
+/// The text with points in place of commas that separate no arguments.
+std::string withPoints(std::string_view text) {
+    std::string result(text);
+    int depth = 0;
+    for (char& each : result) {
+        if (each == '(') ++depth;
+        if (each == ')') --depth;
+        if (each == ',' && depth == 0) each = '.';
+    }
+    return result;
 }
 
 }  // namespace
@@ -82,6 +107,14 @@ double withoutLeftover(double value, double step) {
     constexpr double kLeftover =
         1e-9;  // of a step; dragging rounds values to four digits, so leftovers are far smaller
     return std::abs(value) < kLeftover * step ? 0 : value;
+}
+
+std::optional<double> typedNumber(std::string_view text) {
+    const expression::Type number = expression::Type::number();
+    const auto parsed = expression::parse(withPoints(text), {}, NoNames(), {.types = {&number, 1}});
+    const std::optional<expression::Value> value = parsed ? parsed->constant() : std::nullopt;
+    if (!value || !(std::abs(value->number()) <= std::numeric_limits<float>::max())) return std::nullopt;
+    return value->number();
 }
 
 }  // namespace glibra::view

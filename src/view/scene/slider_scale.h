@@ -1,5 +1,9 @@
 #pragma once
-// Where a slider's thumb stands for a value, and which value a place of the thumb means.
+// Numbers as a user sets them: where a slider's thumb stands for a value, which value a place of the thumb
+// means, and what is typed into a field.
+
+#include <optional>
+#include <string_view>
 
 #include "render/live/knobs.h"
 
@@ -26,5 +30,9 @@ SliderScale scaleOf(const render::Knob& knob);
 
 /// 0 for what dragging by steps of that size leaves of 0 (-1.767e-15); other values stay.
 double withoutLeftover(double value, double step);
+
+/// "0.5", "0,5", "1/3", "2*sqrt(3)": an expression of the scene language without names of a scene (language,
+/// 1.8), with a point or a comma before the fraction. Nothing if the text is no number that a float has.
+std::optional<double> typedNumber(std::string_view text);
 
 }  // namespace glibra::view

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstring>
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "base/packed.h"
@@ -53,8 +51,16 @@ constexpr std::size_t kHead = sizeof(std::uint64_t);
 /// The message that drawing begins, after loading; packed diagnostics are longer.
 constexpr std::string_view kBegins = "begins";
 
-}  // namespace
+/// A message is 8 bytes with the length, then the text. False, or nothing, if the other process has ended.
+bool sendMessage(const system::File& channel, std::string_view text) {
+    const auto length = static_cast<std::uint64_t>(text.size());
+    std::string bytes(kHead, '\0');
+    std::memcpy(bytes.data(), &length, kHead);
+    bytes += text;
+    return sendAll(channel, std::as_bytes(std::span(bytes))) == 0;
+}
 
+/// Removes the first whole message from bytes that were received; nothing if there is none.
 std::optional<std::string> takeMessage(std::string& received) {
     std::uint64_t length = 0;
     if (received.size() < kHead) return std::nullopt;
@@ -65,14 +71,6 @@ std::optional<std::string> takeMessage(std::string& received) {
     return text;
 }
 
-bool sendMessage(const system::File& channel, std::string_view text) {
-    const auto length = static_cast<std::uint64_t>(text.size());
-    std::string bytes(kHead, '\0');
-    std::memcpy(bytes.data(), &length, kHead);
-    bytes += text;
-    return sendAll(channel, std::as_bytes(std::span(bytes))) == 0;
-}
-
 std::optional<std::string> receiveMessage(const system::File& channel) {
     std::string received;
     for (;;) {
@@ -80,8 +78,6 @@ std::optional<std::string> receiveMessage(const system::File& channel) {
         if (receive(channel, -1, nullptr, received) != system::News::bytes) return std::nullopt;
     }
 }
-
-namespace {
 
 /// How long a picture is waited for when it is asked for; most are ready then.
 constexpr double kPatience = .1;
@@ -91,83 +87,6 @@ constexpr double kLongestLoading = 60;
 double secondsSinceTime(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-}  // namespace
-
-void DrawingProcess::end() {
-    if (child_) system::end(*child_);
-    child_.reset();
-    received_.clear();
-    isWorking_ = hasDrawn_ = false;
-}
-
-bool DrawingProcess::send(const DrawingOrder& order) {
-    const std::size_t size =
-        static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height) * 4;
-    if (child_->memory.bytes().size() != size && !child_->memory.resize(size)) return false;
-    sent_ = order;
-    isWorking_ = isLoading_ = true;
-    begun_ = std::chrono::steady_clock::now();
-    return sendMessage(child_->channel, order.text);
-}
-
-/// On a busy machine the process may not have had the processor.
-bool DrawingProcess::isLate(double limit) const {
-    constexpr double kMostWaiting = 5;
-    const double passed = secondsSinceTime(begun_);
-    if (isLoading_) return passed > kLongestLoading;
-    return passed > limit && (passed > kMostWaiting * limit ||
-                              processorSecondsOf(child_->process) - processorSeconds_ > limit / 2);
-}
-
-DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
-    const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    for (;;) {
-        while (const std::optional<std::string> text = takeMessage(received_)) {
-            if (*text != kBegins) {
-                std::optional<Diagnostics> found = base::unpacked<Diagnostics>(*text);
-                if (!found) {
-                    end();
-                    return State::ended;
-                }
-                diagnostics_ = *std::move(found);
-                seconds_ = secondsSinceTime(begun_);
-                isWorking_ = false;
-                hasDrawn_ = true;
-                return State::drawn;
-            }
-            isLoading_ = false;
-            begun_ = std::chrono::steady_clock::now();
-            processorSeconds_ = processorSecondsOf(child_->process);
-        }
-        const int left = static_cast<int>(std::max(0., (seconds - secondsSinceTime(start)) * 1000));
-        const system::News news = receive(child_->channel, left, nullptr, received_);
-        if (news == system::News::bytes) continue;
-        if (news == system::News::ended) {
-            const State why = hasDrawn_ || !isLoading_ ? State::ended : State::missing;
-            end();
-            return why;
-        }
-        if (isLate(limit)) {
-            end();
-            return State::late;
-        }
-        if (left == 0) return State::working;
-    }
-}
-
-DrawingProcess::State DrawingProcess::draw(const DrawingOrder& wanted, double limit) {
-    if (isWorking_ && sent_.loading != wanted.loading) end();
-    if (isWorking_) return wait(0, limit);
-    if (!child_) child_ = system::startChild({"glibra-view", "--draw-for-window"});
-    if (!child_ || !send(wanted)) {
-        end();
-        return State::missing;
-    }
-    return wait(kPatience, limit);
-}
-
-namespace {
 
 constexpr int kNoContext = 4;  ///< exit status
 /// Seconds after which the process ends itself, in case that nobody watches it any more.
@@ -266,6 +185,79 @@ class Drawing {
 };
 
 }  // namespace
+
+void DrawingProcess::end() {
+    if (child_) system::end(*child_);
+    child_.reset();
+    received_.clear();
+    isWorking_ = hasDrawn_ = false;
+}
+
+bool DrawingProcess::send(const DrawingOrder& order) {
+    const std::size_t size =
+        static_cast<std::size_t>(order.width) * static_cast<std::size_t>(order.height) * 4;
+    if (child_->memory.bytes().size() != size && !child_->memory.resize(size)) return false;
+    sent_ = order;
+    isWorking_ = isLoading_ = true;
+    begun_ = std::chrono::steady_clock::now();
+    return sendMessage(child_->channel, order.text);
+}
+
+/// On a busy machine the process may not have had the processor.
+bool DrawingProcess::isLate(double limit) const {
+    constexpr double kMostWaiting = 5;
+    const double passed = secondsSinceTime(begun_);
+    if (isLoading_) return passed > kLongestLoading;
+    return passed > limit && (passed > kMostWaiting * limit ||
+                              processorSecondsOf(child_->process) - processorSeconds_ > limit / 2);
+}
+
+DrawingProcess::State DrawingProcess::wait(double seconds, double limit) {
+    const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    for (;;) {
+        while (const std::optional<std::string> text = takeMessage(received_)) {
+            if (*text != kBegins) {
+                std::optional<Diagnostics> found = base::unpacked<Diagnostics>(*text);
+                if (!found) {
+                    end();
+                    return State::ended;
+                }
+                diagnostics_ = *std::move(found);
+                seconds_ = secondsSinceTime(begun_);
+                isWorking_ = false;
+                hasDrawn_ = true;
+                return State::drawn;
+            }
+            isLoading_ = false;
+            begun_ = std::chrono::steady_clock::now();
+            processorSeconds_ = processorSecondsOf(child_->process);
+        }
+        const int left = static_cast<int>(std::max(0., (seconds - secondsSinceTime(start)) * 1000));
+        const system::News news = receive(child_->channel, left, nullptr, received_);
+        if (news == system::News::bytes) continue;
+        if (news == system::News::ended) {
+            const State why = hasDrawn_ || !isLoading_ ? State::ended : State::missing;
+            end();
+            return why;
+        }
+        if (isLate(limit)) {
+            end();
+            return State::late;
+        }
+        if (left == 0) return State::working;
+    }
+}
+
+DrawingProcess::State DrawingProcess::draw(const DrawingOrder& wanted, double limit) {
+    if (isWorking_ && sent_.loading != wanted.loading) end();
+    if (isWorking_) return wait(0, limit);
+    if (!child_) child_ = system::startChild({"glibra-view", "--draw-for-window"});
+    if (!child_ || !send(wanted)) {
+        end();
+        return State::missing;
+    }
+    return wait(kPatience, limit);
+}
 
 std::string orderText(const DrawnState& state) {
     return base::packed(std::pair(state, wordsOf(state.options)));

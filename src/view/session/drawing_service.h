@@ -1,5 +1,6 @@
 #pragma once
-// The other side of DrawingProcess: what it is asked for, and the process that draws it.
+// Draws a scene in a process of its own, which can be ended when a shader of the scene does not end. The
+// window starts its own program again for this. It starts with the first picture that is asked for.
 
 #include <glibra/diagnostic.h>
 #include <glibra/render.h>
@@ -18,17 +19,6 @@
 #include "system/child_process.h"
 
 namespace glibra::view {
-
-// What the window and the process that draws for it send each other (drawing_process.h, drawing_service.h).
-
-/// A message is 8 bytes with the length, then the text. False, or nothing, if the other process has ended.
-bool sendMessage(const system::File& channel, std::string_view text);
-std::optional<std::string> receiveMessage(const system::File& channel);
-/// Removes the first whole message from bytes that were received; nothing if there is none.
-std::optional<std::string> takeMessage(std::string& received);
-
-// Draws a scene in a process of its own, which can be ended when a shader of the scene does not end. The
-// window starts its own program again for this. It starts with the first picture that is asked for.
 
 /// A picture that is wanted.
 struct DrawingOrder {

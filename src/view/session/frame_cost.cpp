@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "gpu/object/timer.h"
 #include "render/gpu_times.h"

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,15 +22,97 @@
 #include "render/live/live_scene.h"
 #include "view/debug_view/debug_renderer.h"
 #include "view/debug_view/pixel_probe.h"
-#include "view/edit/save_values.h"
-#include "view/scene/pick.h"
+#include "view/edit/saved_scene.h"
 #include "view/scene/transforms.h"
-#include "view/session/clock.h"
+#include "view/scene/window_target.h"
 #include "view/session/drawing_service.h"
 #include "view/session/object_timer.h"
-#include "view/session/trials.h"
 
 namespace glibra::view {
+
+// The time that a scene sees: it plays, pauses, steps and runs at any speed. The class never reads a real
+// clock; its owner reports how much real time has passed.
+
+// Values that move between the ends of their ranges. They are functions of the scene's time, so that the same
+// time shows the same picture again.
+
+/// One animated knob with a range: all its components.
+struct Animation {
+    scene::ProgramIndex program{};
+    std::string tag;
+    double begin = 0;            ///< seconds of the scene's time
+    std::vector<double> phases;  ///< of the components at `begin`, 0..2: up at 0..1, down at 1..2
+    std::vector<double> before;  ///< the values that undo returns to
+
+    [[nodiscard]] bool isOf(const render::Knob& knob) const {
+        return knob.program == program && knob.tag == tag;
+    }
+};
+
+constexpr double kAnimationSeconds = 4;  ///< from one end to the other
+
+/// Begins at the knob's current values, upwards.
+Animation animationOf(const render::Knob& knob, double time);
+/// The values of the animated knob at that time: from end to end and back, evenly on the slider's scale.
+std::vector<double> valuesAt(const Animation& animation, const render::Knob& knob, double time);
+
+class Clock {
+  public:
+    /// Seconds since the scene was loaded, as shaders see them.
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] bool isPlaying() const { return playing_; }
+    [[nodiscard]] double speed() const { return speed_; }
+
+    void play(bool on) { playing_ = on; }
+    /// Scene seconds per real second, clamped to -1000..1000. A negative speed runs backwards; a value that
+    /// is not finite is ignored.
+    void setSpeed(double speed);
+    /// Times below 0 become 0; a value that is not finite is ignored.
+    void setTime(double seconds);
+    /// Pauses, and moves the time by `frames` frames of 1/30 second each, times the speed. `frames` may be
+    /// negative.
+    void step(int frames);
+    /// Reports that `seconds` of real time have passed. Returns true if the scene's time has changed.
+    bool advance(double seconds);
+
+    static constexpr double kFrameSeconds = 1.0 / 30;
+
+  private:
+    double time_ = 0;
+    double speed_ = 1;
+    bool playing_ = true;
+};
+
+// The draws that have another state than the scene says, to try that. They are found again after an edit.
+
+class Trials {
+  public:
+    /// The text of a file of the scene, as it was read last.
+    using TextOf = std::function<std::string(const std::filesystem::path&)>;
+
+    [[nodiscard]] bool empty() const { return trials_.empty(); }
+    /// By the draws of the scene as it is now. A draw whose line is missing has none, until the line is there
+    /// again.
+    [[nodiscard]] const render::TriedStates& states() const { return states_; }
+    /// The draw gets another state; that of the scene ends the trial.
+    void set(const scene::Draw& draw, const base::RasterState& state, const TextOf& textOf);
+    /// The scene has been read again.
+    void follow(const scene::Scene& scene, const TextOf& textOf);
+    void clear() { *this = {}; }
+
+  private:
+    struct Trial {
+        std::filesystem::path file;
+        DrawId then, now;  ///< in texts_, and in the texts as they are; `now` has no line if it is gone
+        render::TriedState state;
+    };
+    void keepTexts(const TextOf& textOf);
+    void list();
+
+    std::vector<Trial> trials_;
+    render::TriedStates states_;                          ///< of those that are not gone
+    std::map<std::filesystem::path, std::string> texts_;  ///< in which all trials stood
+};
 
 inline constexpr double kUsualDrawLimit = 2, kLongDrawLimit = 20;  ///< seconds
 

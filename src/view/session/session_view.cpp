@@ -1,11 +1,18 @@
 // The view of a session: transforms, projection and camera.
 
+#include <glad/gl.h>
+
 #include <algorithm>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "base/files.h"
+#include "image/file.h"
 #include "render/draw/view_matrices.h"
 #include "scene/view.h"
+#include "view/edit/source_lines.h"
+#include "view/scene/window_target.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
@@ -26,6 +33,16 @@ Matrix* matrixOfMode(ViewState& view, TransformMode mode, const DrawId& picked) 
     for (ViewState::Object& each : view.objects)
         if (each.draw() == picked) return &each.matrix;
     return &view.objects.emplace_back(ViewState::Object{picked, kIdentity}).matrix;
+}
+
+/// The number that DrawId::file has for the file now; `known` if it draws nothing.
+int fileNumber(const scene::Scene& scene, const std::filesystem::path& file, int known) {
+    for (const scene::Pass& pass : scene.frame.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<scene::Draw>(&step);
+                draw != nullptr && draw->place.file == file)
+                return draw->id.file;
+    return known;
 }
 
 }  // namespace
@@ -197,6 +214,120 @@ ViewState Session::shownView() const {
     if (const double size = shrinking(); size != 1)
         view.scene = render::asNumbers(scene::scaling({size, size, 1}) * render::asMatrix(view_.scene));
     return view;
+}
+
+// What tools ask a session about the frame that was drawn last.
+
+bool Session::canLookInto() {
+    drawIfNeeded();
+    return live_ && target_ && !isWaiting_ && !isStopped_;
+}
+
+ProbedPixel Session::probeDraw(scene::StepIndex step, const TargetPixel& at) {
+    if (!canLookInto() || step.pass >= live_->scene().frame.passes.size()) return {};
+    ProbedPixel pixel =
+        view::probeDraw(context_, *live_, step, target_->width(), target_->height(), clock_.time(), at);
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    return pixel;
+}
+
+std::string Session::readText(const std::filesystem::path& file) const {
+    if (const auto typed = options_.texts.find(file); typed != options_.texts.end()) return typed->second;
+    const auto bytes = image::readFile(file, {file.generic_string(), {}});
+    return bytes ? std::string(base::asText(*bytes)) : std::string();
+}
+
+void Session::tryState(const scene::Draw& draw, const base::RasterState& state) {
+    if (!live_) return;
+    trials_.set(draw, state, [this](const std::filesystem::path& file) { return readText(file); });
+    live_->tryStates(trials_.states());
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    isStale_ = true;
+}
+
+/// The scene has been read again.
+void Session::followTrials() {
+    if (trials_.empty()) return;
+    trials_.follow(live_->scene(), [this](const std::filesystem::path& file) { return readText(file); });
+    live_->tryStates(trials_.states());
+}
+
+std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer) {
+    if (!canLookInto() || pass >= live_->scene().frame.passes.size()) return "no frame has been drawn";
+    // Not that of the picture, whose numbers stay.
+    DebugRenderer renderer(context_, *live_);
+    std::string problem = renderer.drawPass(
+        pass, target_->width(), target_->height(),
+        {.kind = kind, .normalLength = normalLength_, .time = clock_.time(), .layer = layer});
+    numbers = renderer.numbers();
+    return problem;
+}
+
+void Session::keepBefore() {
+    if (!target_ || !live_ || framesDrawn_ == 0) return;
+    const int width = target_->width(), height = target_->height();
+    fit(before_, context_.capabilities(), live_->scene(), width, height);
+    if (!before_) return;
+    target_->readable().bindForReading();
+    before_->bind();
+    glDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    beforeTime_ = pictureTime_;
+}
+
+void Session::showBefore(bool on) {
+    showsBefore_ = on && before_;
+    if (!showsBefore_ || !usesTime() || !live_->scene().steps.empty()) return;
+    Clock clock = clock_;
+    clock.play(false);
+    clock.setTime(beforeTime_);
+    setClock(clock);
+}
+
+void Trials::list() {
+    states_.clear();
+    for (const Trial& each : trials_)
+        if (each.now.line > 0) states_.emplace(each.now, each.state);
+}
+
+/// From now on draws are followed from where they are now. Those that are gone do not come back.
+void Trials::keepTexts(const TextOf& textOf) {
+    std::erase_if(trials_, [](const Trial& each) { return each.now.line == 0; });
+    texts_.clear();
+    for (Trial& each : trials_) {
+        each.then = each.now;
+        if (!texts_.contains(each.file)) texts_.emplace(each.file, textOf(each.file));
+    }
+}
+
+void Trials::set(const scene::Draw& draw, const base::RasterState& state, const TextOf& textOf) {
+    const auto known = std::ranges::find(trials_, draw.id, &Trial::now);
+    // A trial has ended if the scene gives its draw another state than it did.
+    const bool isTried = known != trials_.end() && known->state.wanted == *draw.raster;
+    const base::RasterState ofScene = isTried ? known->state.ofScene : *draw.raster;
+    if (known != trials_.end()) trials_.erase(known);
+    if (state != ofScene)
+        trials_.push_back({draw.place.file, draw.id, draw.id, render::TriedState{draw.word, ofScene, state}});
+    keepTexts(textOf);
+    list();
+}
+
+void Trials::follow(const scene::Scene& scene, const TextOf& textOf) {
+    std::map<std::filesystem::path, std::string> now;
+    bool isAnyGone = false;
+    for (Trial& each : trials_) {
+        if (!now.contains(each.file)) now.emplace(each.file, textOf(each.file));
+        each.now = each.then;
+        each.now.line = movedLine(texts_[each.file], now[each.file], each.then.line);
+        each.now.file = fileNumber(scene, each.file, each.then.file);
+        isAnyGone = isAnyGone || each.now.line == 0;
+    }
+    // While a line is edited, it may not be a statement for a while.
+    if (!isAnyGone) {
+        texts_ = std::move(now);
+        for (Trial& each : trials_) each.then = each.now;
+    }
+    list();
 }
 
 }  // namespace glibra::view

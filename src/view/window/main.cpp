@@ -9,11 +9,11 @@
 #include "base/files.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/file_access.h"
 #include "cli/picture_options.h"
-#include "cli/written_files.h"
 #include "suite/options/option_table.h"
 #include "system/terminal.h"
-#include "view/browse/thumbnails.h"
+#include "view/browse/example_scenes.h"
 #include "view/session/drawing_service.h"
 #include "view/window/window.h"
 
@@ -75,7 +75,7 @@ int start(int argc, char** argv) {
     // The window starts this program with --thumbnails to make pictures of scenes; see thumbnail_maker.h.
     line.option("--thumbnails", thumbnails, "").hidden();
     // The window starts this program with --draw-for-window to draw shaders that may not end; see
-    // drawing_process.h.
+    // drawing_service.h.
     bool drawsForWindow = false;
     line.flag("--draw-for-window", drawsForWindow, "").hidden();
     line.repeated("--set", arguments.set,

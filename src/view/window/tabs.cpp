@@ -1,11 +1,11 @@
-#include "view/window/tabs.h"
+#include "view/window/window.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "system/folder.h"
-#include "view/edit/names_apart.h"
+#include "view/edit/source_files.h"
 
 namespace glibra::view {
 namespace {

@@ -3,31 +3,19 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <fstream>
-#include <optional>
-#include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
-#include "base/device_lost.h"
 #include "glib/text.h"
-#include "gpu/context/context.h"
 #include "gpu/context/driver_reports.h"
 #include "system/interruption.h"
-#include "view/browse/file_use.h"
 #include "view/debug_view/texels.h"
-#include "view/edit/example_folders.h"
+#include "view/edit/edited_file.h"
 #include "view/edit/recovery.h"
-#include "view/edit/save_values.h"
-#include "view/window/panels/layout.h"
-#include "view/window/platform/theme.h"
-#include "view/window/tabs.h"
-#include "view/window/window_loop.h"
+#include "view/edit/saved_scene.h"
+#include "view/edit/source_files.h"
 
 namespace glibra::view {
 

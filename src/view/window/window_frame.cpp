@@ -1,6 +1,5 @@
 // When a frame is drawn, and what it takes.
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -11,19 +10,20 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <thread>
 #include <utility>
 
 #include "gpu/context/driver_reports.h"
 #include "image/file.h"
-#include "view/window/panels/layout.h"
-#include "view/window/panels/syntax_colors.h"
-#include "view/window/platform/input_script.h"
+#include "system/places.h"
+#include "view/session/history.h"
+#include "view/window/panels/ui.h"
+#include "view/window/platform/input.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 #include "view/window/window.h"
-#include "view/window/window_loop.h"
 
 namespace glibra::view {
 namespace {
@@ -34,6 +34,8 @@ constexpr double kReplayedSeconds = 1. / 60;
 double now() {
     return std::chrono::duration<double>(RealClock::now().time_since_epoch()).count();
 }
+
+using Json = nlohmann::ordered_json;
 
 }  // namespace
 
@@ -110,7 +112,7 @@ void Window::drawFrame() {
     ui.session.advance(isReplayed ? kReplayedSeconds : passed);
     tabs_.updateTitles();
     // In menus, lists and dialogs ImGui's keys choose; elsewhere Tab goes from widget to widget
-    // (tab_stops.h).
+    // (shortcuts.h).
     const bool isPopupOpen = !ImGui::GetCurrentContext()->OpenPopupStack.empty();
     if (!isPopupOpen) keepFromImGui(GLFW_KEY_TAB);
     if (isPopupOpen) keepFromImGui(GLFW_KEY_ESCAPE);
@@ -243,6 +245,38 @@ void Window::writeState() {
     if (text != writtenState_)
         image::writeFileAtomically(arguments_.stateFile, std::as_bytes(std::span(text)));
     writtenState_ = std::move(text);
+}
+
+std::string windowJson(const Ui& ui, const LoopState& loop) {
+    Json state = stateOf(ui.session);
+    state["window"] = {loop.windowSize.first, loop.windowSize.second};
+    state["framesPresented"] = loop.framesPresented;
+    state["reloads"] = loop.reloads;
+    state["loadMilliseconds"] = loop.loadMilliseconds;
+    state["firstDrawMilliseconds"] = loop.firstDrawMilliseconds;
+    state["editToPictureMilliseconds"] = loop.editToPictureMilliseconds;
+    state["refreshRate"] = loop.refreshRate;
+    state["swapControl"] = loop.hasSwapControl;
+    state["waiting"] = loop.isWaiting;
+    state["cpuSeconds"] = system::processorSeconds();
+    state["picture"] = ui.frame.picture;
+    state["room"] = ui.frame.room;
+    state["scale"] = ui.shared.scale;
+    state["focused"] = ui.frame.focusedName;
+    state["mode"] = static_cast<int>(ui.mode);
+    state["typing"] = ui.sliders.typing;
+    state["notice"] = ui.notice.text;
+    state["noticeIsError"] = ui.notice.isError;
+    state["lightTheme"] = ui.settings.lightTheme;
+    state["question"] = ui.shared.question.has_value();
+    state["takesText"] = ImGui::GetIO().WantTextInput;
+    state["tabs"] = Json::array();
+    for (const TabTitle& each : ui.shared.tabs)
+        state["tabs"].push_back({{"label", each.label}, {"path", each.path}, {"unsaved", each.isUnsaved}});
+    state["shownTab"] = ui.shared.shownTab;
+    for (const PanelUse& each : ui.panels) each.panel->addTo(state, ui);
+    state["widgets"] = ui.frame.widgets;
+    return state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace glibra::view

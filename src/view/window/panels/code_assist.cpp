@@ -1,6 +1,5 @@
 #include "view/window/panels/code_assist.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -11,8 +10,6 @@
 
 #include "editor/scene_check.h"
 #include "glib/text.h"
-#include "view/edit/source_lines.h"
-#include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
@@ -294,6 +291,16 @@ std::string overviewList(Ui& ui, const std::vector<Completion>& words) {
     return clicked;
 }
 
+void take(const ShownText& active, EditedText edited) {
+    active.file->history().endStep();
+    active.view->newText = std::move(edited.text);
+    active.view->select = edited.selection;
+}
+
+bool isWritable(const ShownText& active) {
+    return active.file && active.file->whyReadOnly().empty();
+}
+
 }  // namespace
 
 void assistKeys(CodeAssist& state, EditedFile& file, CodeView& view) {
@@ -356,20 +363,6 @@ void referenceWindow(Ui& ui, CodeAssist& state, const EditedFile* file) {
     }
     ImGui::End();
 }
-
-namespace {
-
-void take(const ShownText& active, EditedText edited) {
-    active.file->history().endStep();
-    active.view->newText = std::move(edited.text);
-    active.view->select = edited.selection;
-}
-
-bool isWritable(const ShownText& active) {
-    return active.file && active.file->whyReadOnly().empty();
-}
-
-}  // namespace
 
 void commentLines(const Ui& ui, const ShownText& active) {
     if (!isWritable(active)) return;

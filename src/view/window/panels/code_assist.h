@@ -9,7 +9,7 @@
 
 #include "view/edit/source_files.h"
 #include "view/edit/source_lines.h"
-#include "view/window/panels/code_view.h"
+#include "view/window/panels/code_editor.h"
 
 namespace glibra::view {
 

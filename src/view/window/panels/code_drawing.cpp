@@ -1,4 +1,4 @@
-#include "view/window/panels/code_drawing.h"
+#include "view/window/panels/code_editor.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "view/edit/wrapped_text.h"
-#include "view/window/panels/syntax_colors.h"
+#include "view/edit/source_lines.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {

@@ -1,20 +1,13 @@
 #include "view/window/panels/code_editor.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include "view/window/panels/code_drawing.h"
-#include "view/window/panels/syntax_colors.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 

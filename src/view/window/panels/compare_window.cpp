@@ -1,22 +1,29 @@
-// The window that shows another scene beside the one of the tab: the solution of an exercise beside a
-// student's own picture.
+// What a picture should become: another scene beside the one of the tab, as the solution of an exercise; the
+// picture before and after the last edit; and the task of an exercise.
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "view/session/comparison.h"
-#include "view/session/solution_check.h"
-#include "view/window/panels/shown_texture.h"
+#include "view/window/panels/texel_view.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
+
+// The window that shows another scene beside the one of the tab: the solution of an exercise beside a
+// student's own picture.
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,11 +144,88 @@ class ComparePanel final : public Panel {
     CompareWindow window_;
 };
 
+// The picture before and after the last edit, by one key.
+
+class BeforeAfter final : public Panel {
+  public:
+    void drawOver(Ui& ui) override {
+        if (!ui.session.showsBefore()) return;
+        const char* text = "before the last edit (K: after it)";
+        const float pad = 6 * ui.shared.scale;
+        const ImVec2 size = ImGui::CalcTextSize(text);
+        // Where the source does not cover the picture.
+        const ImVec2 at(std::max(ui.frame.picture[0], ui.frame.covered) + 2 * pad,
+                        ui.frame.picture[1] + 2 * pad);
+        ImDrawList& list = *ImGui::GetBackgroundDrawList();
+        list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
+                           IM_COL32(0, 0, 0, 190), 3);
+        list.AddText(at, IM_COL32_WHITE, text);
+    }
+    void addTo(nlohmann::ordered_json& state, const Ui& ui) const override {
+        state["before"] = {{"known", ui.session.pictureBefore() != nullptr},
+                           {"shown", ui.session.showsBefore()}};
+    }
+};
+
+void toggleBefore(Ui& ui, Panel& /*panel*/) {
+    if (ui.session.pictureBefore() == nullptr)
+        ui.notice = "no edit has been made yet: there is no picture from before it";
+    else
+        ui.session.showBefore(!ui.session.showsBefore());
+}
+
+constexpr auto kBeforeKeys =
+    std::to_array<Shortcut>({{KeyGroup::pipeline, GLFW_KEY_K, false, "K",
+                              "the picture before the last edit, and after it", toggleBefore}});
+
+// The task of an exercise: the comment at the head of its scene, wrapped to the width of the panel.
+
+/// The comment lines at the beginning of a scene as one text; an empty comment line separates paragraphs.
+std::string headComment(std::string_view scene) {
+    std::string text;
+    while (scene.starts_with('#')) {
+        const std::size_t end = std::min(scene.find('\n'), scene.size());
+        std::string_view line = scene.substr(1, end - 1);
+        while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+        while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+        if (line.empty())
+            text += "\n\n";
+        else
+            text.append(text.empty() || text.ends_with('\n') ? "" : " ").append(line);
+        scene.remove_prefix(std::min(end + 1, scene.size()));
+    }
+    return text;
+}
+
+class TaskPanel final : public Panel {
+  public:
+    void show(Ui& ui) override {
+        if (loaded_ != ui.session.timesLoaded() || path_ != ui.session.path()) {
+            loaded_ = ui.session.timesLoaded();
+            path_ = ui.session.path();
+            text_ = solutionOf(path_).empty() ? std::string() : headComment(ui.session.readText(path_));
+        }
+        if (text_.empty() || !section(ui, "Task", "task", true)) return;
+        ImGui::TextWrapped("%s", text_.c_str());
+        markPlace(ui, "task/text");
+    }
+
+  private:
+    std::uint64_t loaded_ = 0;
+    std::filesystem::path path_;
+    std::string text_;
+};
+
 }  // namespace
 
 const PanelRow kCompareRow{.name = "compare",
                            .place = PanelPlace::floating,
                            .make = make<ComparePanel>,
                            .title = "Compare###compare"};
+
+const PanelRow kBeforeAfterRow{
+    .name = "before", .place = PanelPlace::picture, .make = make<BeforeAfter>, .keys = kBeforeKeys};
+
+const PanelRow kTaskRow{.name = "task", .place = PanelPlace::section, .make = make<TaskPanel>};
 
 }  // namespace glibra::view

@@ -1,6 +1,5 @@
 // The window with the example scenes and their pictures.
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -22,10 +21,8 @@
 #include "image/read.h"
 #include "system/places.h"
 #include "view/browse/example_scenes.h"
-#include "view/browse/thumbnails.h"
-#include "view/edit/example_folders.h"
-#include "view/window/panels/file_menu.h"
-#include "view/window/panels/shown_texture.h"
+#include "view/edit/edited_file.h"
+#include "view/window/panels/texel_view.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 

@@ -1,24 +1,72 @@
 // The dialog that opens a scene, or asks for another file or folder.
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "system/places.h"
 #include "view/browse/example_scenes.h"
-#include "view/window/panels/recent_scenes.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
+
+// The list of recent scenes, as the welcome and the dialog that opens a scene have it.
+
+/// A row for each of the first `most` recent scenes: its name and its folder, which stands beside the name
+/// or, with `isNarrow`, below it. A scene whose file is gone cannot be chosen; its row says so and has a
+/// button that removes it. `name` is that of the list, for mark(). Returns the chosen scene; empty: none.
+std::filesystem::path recentScenes(Ui& ui, std::size_t most, const std::string& name, bool isNarrow) {
+    std::vector<std::string>& recent = ui.settings.recent;
+    std::filesystem::path chosen;
+    std::optional<std::size_t> removed;
+    for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
+        const std::filesystem::path file = recent[i];
+        std::error_code failure;
+        const bool isGone = !std::filesystem::is_regular_file(file, failure);
+        ImGui::PushID(static_cast<int>(i));
+        if (isGone)
+            ImGui::TextDisabled("%s", file.filename().generic_string().c_str());
+        else if (ImGui::Selectable(file.filename().generic_string().c_str()))
+            chosen = file;
+        if (isGone)
+            markPlace(ui, name + "/gone/" + std::to_string(i));
+        else
+            mark(ui, "{}/{}", name, i);
+        tooltip(file.generic_string().c_str());
+        if (isNarrow)
+            ImGui::Indent();
+        else
+            ImGui::SameLine();
+        const std::string words = isGone ? "the file is gone" : file.parent_path().generic_string();
+        const float width =
+            isNarrow ? ImGui::GetContentRegionAvail().x : std::max(80.F, ui.frame.room[2] * .6F);
+        ImGui::TextDisabled("%s", shortened(words, width).c_str());
+        markPlace(ui, name + "/folder/" + std::to_string(i));
+        if (isGone) {
+            besideIfRoom(ImGui::CalcTextSize("Remove").x + 2 * ImGui::GetStyle().FramePadding.x);
+            if (ImGui::SmallButton("Remove")) removed = i;
+            mark(ui, "{}/remove/{}", name, i);
+            tooltip("Takes it out of this list");
+        }
+        if (isNarrow) ImGui::Unindent();
+        ImGui::PopID();
+    }
+    if (removed) recent.erase(recent.begin() + static_cast<std::ptrdiff_t>(*removed));
+    return chosen;
+}
 
 namespace fs = std::filesystem;
 constexpr const char* kId = "###file dialog";
@@ -261,9 +309,38 @@ class FileDialogPanel final : public Panel {
     FileDialog dialog_;
 };
 
+// What the window offers while it has no scene.
+
+void welcome(Ui& ui) {
+    if (ui.session.hasScene() || toolWindow(ui, "examples").isOpen) return;
+    const Rectangle& room = ui.frame.room;
+    // Below the hint that stands in the middle.
+    ImGui::SetNextWindowPos(
+        {room[0] + room[2] / 2, room[1] + room[3] / 2 + 2 * ImGui::GetTextLineHeightWithSpacing()},
+        ImGuiCond_Always, {.5F, 0});
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                        ImGuiWindowFlags_NoFocusOnAppearing;
+    if (ImGui::Begin("##welcome", nullptr, kFlags)) {
+        if (button(ui, "New scene...", "welcome/new")) askEmptyScene(ui);
+        ImGui::SameLine();
+        if (button(ui, "Open...", "welcome/open")) openDialog(ui, false);
+        ImGui::SameLine();
+        if (button(ui, "Examples", "welcome/examples")) toolWindow(ui, "examples").isOpen = true;
+        constexpr std::size_t kMost = 8;
+        if (!ui.settings.recent.empty()) ImGui::TextDisabled("Recent scenes");
+        const std::filesystem::path chosen = recentScenes(ui, kMost, "welcome/recent", false);
+        if (!chosen.empty()) ui.requests.open = chosen;
+    }
+    ImGui::End();
+}
+
 }  // namespace
 
 const PanelRow kFileDialogRow{
     .name = "fileDialog", .place = PanelPlace::floating, .make = make<FileDialogPanel>, .isShared = true};
+
+const PanelRow kWelcomeRow{.name = "welcome", .place = PanelPlace::floating, .make = make<Drawn<welcome>>};
 
 }  // namespace glibra::view

@@ -9,7 +9,6 @@
 
 #include "view/session/frame_cost.h"
 #include "view/window/panels/frame_window.h"
-#include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
 #include "view/window/platform/theme.h"
 

@@ -2,7 +2,6 @@
 
 #include "view/window/panels/frame_window.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -12,12 +11,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <utility>
 
 #include "view/edit/source_lines.h"
-#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
-#include "view/window/panels/value_slider.h"
+#include "view/window/panels/value_fields.h"
 
 namespace glibra::view {
 namespace {

@@ -16,7 +16,6 @@
 #include "view/debug_view/frame_items.h"
 #include "view/debug_view/frame_watch.h"
 #include "view/debug_view/mesh_capture.h"
-#include "view/debug_view/pixel_history.h"
 #include "view/debug_view/pixel_probe.h"
 #include "view/window/panels/texel_view.h"
 

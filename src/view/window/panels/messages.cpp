@@ -1,32 +1,40 @@
-// The messages about the scene: the banner with the first error, and the list below the source or in the
-// panel.
+// What the window tells the user: the list of messages about the scene, the first error over the picture,
+// what a scene asks, the window "Verbose", and the result of the last action.
 
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "base/text.h"
 #include "image/file.h"
-#include "view/edit/example_folders.h"
-#include "view/edit/external_editor.h"
+#include "image/format.h"
+#include "render/stats.h"
+#include "view/edit/edited_file.h"
 #include "view/edit/message_fixes.h"
 #include "view/edit/source_lines.h"
-#include "view/window/panels/icons.h"
-#include "view/window/panels/messages.h"
 #include "view/window/panels/source_header.h"
-#include "view/window/panels/syntax_colors.h"
 #include "view/window/panels/ui.h"
+#include "view/window/platform/keys.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
+
+// The messages about the scene: the banner with the first error, and the list below the source or in the
+// panel.
+
 namespace {
 
 /// Executed statements (glib-N02) stand in the window "Verbose", if it is open.
@@ -307,6 +315,158 @@ class Banner final : public Panel {
     std::string text_;
 };
 
+// What a scene asks the user when it is loaded: messages, and files that it does not name.
+
+struct MessageBox {
+    std::uint64_t loaded = 0;  ///< Session::timesLoaded() of the texts
+    std::vector<std::string> texts;
+    bool isShown = false;
+    std::uint64_t asked = 0;  ///< Session::timesLoaded() when the user was asked for a file last
+};
+
+/// The messages are shown again after a reload only if they have changed, so that edits are not interrupted.
+void showMessages(Ui& ui, MessageBox& box) {
+    constexpr const char* kTitle = "Message";
+    if (ui.session.hasScene() && box.loaded != ui.session.timesLoaded()) {
+        box.loaded = ui.session.timesLoaded();
+        if (const auto& texts = ui.session.live().scene().messages; texts != box.texts) {
+            box.texts = texts;
+            box.isShown = !box.texts.empty();
+        }
+    }
+    if (!box.isShown) return;
+    if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (!beginModal(kTitle)) return;
+    ImGui::PushTextWrapPos(
+        std::min(420 * ui.shared.scale, ImGui::GetIO().DisplaySize.x - 60 * ui.shared.scale));
+    for (const std::string& each : box.texts) ImGui::TextUnformatted(each.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+    if (ImGui::IsWindowAppearing()) giveKeyboardToNext();
+    if (ImGui::Button("OK", {80 * ui.shared.scale, 0}) || isKeyPressed(GLFW_KEY_ENTER) ||
+        isKeyPressed(GLFW_KEY_ESCAPE)) {
+        box.isShown = false;
+        ImGui::CloseCurrentPopup();
+    }
+    mark(ui, "messageBox/ok");
+    ImGui::EndPopup();
+}
+
+/// Asks for the file of a model or texture that the scene does not name.
+void askForMissingFile(Ui& ui, MessageBox& box) {
+    const bool isPopupOpen =
+        ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (!ui.session.hasScene() || box.isShown || isPopupOpen || ui.wanted.file || ui.shared.question ||
+        box.asked == ui.session.timesLoaded())
+        return;
+    box.asked = ui.session.timesLoaded();
+    const std::vector<scene::MissingFile>& all = ui.session.live().scene().missingFiles;
+    if (all.empty()) return;
+    const scene::MissingFile& missing = all.front();
+    std::string endings = missing.isModel ? ".obj" : "";
+    if (!missing.isModel)
+        for (const image::FormatRow& each : image::formats()) endings += each.suffixes;
+    askForFile(ui,
+               {.title = fmt::format("A file for {} in line {}", missing.word, missing.place.line),
+                .button = "Use",
+                .hint = fmt::format(
+                    "Line {} of {} does not name a file. 'Save values' writes your choice into the scene.",
+                    missing.place.line, ui.session.path().filename().generic_string()),
+                .endings = std::move(endings),
+                .chosen = [place = missing.place](Ui& in, const std::filesystem::path& file) {
+                    std::string problem = in.session.chooseFile(place, file);
+                    in.requests.reload = problem.empty();
+                    return problem;
+                }});
+}
+
+class MessageBoxPanel final : public Panel {
+  public:
+    void show(Ui& ui) override {
+        askForMissingFile(ui, box_);
+        showMessages(ui, box_);
+    }
+    [[nodiscard]] bool blocksKeys() const override { return box_.isShown; }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["messageBox"] = box_.isShown ? box_.texts : std::vector<std::string>();
+    }
+
+  private:
+    MessageBox box_;
+};
+
+// The window "Verbose": what the scene does, statement by statement, and what was made for it.
+
+std::string verboseText(const Session& session) {
+    std::string text;
+    for (const Diagnostic& each : session.diagnostics())
+        if (each.id == "glib-N02") text += std::to_string(each.place.line) + ": " + each.text + "\n";
+    return text + "\n" + render::toText(session.live().loadStats());
+}
+
+void verboseWindow(Ui& ui, bool& isOpen) {
+    if (ui.session.hasScene() && ui.session.isVerbose() != isOpen) {
+        ui.session.setVerbose(isOpen);
+        ui.requests.reload = true;
+    }
+    if (!isOpen) return;
+    placeFloating(ui, 30, 60, 620, 420);
+    if (ImGui::Begin(kVerboseRow.title, &isOpen, ImGuiWindowFlags_NoCollapse)) {
+        const std::string text = ui.session.hasScene() ? verboseText(ui.session) : std::string();
+        if (button(ui, "Copy", "verbose/copy")) ImGui::SetClipboardText(text.c_str());
+        ImGui::BeginChild("text", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
+        ImGui::PushFont(codeFont());
+        ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+        ImGui::PopFont();
+        ImGui::EndChild();
+        mark(ui, "verbose/text");
+    }
+    ImGui::End();
+}
+
+// The result of the last action for a moment on the picture, while the panel with the status line is hidden.
+
+constexpr double kSeconds = 4;
+
+class NoticeOverlay final : public Panel {
+  public:
+    void show(Ui& ui) override {
+        const double now = ImGui::GetTime();
+        if (ui.notice.text != text_) {
+            text_ = ui.notice.text;
+            since_ = now;
+        }
+        isShown_ = !ui.shared.showPanel && !text_.empty() && now - since_ < kSeconds;
+        if (!isShown_) return;
+        ui.frame.isFollowed = true;  // until it goes
+        const float gap = 8 * ui.shared.scale;
+        // Not over the tabs of the source.
+        const Rectangle& room = ui.frame.room;
+        const float left = std::max(room[0], ui.frame.covered);
+        ImGui::SetNextWindowPos({left + gap, room[1] + gap});
+        ImGui::SetNextWindowBgAlpha(.9F);
+        if (ImGui::Begin("##notice", nullptr,
+                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs |
+                             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
+            ImGui::PushTextWrapPos(std::max(100.F, room[0] + room[2] - left - 4 * gap));
+            ImGui::TextColored(asVector(ui.notice.isError ? palette().error : palette().text), "%s",
+                               text_.c_str());
+            ImGui::PopTextWrapPos();
+            markWindow(ui, "notice/overlay");
+        }
+        ImGui::End();
+    }
+    void addTo(nlohmann::ordered_json& state, const Ui& /*ui*/) const override {
+        state["noticeOverlay"] = isShown_;
+    }
+
+  private:
+    std::string text_;
+    double since_ = 0;
+    bool isShown_ = false;
+};
+
 }  // namespace
 
 void messageList(Ui& ui, const std::filesystem::path& file) {
@@ -316,5 +476,16 @@ void messageList(Ui& ui, const std::filesystem::path& file) {
 const PanelRow kMessagesRow{
     .name = "messages", .place = PanelPlace::section, .make = make<MessagesPanel>, .withoutScene = true};
 const PanelRow kBannerRow{.name = "banner", .place = PanelPlace::floating, .make = make<Banner>};
+
+const PanelRow kMessageBoxRow{
+    .name = "messageBox", .place = PanelPlace::floating, .make = make<MessageBoxPanel>};
+
+const PanelRow kVerboseRow{.name = "verbose",
+                           .place = PanelPlace::floating,
+                           .make = make<Drawn<verboseWindow>>,
+                           .isShared = true,
+                           .title = "Verbose"};
+
+const PanelRow kNoticeRow{.name = "notice", .place = PanelPlace::floating, .make = make<NoticeOverlay>};
 
 }  // namespace glibra::view

@@ -1,18 +1,91 @@
 #include "view/window/panels/shortcuts.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "view/window/panels/tab_stops.h"
-#include "view/window/panels/ui.h"
+#include "glib/text.h"
 #include "view/window/platform/keys.h"
+#include "view/window/platform/theme.h"
 
 namespace glibra::view {
 namespace {
+
+using Stops = std::vector<TabStop>;
+
+Stops::const_iterator stopOf(const Stops& stops, unsigned id) {
+    return std::ranges::find_if(stops, [&](const TabStop& each) { return each.id == id; });
+}
+
+void addStop(Ui& ui, TabStop stop) {
+    if (stopOf(ui.sliders.drawn, stop.id) == ui.sliders.drawn.end()) ui.sliders.drawn.push_back(stop);
+    if (ui.sliders.focused != stop.id || stop.isValue) return;
+    if (std::exchange(ui.sliders.reveals, false) && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    if (ImGui::GetIO().WantTextInput && stop.isEntry) return;  // it shows its cursor
+    const float wide = 2 * ui.shared.scale;
+    ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                        ImGui::GetColorU32(ImGuiCol_NavHighlight),
+                                        ImGui::GetStyle().FrameRounding, 0, wide);
+}
+
+/// Where Tab begins: in the tool window in front, or else at the first value.
+Stops::const_iterator firstStop(const Ui& ui, const Stops& stops) {
+    const ImGuiWindow* front = ImGui::GetCurrentContext()->NavWindow;
+    if (front != nullptr) front = front->RootWindow;
+    const bool isTool =
+        front != nullptr && std::ranges::any_of(ui.panels, [&](const PanelUse& each) {
+            return each.row->title && each.panel->isOpen && std::string_view(front->Name) == each.row->title;
+        });
+    const auto first = std::ranges::find_if(
+        stops, [&](const TabStop& each) { return isTool ? each.window == front->ID : each.isInValues; });
+    return first == stops.end() ? stops.begin() : first;
+}
+
+Stops::const_iterator nextStop(const Stops& stops, Stops::const_iterator now, bool back) {
+    if (back) return now == stops.begin() ? std::prev(stops.end()) : std::prev(now);
+    return std::next(now) == stops.end() ? stops.begin() : std::next(now);
+}
+
+/// The first stop of the next window.
+Stops::const_iterator inNextWindow(const Stops& stops, Stops::const_iterator now) {
+    auto next = now;
+    do next = nextStop(stops, next, false);
+    while (next != now && next->window == now->window);
+    return stopOf(stops, next->id);
+}
+
+void goToStop(Ui& ui, bool back, bool toNextWindow) {
+    const Stops& stops = ui.sliders.drawn;
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    // A text field that has the keyboard counts as focused, however it got it.
+    auto now = context.ActiveId != 0 ? stopOf(stops, context.ActiveId) : stops.end();
+    if (now == stops.end() && context.ActiveIdWindow != nullptr && ImGui::GetIO().WantTextInput)
+        now = std::ranges::find_if(stops, [&](const TabStop& each) {
+            return each.window == context.ActiveIdWindow->RootWindow->ID;
+        });
+    if (now == stops.end()) now = stopOf(stops, ui.sliders.focused);
+    if (ImGui::GetIO().WantTextInput) ImGui::ClearActiveID();
+    auto next = stops.begin();
+    if (now == stops.end())
+        next = back ? nextStop(stops, firstStop(ui, stops), true) : firstStop(ui, stops);
+    else
+        next = toNextWindow ? inNextWindow(stops, now) : nextStop(stops, now, back);
+    ui.sliders.focused = next->id;
+    ui.sliders.reveals = true;
+    ui.requests.frames = true;
+    if (next->isEntry) activateItem(next->id, true);
+}
+
+/// True if the space bar activates the stop that has the keyboard.
+bool takesSpace(const Ui& ui) {
+    const auto now = stopOf(ui.sliders.drawn, ui.sliders.focused);
+    return now != ui.sliders.drawn.end() && !now->isValue && !isUsedByScene(ui, "space");
+}
 
 /// The key as Key statements name it; empty if they cannot.
 std::string keyName(int key) {
@@ -51,7 +124,176 @@ void press(Ui& ui, const Display::KeyPress& key, bool isTyping) {
                 each.act(ui, *panel.panel);
 }
 
+// The section with the keys that the scene declares, as buttons.
+
+void keysPanel(Ui& ui) {
+    const std::vector<scene::KeyBinding> keys = sceneKeys(ui);
+    if (keys.empty() || !section(ui, "Keys of the scene", "keys", true)) return;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::SmallButton(keys[i].key.c_str())) ui.session.pressKey(keys[i].key);
+        mark(ui, "key/{}", keys[i].key);
+        if (keys[i].isHeld && ImGui::IsItemActive()) holdKey(ui, keys[i].key);
+        ImGui::PopID();
+        ImGui::SameLine();
+        ImGui::TextUnformatted(effectOf(keys[i]).c_str());
+        for (const PanelRow* row : panelRows())
+            for (const Shortcut& each : row->keys)
+                if (glib::sameWord(takenKey(ui, each), keys[i].key))
+                    wrappedText(palette().dim, fmt::format("Shift+{}: {}", each.keys, each.what).c_str());
+    }
+}
+
+// The keys that belong to no panel: tabs, undo, zoom, Esc.
+
+template <int step>
+void goToTab(Ui& ui, Panel& /*panel*/) {
+    const auto count = static_cast<int>(ui.shared.tabs.size());
+    if (count > 1)
+        ui.requests.showTab =
+            static_cast<std::size_t>((static_cast<int>(ui.shared.shownTab) + step + count) % count);
+}
+
+void zoom(Ui& ui, float by) {
+    ui.settings.zoom = std::clamp(ui.settings.zoom * by, kLeastZoom, kMostZoom);
+}
+
+bool closePopup() {
+    const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+    if (open > 0) ImGui::ClosePopupToLevel(open - 1, true);
+    return open > 0;
+}
+
+/// Closes the tool window in front.
+bool closeToolWindow(const Ui& ui) {
+    const ImVector<ImGuiWindow*>& order = ImGui::GetCurrentContext()->WindowsFocusOrder;
+    for (int i = order.Size - 1; i >= 0; --i)
+        for (const PanelUse& each : ui.panels) {
+            if (!each.row->title || !each.panel->isOpen || !order[i]->WasActive ||
+                std::string_view(order[i]->Name) != each.row->title)
+                continue;
+            each.panel->isOpen = false;
+            return true;
+        }
+    return false;
+}
+
+bool close(Ui& ui, Closing what) {
+    return std::ranges::any_of(ui.panels, [&](const PanelUse& each) { return each.panel->close(ui, what); });
+}
+
+/// Closes what is in front: a popup, a list of words or the reference, a tool window, the search bar. Without
+/// any of them it deselects the picked object. A text field takes Esc for itself, unless it is one that
+/// searches. Returns true if something was closed.
+bool closeFront(Ui& ui) {
+    if (closePopup() || close(ui, Closing::list)) return true;
+    const ImGuiWindow* focused = ImGui::GetCurrentContext()->NavWindow;
+    const std::string_view owner = focused ? focused->RootWindow->Name : "";
+    const bool isTyping = ImGui::GetIO().WantTextInput;
+    if (isTyping && owner.starts_with("Source") && close(ui, Closing::bar)) return true;
+    if (isTyping && !owner.starts_with("Source") && owner != "Example scenes" &&
+        owner != kCommandPaletteRow.title)
+        return false;
+    if (closeToolWindow(ui) || close(ui, Closing::bar)) return true;
+    ui.session.clearPick();
+    return std::exchange(ui.sliders.focused, 0) != 0;
+}
+
+void escape(Ui& ui, Panel& /*panel*/) {
+    if (closeFront(ui)) ui.wanted.keyboardForText = true;
+}
+
+/// Undoes a change of values or view. Text fields have their own undo.
+void undo(Ui& ui, bool again) {
+    if (ImGui::GetIO().WantTextInput) return;
+    if (again)
+        ui.history.redo(ui.session);
+    else
+        ui.history.undo(ui.session);
+}
+
+constexpr auto kWindowKeys = std::to_array<Shortcut>({
+    {KeyGroup::values, GLFW_KEY_Z, true, "Ctrl+Z",
+     "undo a change of values or view, or an edit of the source",
+     [](Ui& ui, Panel&) { undo(ui, ImGui::GetIO().KeyShift); }, true},
+    {KeyGroup::values, GLFW_KEY_Y, true, "Ctrl+Y", "redo", [](Ui& ui, Panel&) { undo(ui, true); }, true},
+    {KeyGroup::scenes, GLFW_KEY_F5, false, "F5", "reload the scene",
+     [](Ui& ui, Panel&) {
+         ui.session.drawLonger();
+         ui.requests.reload = true;
+     },
+     true},
+    {KeyGroup::scenes, GLFW_KEY_W, true, "Ctrl+W", "close the tab",
+     [](Ui& ui, Panel&) { ui.requests.closeTab = ui.shared.shownTab; }, true},
+    {KeyGroup::scenes, GLFW_KEY_PAGE_DOWN, true, "Ctrl+PgDn", "next tab", goToTab<1>, true},
+    {KeyGroup::scenes, GLFW_KEY_PAGE_UP, true, "Ctrl+PgUp", "previous tab", goToTab<-1>, true},
+    {KeyGroup::window, GLFW_KEY_F11, false, "F11, Shift+F11",
+     "full screen, and back; lecture: full screen, large texts, the source over the picture, no panel",
+     [](Ui& ui, Panel&) { (ImGui::GetIO().KeyShift ? ui.requests.lecture : ui.requests.fullScreen) = true; },
+     true},
+    {KeyGroup::window, GLFW_KEY_B, true, "Ctrl+B", "show or hide the panel",
+     [](Ui& ui, Panel&) { ui.shared.showPanel = !ui.shared.showPanel; }, true},
+    {KeyGroup::window, GLFW_KEY_EQUAL, true, "Ctrl+=", "larger texts and widgets",
+     [](Ui& ui, Panel&) { zoom(ui, 1.1F); }, true},
+    {KeyGroup::window, GLFW_KEY_MINUS, true, "Ctrl+-", "smaller texts and widgets",
+     [](Ui& ui, Panel&) { zoom(ui, 1 / 1.1F); }, true},
+    {KeyGroup::window, GLFW_KEY_0, true, "Ctrl+0", "texts and widgets as the screen says",
+     [](Ui& ui, Panel&) { ui.settings.zoom = 1; }, true},
+    {KeyGroup::window, GLFW_KEY_T, false, "T", "light or dark theme",
+     [](Ui& ui, Panel&) { ui.settings.lightTheme = !ui.settings.lightTheme; }},
+    {KeyGroup::window, GLFW_KEY_ESCAPE, false, "Esc",
+     "close what is in front: menu, list, tool window, search bar; then deselect", escape, true},
+    {KeyGroup::window, GLFW_KEY_Q, true, "Ctrl+Q", "quit", [](Ui& ui, Panel&) { ui.requests.close = true; },
+     true},
+});
+
 }  // namespace
+
+unsigned thisWindow() {
+    return ImGui::GetCurrentContext()->CurrentWindow->RootWindow->ID;
+}
+
+bool isUsedByScene(const Ui& ui, std::string_view key) {
+    if (!ui.session.hasScene()) return false;
+    const auto& keys = ui.session.live().scene().keys;
+    return std::ranges::any_of(keys,
+                               [&](const scene::KeyBinding& each) { return glib::sameWord(each.key, key); });
+}
+
+void tabStop(Ui& ui) {
+    const ImGuiID id = ImGui::GetItemID();
+    if (id == 0 || (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) != 0) return;
+    addStop(ui, {id, thisWindow(), false, (ImGui::GetItemFlags() & ImGuiItemFlags_Inputable) != 0});
+}
+
+bool tabStop(Ui& ui, unsigned id) {
+    addStop(ui, {id, thisWindow(), false, false});
+    if (id == 0 || ui.sliders.activated != id) return false;
+    ui.sliders.activated = 0;
+    return true;
+}
+
+void beginStops(Ui& ui) {
+    Sliders& sliders = ui.sliders;
+    sliders.activated = 0;
+    sliders.wantsMenu = false;
+    const bool isSpace = std::exchange(sliders.isSpacePressed, false);
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool isElsewhere = ui.shared.question || !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+    if (isElsewhere || io.KeyAlt || io.KeyCtrl || sliders.drawn.empty()) return;
+    if (isKeyPressed(GLFW_KEY_TAB) && !ui.shared.textTakesTab) return goToStop(ui, io.KeyShift, false);
+    if (isKeyPressed(GLFW_KEY_F6)) return goToStop(ui, false, true);
+    const auto now = stopOf(sliders.drawn, sliders.focused);
+    if (io.WantTextInput || now == sliders.drawn.end()) return;
+    sliders.wantsMenu =
+        isKeyPressed(GLFW_KEY_MENU, false) || (io.KeyShift && isKeyPressed(GLFW_KEY_F10, false));
+    if (now->isValue) return;
+    const bool isEnter = isEnterPressed(false) && !isUsedByScene(ui, "enter");
+    if (!isEnter && !isSpace) return;
+    sliders.activated = now->id;
+    activateItem(now->id, now->isEntry);
+    ui.requests.frames = true;
+}
 
 const std::vector<scene::KeyBinding>& sceneKeys(const Ui& ui) {
     static const std::vector<scene::KeyBinding> kNone;
@@ -95,5 +337,13 @@ void shortcuts(Ui& ui) {
         if (name.empty() || !ui.session.pressKey(name)) press(ui, each, isTyping);
     }
 }
+
+const PanelRow kSceneKeysRow{.name = "keys", .place = PanelPlace::section, .make = make<Drawn<keysPanel>>};
+
+const PanelRow kWindowKeysRow{.name = "windowKeys",
+                              .place = PanelPlace::floating,
+                              .make = make<Panel>,
+                              .isShared = true,
+                              .keys = kWindowKeys};
 
 }  // namespace glibra::view

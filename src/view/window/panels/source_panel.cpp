@@ -1,6 +1,5 @@
 // The panel in which the scene and its shaders are edited.
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -19,10 +18,8 @@
 #include "glib/text.h"
 #include "view/session/comparison.h"
 #include "view/window/panels/code_editor.h"
-#include "view/window/panels/messages.h"
-#include "view/window/panels/save_scene.h"
+#include "view/window/panels/shortcuts.h"
 #include "view/window/panels/source_header.h"
-#include "view/window/panels/tab_stops.h"
 #include "view/window/panels/ui.h"
 
 namespace glibra::view {
@@ -395,7 +392,7 @@ constexpr auto kSourceKeys = std::to_array<Shortcut>({
      [](Ui& ui, Panel&) { ui.settings.compilesWhileTyping = !ui.settings.compilesWhileTyping; }},
     {KeyGroup::source, kNoKey, false, "", "wrap long lines of the source, or scroll to their ends",
      [](Ui& ui, Panel&) { ui.settings.wrapsLines = !ui.settings.wrapsLines; }},
-    // While the text has the keyboard; otherwise window_keys.cpp undoes changes of values.
+    // While the text has the keyboard; otherwise shortcuts.cpp undoes changes of values.
     {KeyGroup::source, GLFW_KEY_Z, true, "", "", call<&SourcePanel::undo>, true},
     {KeyGroup::source, GLFW_KEY_Y, true, "", "", call<&SourcePanel::redo>, true},
 });

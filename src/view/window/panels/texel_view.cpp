@@ -1,20 +1,35 @@
 #include "view/window/panels/texel_view.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <span>
 #include <tuple>
 
-#include "view/window/panels/number_field.h"
-#include "view/window/panels/shown_texture.h"
 #include "view/window/panels/ui.h"
-#include "view/window/panels/value_slider.h"
+#include "view/window/panels/value_fields.h"
 #include "view/window/platform/theme.h"
 
 namespace glibra::view {
+
+ImTextureID idOf(const gpu::Texture& texture) {
+    return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
+}
+
+std::optional<gpu::Texture> textureOfBytes(const gpu::Capabilities& capabilities, int width, int height,
+                                           std::span<const std::byte> bytes, GLint minified, GLint magnified,
+                                           int components) {
+    Result<gpu::Texture> made =
+        gpu::Texture::create(capabilities, gpu::TextureShape::texture2D, gpu::TexelFormat::rgba8,
+                             {width, height, 1}, {bytes, components});
+    if (!made) return std::nullopt;
+    glBindTexture(GL_TEXTURE_2D, made->id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minified);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magnified);
+    return std::move(made.value);
+}
+
 namespace {
 
 constexpr float kNearest = 64, kFarthest = .02F;  // zoom

@@ -1,8 +1,11 @@
 #pragma once
-// Texels on the screen, as large as one likes: the range of values that is shown, the channels, zoom and pan,
-// and the numbers under the mouse.
+// Pixels as textures, for ImGui to draw.
+
+#include <glad/gl.h>
+#include <imgui.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -18,6 +21,17 @@
 #include "view/debug_view/texels.h"
 
 namespace glibra::view {
+
+/// How ImGui names it.
+ImTextureID idOf(const gpu::Texture& texture);
+
+/// Bytes, `components` per texel, as a texture with these filters; nothing without memory. It stays bound.
+std::optional<gpu::Texture> textureOfBytes(const gpu::Capabilities& capabilities, int width, int height,
+                                           std::span<const std::byte> bytes, GLint minified, GLint magnified,
+                                           int components = 4);
+
+// Texels on the screen, as large as one likes: the range of values that is shown, the channels, zoom and pan,
+// and the numbers under the mouse.
 
 struct Ui;
 

@@ -1,16 +1,13 @@
 #include "view/window/platform/display.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <thread>
 #include <tuple>
-#include <utility>
 
 namespace glibra::view {
 
@@ -43,6 +40,23 @@ GLFWwindow* createWindow(int width, int height, const std::string& title) {
                 return window;
         }
     return nullptr;
+}
+
+/// Left, top, width and height of the primary monitor without the desktop's bars.
+std::optional<std::array<int, 4>> workArea() {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return std::nullopt;
+    std::array<int, 4> area{};
+    glfwGetMonitorWorkarea(monitor, &area[0], &area[1], &area[2], &area[3]);
+    if (area[2] < 1 || area[3] < 1) return std::nullopt;
+    return area;
+}
+
+/// What the window's frame takes: left, top, right, bottom.
+std::array<int, 4> frameOf(GLFWwindow* window) {
+    std::array<int, 4> frame{};
+    glfwGetWindowFrameSize(window, &frame[0], &frame[1], &frame[2], &frame[3]);
+    return frame;
 }
 
 }  // namespace
@@ -233,26 +247,6 @@ float Display::density() const {
     const int pixels = framebufferSize().first;
     return width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1;
 }
-namespace {
-
-/// Left, top, width and height of the primary monitor without the desktop's bars.
-std::optional<std::array<int, 4>> workArea() {
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-    if (monitor == nullptr) return std::nullopt;
-    std::array<int, 4> area{};
-    glfwGetMonitorWorkarea(monitor, &area[0], &area[1], &area[2], &area[3]);
-    if (area[2] < 1 || area[3] < 1) return std::nullopt;
-    return area;
-}
-
-/// What the window's frame takes: left, top, right, bottom.
-std::array<int, 4> frameOf(GLFWwindow* window) {
-    std::array<int, 4> frame{};
-    glfwGetWindowFrameSize(window, &frame[0], &frame[1], &frame[2], &frame[3]);
-    return frame;
-}
-
-}  // namespace
 
 std::optional<std::pair<int, int>> Display::largestSize() const {
     const auto area = workArea();

@@ -1,6 +1,5 @@
 #include "view/window/platform/keys.h"
 
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -33,10 +32,6 @@ void giveText(const std::string& text) {
 }
 
 }  // namespace
-
-bool isDown(const FrameInput& input, int left, int right) {
-    return std::ranges::any_of(input.keys, [&](int key) { return key == left || key == right; });
-}
 
 FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame) {
     FrameInput input;

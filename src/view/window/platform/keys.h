@@ -6,16 +6,12 @@
 #include <memory>
 #include <span>
 
-#include "view/window/platform/input_queue.h"
-#include "view/window/platform/input_script.h"
+#include "view/window/platform/input.h"
 
 namespace glibra::view {
 
 /// The input of a frame as ImGui gets it and as it is recorded. `way` stays empty.
 FrameInput inputOf(const InputQueue& queue, const InputQueue::Frame& frame);
-
-/// True if one of these keys is down in that input.
-bool isDown(const FrameInput& input, int left, int right);
 
 /// Gives ImGui the input of its next frame; call it before ImGui::NewFrame() and after the backend's.
 void giveToImGui(const FrameInput& input);

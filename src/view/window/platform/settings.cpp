@@ -15,9 +15,98 @@ namespace glibra::view {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
 constexpr std::size_t kMostRecent = 12;
 constexpr std::size_t kMostFolds = 500;
 constexpr std::size_t kMostTabs = 50;
+
+/// Calls `each` with the settings and their keys in the file, in its order. Numbers come with their limits,
+/// and lists with the most elements that they have.
+void eachSetting(auto& settings, const auto& each) {
+    constexpr double kLargestWindow = 16384;
+    each("windowWidth", settings.windowWidth, 0, kLargestWindow);
+    each("windowHeight", settings.windowHeight, 0, kLargestWindow);
+    each("panelWidth", settings.panelWidth, 0, kLargestWindow);
+    each("sourcePlace", settings.sourcePlace, SourcePlace::automatic, SourcePlace::over);
+    each("sourceBeside", settings.sourceBeside, kLeastSource, kMostSource);
+    each("sourceBelow", settings.sourceBelow, kLeastSource, kMostSource);
+    each("sourceOver", settings.sourceOver, kLeastSource, kMostSource);
+    each("showSource", settings.showSource);
+    each("compilesWhileTyping", settings.compilesWhileTyping);
+    each("wrapsLines", settings.wrapsLines);
+    each("lightTheme", settings.lightTheme);
+    each("labelCorner", settings.labelCorner, LabelCorner::bottomLeft, LabelCorner::topRight);
+    each("labelChoice", settings.labelChoice, LabelChoice::all, LabelChoice::chosen);
+    each("hardcopyFolder", settings.hardcopyFolder);
+    each("zoom", settings.zoom, kLeastZoom, kMostZoom);
+    each("samples", settings.samples, 0, kMostSamples);
+    each("pictureShape", settings.pictureShape);
+    each("folds", settings.folds, kMostFolds);
+    each("layout", settings.layout);
+    each("layoutScale", settings.layoutScale, 0, kMostZoom);
+    each("tabs", settings.tabs, kMostTabs, "scene");
+    each("shownTab", settings.shownTab, 0, kMostTabs);
+    each("recent", settings.recent, kMostRecent);
+}
+
+/// Keeps the default of what is missing or has another type.
+struct Reader {
+    const Json& json;
+
+    void operator()(const char* key, auto& to, auto least, auto most) const {
+        const Json& value = of(key);
+        if (value.is_number())
+            to = static_cast<std::remove_reference_t<decltype(to)>>(
+                std::clamp(value.get<double>(), static_cast<double>(least), static_cast<double>(most)));
+    }
+    void operator()(const char* key, bool& to) const {
+        if (of(key).is_boolean()) to = of(key).get<bool>();
+    }
+    void operator()(const char* key, std::string& to) const {
+        if (of(key).is_string()) to = of(key).get<std::string>();
+    }
+    void operator()(const char* key, PictureShape& to) const {
+        if (of(key) == "fill") to = PictureShape::fill;
+    }
+    void operator()(const char* key, auto& folds, std::size_t most) const {
+        if (!of(key).is_object()) return;
+        for (const auto& [section, isOpen] : of(key).items())
+            if (isOpen.is_boolean() && folds.size() < most) folds[section] = isOpen.template get<bool>();
+    }
+    /// `member`: of the objects that are the elements; null: they are texts.
+    void operator()(const char* key, std::vector<std::string>& to, std::size_t most,
+                    const char* member = nullptr) const {
+        if (!of(key).is_array()) return;
+        for (const Json& each : of(key)) {
+            const Json text = member == nullptr  ? each
+                              : each.is_object() ? each.value(member, Json())
+                                                 : Json();
+            if (text.is_string() && to.size() < most) to.push_back(text.get<std::string>());
+        }
+    }
+
+  private:
+    [[nodiscard]] const Json& of(const char* key) const {
+        static const Json kMissing;
+        const auto found = json.find(key);
+        return found == json.end() ? kMissing : *found;
+    }
+};
+
+struct Writer {
+    Json& json;
+
+    void operator()(const char* key, const auto& value, auto... /*limits*/) const { json[key] = value; }
+    void operator()(const char* key, PictureShape shape) const {
+        json[key] = shape == PictureShape::fill ? "fill" : "scene";
+    }
+    void operator()(const char* key, const std::vector<std::string>& texts, std::size_t /*most*/,
+                    const char* member) const {
+        json[key] = Json::array();
+        for (const std::string& each : texts) json[key].push_back({{member, each}});
+    }
+};
 
 }  // namespace
 
@@ -47,102 +136,20 @@ Settings readSettings(const fs::path& file) {
     const auto bytes = image::readFile(file, {file.generic_string(), {}}, 1 << 20);
     if (!bytes) return settings;
     const auto* text = reinterpret_cast<const char*>(bytes->data());
-    const nlohmann::json json = nlohmann::json::parse(text, text + bytes->size(), nullptr, false);
+    const Json json = Json::parse(text, text + bytes->size(), nullptr, false);
     if (!json.is_object()) return settings;
-    const auto number = [&](const char* key, double most) {
-        const auto found = json.find(key);
-        return found != json.end() && found->is_number() ? std::clamp(found->get<double>(), 0.0, most) : 0.0;
-    };
-    constexpr double kLargestWindow = 16384;
-    settings.windowWidth = static_cast<int>(number("windowWidth", kLargestWindow));
-    settings.windowHeight = static_cast<int>(number("windowHeight", kLargestWindow));
-    settings.panelWidth = static_cast<float>(number("panelWidth", kLargestWindow));
-    const auto part = [&](const char* key, float& to) {
-        if (json.contains(key))
-            to = std::clamp(static_cast<float>(number(key, 1)), kLeastSource, kMostSource);
-    };
-    part("sourceBeside", settings.sourceBeside);
-    part("sourceBelow", settings.sourceBelow);
-    part("sourceOver", settings.sourceOver);
-    settings.sourcePlace = static_cast<SourcePlace>(
-        static_cast<int>(number("sourcePlace", static_cast<double>(SourcePlace::over))));
-    settings.labelChoice = static_cast<LabelChoice>(
-        static_cast<int>(number("labelChoice", static_cast<double>(LabelChoice::chosen))));
-    if (json.contains("layoutScale"))
-        settings.layoutScale = static_cast<float>(number("layoutScale", kMostZoom));
+    eachSetting(settings, Reader{json});
     if (!(settings.layoutScale > 0)) settings.layoutScale = 1;
-    if (json.contains("zoom"))
-        settings.zoom = std::max(kLeastZoom, static_cast<float>(number("zoom", kMostZoom)));
-    if (json.contains("samples")) settings.samples = static_cast<int>(number("samples", kMostSamples));
-    if (const auto shape = json.find("pictureShape"); shape != json.end() && *shape == "fill")
-        settings.pictureShape = PictureShape::fill;
-    if (const auto folds = json.find("folds"); folds != json.end() && folds->is_object())
-        for (const auto& [section, isOpen] : folds->items())
-            if (isOpen.is_boolean() && settings.folds.size() < kMostFolds)
-                settings.folds[section] = isOpen.get<bool>();
-    const auto truth = [&](const char* key) {
-        const auto found = json.find(key);
-        return found != json.end() && found->is_boolean() && found->get<bool>();
-    };
-    if (const auto found = json.find("layout"); found != json.end() && found->is_string())
-        settings.layout = found->get<std::string>();
-    if (const auto found = json.find("hardcopyFolder"); found != json.end() && found->is_string())
-        settings.hardcopyFolder = found->get<std::string>();
-    constexpr double kLastCorner = static_cast<double>(LabelCorner::topRight);
-    if (const double corner = number("labelCorner", kLastCorner); corner >= 1)
-        settings.labelCorner = static_cast<LabelCorner>(static_cast<int>(corner));
-    settings.lightTheme = truth("lightTheme");
-    settings.showSource = truth("showSource");
-    settings.compilesWhileTyping = truth("compilesWhileTyping");
-    settings.wrapsLines = truth("wrapsLines");
-    const auto texts = [](const nlohmann::json& in, const char* key, std::size_t most) {
-        std::vector<std::string> read;
-        if (const auto found = in.find(key); found != in.end() && found->is_array())
-            for (const auto& each : *found)
-                if (each.is_string() && read.size() < most) read.push_back(each.get<std::string>());
-        return read;
-    };
-    if (const auto found = json.find("tabs"); found != json.end() && found->is_array())
-        for (const auto& each : *found)
-            if (each.is_object() && each.contains("scene") && each["scene"].is_string() &&
-                settings.tabs.size() < kMostTabs)
-                settings.tabs.push_back(each["scene"].get<std::string>());
-    settings.shownTab = static_cast<int>(number("shownTab", kMostTabs));
-    settings.recent = texts(json, "recent", kMostRecent);
     return settings;
 }
 
 void writeSettings(const Settings& settings, const fs::path& file) {
     if (file.empty()) return;
-    nlohmann::ordered_json tabs = nlohmann::ordered_json::array();
-    for (const std::string& each : settings.tabs) tabs.push_back({{"scene", each}});
-    const bool isFilled = settings.pictureShape == PictureShape::fill;
-    const nlohmann::ordered_json json{{"windowWidth", settings.windowWidth},
-                                      {"windowHeight", settings.windowHeight},
-                                      {"panelWidth", settings.panelWidth},
-                                      {"sourcePlace", static_cast<int>(settings.sourcePlace)},
-                                      {"sourceBeside", settings.sourceBeside},
-                                      {"sourceBelow", settings.sourceBelow},
-                                      {"sourceOver", settings.sourceOver},
-                                      {"showSource", settings.showSource},
-                                      {"compilesWhileTyping", settings.compilesWhileTyping},
-                                      {"wrapsLines", settings.wrapsLines},
-                                      {"lightTheme", settings.lightTheme},
-                                      {"labelCorner", static_cast<int>(settings.labelCorner)},
-                                      {"labelChoice", static_cast<int>(settings.labelChoice)},
-                                      {"hardcopyFolder", settings.hardcopyFolder},
-                                      {"zoom", settings.zoom},
-                                      {"samples", settings.samples},
-                                      {"pictureShape", isFilled ? "fill" : "scene"},
-                                      {"folds", settings.folds},
-                                      {"layout", settings.layout},
-                                      {"layoutScale", settings.layoutScale},
-                                      {"tabs", tabs},
-                                      {"shownTab", settings.shownTab},
-                                      {"recent", settings.recent}};
+    Json json;
+    eachSetting(settings, Writer{json});
     std::error_code failure;
     fs::create_directories(file.parent_path(), failure);
-    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     image::writeFileAtomically(file, std::as_bytes(std::span(text)));
 }
 

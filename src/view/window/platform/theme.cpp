@@ -1,6 +1,8 @@
 #include "view/window/platform/theme.h"
 
-#include <imgui.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +34,8 @@ void addFont(const char* name, float pixels) {
     io.Fonts->AddFontDefault(&config);
 }
 
-}  // namespace
-
+/// Loads the fonts for that scale of texts, and replaces those that were loaded before. `density`: pixels per
+/// screen coordinate. Call it between frames; the backend must upload the new texture.
 void loadFonts(float scale, float density) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
@@ -44,6 +46,51 @@ void loadFonts(float scale, float density) {
     addFont("DejaVuSans.ttf", std::round(kSmallPixels * pixels));
     addFont("DejaVuSansMono.ttf", std::round(kCodePixels * pixels));
 }
+
+ImVec2ih scaled(const ImVec2ih& size, float by) {
+    const auto one = [by](short each) {
+        return static_cast<short>(std::clamp(static_cast<float>(each) * by, -32000.F, 32000.F));
+    };
+    return {one(size.x), one(size.y)};
+}
+
+/// Moves and resizes the windows of this and of earlier runs.
+void scaleWindows(float by) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    for (ImGuiWindowSettings* each = context.SettingsWindows.begin(); each != nullptr;
+         each = context.SettingsWindows.next_chunk(each)) {
+        each->Pos = scaled(each->Pos, by);
+        each->Size = scaled(each->Size, by);
+    }
+    for (ImGuiWindow* each : context.Windows) {
+        if ((each->Flags & ImGuiWindowFlags_ChildWindow) != 0) continue;
+        ImGui::SetWindowPos(each, {each->Pos.x * by, each->Pos.y * by});
+        ImGui::SetWindowSize(each, {each->SizeFull.x * by, each->SizeFull.y * by});
+    }
+}
+
+const Color& kindColor(SyntaxKind kind) {
+    const Palette& p = palette();
+    switch (kind) {
+        case SyntaxKind::keyword:
+            return p.keyword;
+        case SyntaxKind::type:
+            return p.type;
+        case SyntaxKind::number:
+            return p.number;
+        case SyntaxKind::comment:
+            return p.comment;
+        case SyntaxKind::directive:
+            return p.directive;
+        case SyntaxKind::builtin:
+            return p.builtin;
+        case SyntaxKind::plain:
+            break;
+    }
+    return p.text;
+}
+
+}  // namespace
 
 ImFont* headingFont() {
     return ImGui::GetIO().Fonts->Fonts[kHeading];
@@ -130,6 +177,56 @@ void applyTheme(bool light, float scale) {
     style.WindowTitleAlign = {0, .5F};
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
+}
+
+float scaleOf(const Display& display, const Settings& settings) {
+    return display.contentScale() / display.density() * settings.zoom;
+}
+
+Gui::Gui(const Display& display, float scale, const Settings& settings) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    // A blinking cursor would need frames while nothing changes.
+    ImGui::GetIO().ConfigInputTextCursorBlink = false;
+    loadFonts(scale, display.density());
+    applyTheme(settings.lightTheme, scale);
+    ImGui_ImplGlfw_InitForOpenGL(display.handle(), true);
+    ImGui_ImplOpenGL3_Init("#version 410 core");
+    ImGui::LoadIniSettingsFromMemory(settings.layout.c_str(), settings.layout.size());
+    scaleWindows(scale / settings.layoutScale);
+}
+
+void Gui::rescale(const Display& display, float from, float to, const Settings& settings) {
+    loadFonts(to, display.density());
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    applyTheme(settings.lightTheme, to);
+    scaleWindows(to / from);
+}
+
+Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+ImU32 syntaxColor(SyntaxKind kind) {
+    return packed(kindColor(kind));
+}
+
+ImU32 tintColor(CodeTint tint) {
+    const Tint color = tintOf(tint, palette().panel == paletteOf(true).panel);
+    return IM_COL32(color.red, color.green, color.blue, color.alpha);
+}
+
+ImU32 packed(const Color& color) {
+    return ImGui::ColorConvertFloat4ToU32(asVector(color));
+}
+
+const Color& severityColor(Severity severity) {
+    if (severity == Severity::note) return palette().text;
+    return severity == Severity::error ? palette().error : palette().warning;
 }
 
 }  // namespace glibra::view
