@@ -16,7 +16,7 @@ bool showsNothing(const image::Image& picture);
 ///             largest, times the overlap of the shapes: 1 for the same scene in other colours
 ///   pattern   0.95 times a product: how well the parts of each pattern are found in the other one, at any
 ///             place, angle and size, and how much they repeat (pattern_points.h); how alike their statistics
-///             are (pattern_kinds.h), the angles between edges that are near to each other, and the shares of
+///             are, the angles between edges that are near to each other, and the shares of
 ///             the two main tones; and, where the outlines are the same, their sizes. It is high for the same
 ///             pattern on another model or from elsewhere. A pattern that is finer than the other one is also
 ///             looked at in half of the picture.

@@ -233,7 +233,7 @@ class Parser {
     /// A name that the caller does not know: a constant, or a word.
     Parsed unnamed(const Token& first);
 
-    // ---- Calls (parse_calls.cpp)
+    // ---- Calls
 
     /// A call that reads what a texture or buffer holds: a name of its own.
     Parsed measured(const MeasureCall& call);

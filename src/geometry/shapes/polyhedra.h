@@ -80,7 +80,7 @@ constexpr Counts soccerballCounts(std::int64_t cuts = 8) {
 /// (the language fixes 8).
 ///
 /// The attribute `FaceIndex` has the number of the face. With the sphere coordinates s and latitude of
-/// sphere.h and k = 0..4 the faces are: 0 the pentagon around +y; 1 + k pentagons at s = .25 + k/5, latitude
+/// spheres.h and k = 0..4 the faces are: 0 the pentagon around +y; 1 + k pentagons at s = .25 + k/5, latitude
 /// atan(1/2); 6 + k pentagons at s = .35 + k/5, latitude -atan(1/2); 11 the pentagon around -y; hexagons 12 +
 /// k touch 0, 1 + k, 1 + (k+1) mod 5; 17 + k touch 1 + k, 1 + (k+1) mod 5, 6 + k; 22 + k have their centre at
 /// s = .25 + k/5 and touch 1 + k and its two lower neighbours; 27 + k lie below those and touch 11.

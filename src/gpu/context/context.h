@@ -95,7 +95,7 @@ class Context {
     /// The ways that were tried first and why they failed, one phrase each; empty if the first way worked.
     [[nodiscard]] const std::vector<std::string>& failedWays() const;
     /// True if it is current on the calling thread. An adopted one of a library that is not known
-    /// (current.h) is taken to be.
+    /// (fork.h) is taken to be.
     [[nodiscard]] bool isCurrent() const;
     /// Makes the context current on the calling thread again after another one was. False if the driver
     /// refuses, as it does while it is current on another thread, and for an adopted one that is not current.

@@ -389,7 +389,7 @@ Sampler::Sampler(const SamplerState& state, std::optional<base::Comparison> comp
     const GLuint name = id();
     constexpr std::array<GLenum, 3> kAxes{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R};
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
-        // ES has no borders; shaders read them (glsl/es/borders.h).
+        // ES has no borders; shaders read them (glsl/es/additions.h).
         const bool isEdge = isEs() && state.wrap[i] == Wrap::clampToBorder;
         glSamplerParameteri(name, kAxes[i], isEdge ? GL_CLAMP_TO_EDGE : glWrap(state.wrap[i]));
     }

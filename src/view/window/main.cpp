@@ -72,7 +72,7 @@ int start(int argc, char** argv) {
     std::string size;
     std::string thumbnails;
     line.list("SCENE", scenes, "scene files (.glib), one tab each");
-    // The window starts this program with --thumbnails to make pictures of scenes; see thumbnail_maker.h.
+    // The window starts this program with --thumbnails to make pictures of scenes; see example_scenes.h.
     line.option("--thumbnails", thumbnails, "").hidden();
     // The window starts this program with --draw-for-window to draw shaders that may not end; see
     // drawing_service.h.
