@@ -21,6 +21,7 @@
 #include "image/png/png_reader.h"
 #include "image/video/video_file.h"
 #include "render/file/scene_inputs.h"
+#include "suite/file/shot_name.h"
 #include "suite/run/run_options.h"
 #include "system/interruption.h"
 
@@ -48,14 +49,15 @@ fs::path absolutePath(const std::string& scene) {
 }
 
 /// The file that each scene is written to. Without -o it is the scene's name in the current folder. Where two
-/// scenes have the same name, they keep the folders in which they differ.
+/// scenes have the same name, for a disk that ignores upper and lower case too, they keep the folders in
+/// which they differ.
 std::vector<fs::path> outputFiles(const RenderArguments& arguments) {
     std::vector<fs::path> names;
     std::set<std::string> distinct;
     for (const std::string& scene : arguments.scenes) {
         names.push_back(scene == kStandardInput ? "stdin.png"
                                                 : fs::path(scene).filename().replace_extension(".png"));
-        distinct.insert(names.back().generic_string());
+        distinct.insert(suite::nameOnAnyDisk(names.back().generic_string()));
     }
     if (distinct.size() < names.size()) {
         fs::path common = absolutePath(arguments.scenes.front()).parent_path();

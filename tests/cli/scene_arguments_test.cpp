@@ -108,6 +108,15 @@ TEST(SceneArguments, AFolderStandsForTheScenesInIt) {
     EXPECT_NE(none.err.find("there is no scene (.glib) in this folder"), std::string::npos) << none.err;
 }
 
+TEST(SceneArguments, PicturesWhoseNamesDifferInCaseAloneKeepTheirFolders) {
+    const Folder folder;
+    folder.write("x/scene.glib", "Sphere\n");
+    folder.write("y/Scene.GLIB", "Cube\n");
+    EXPECT_EQ(glibra(folder.path(), "render x/scene.glib y/Scene.GLIB -o out --size 8x8").status, 0);
+    EXPECT_TRUE(fs::exists(folder / "out/x/scene.png"));
+    EXPECT_TRUE(fs::exists(folder / "out/y/Scene.png"));
+}
+
 TEST(SceneArguments, ScenesOfOneNameThatFailLeaveNoEmptyFolders) {
     const Folder folder;
     for (const char* each : {"a", "b", "c"})

@@ -53,7 +53,7 @@ image::Image withSquare() {
     return picture;
 }
 
-image::Image differenceOf(const image::Image& a, const image::Image& b) {
+image::Image heatOf(const image::Image& a, const image::Image& b) {
     image::Image picture = a;
     for (std::size_t i = 0; i < a.data.size(); ++i) {
         const int difference = std::abs(std::to_integer<int>(a.data[i]) - std::to_integer<int>(b.data[i]));
@@ -107,7 +107,7 @@ suite::ShotResult compared(const fs::path& results, const std::string& name, sui
     (void)image::writeImage(got, results / made.got);
     if (made.judgement.comparison.sameSize && got.type == image::Component::u8) {
         made.difference = "difference/" + name + ".png";
-        (void)image::writeImage(differenceOf(expected, got), results / made.difference);
+        (void)image::writeImage(heatOf(expected, got), results / made.difference);
     }
     return made;
 }
