@@ -11,7 +11,7 @@ set(CMAKE_AR llvm-ar-19)
 set(CMAKE_RANLIB llvm-ranlib-19)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 # All browsers that have WebGL 2 today have both extensions of WebAssembly. Nothing is caught: what throws ends the run of the module, and the page that holds it goes on.
-set(CMAKE_CXX_FLAGS_INIT "-fexceptions -fignore-exceptions -fexperimental-library -nostdinc++ -isystem ${root}/tools/web/libcxx \
+set(CMAKE_CXX_FLAGS_INIT "-fexceptions -fignore-exceptions -fexperimental-library -nostdinc++ -isystem \"${root}/tools/web/libcxx\" \
 -isystem /usr/lib/llvm-19/include/wasm32-wasi/c++/v1 -fno-rtti -fno-threadsafe-statics -mbulk-memory -mnontrapping-fptoint \
 -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_PROCESS_CLOCKS -D_WASI_EMULATED_MMAN")
 set(CMAKE_CXX_STANDARD_LIBRARIES "")
