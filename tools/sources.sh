@@ -49,3 +49,8 @@ END
         say "the mirror lacks Debian's changes to $package: it is built without them"
     done
 )
+
+# blanks_for_pkg_config FOLDER: paths in what pkg-config reads of the libraries there get a backslash before their blanks.
+blanks_for_pkg_config() (
+    sed -i '/^[A-Za-z_]*=/s/\([^\]\) /\1\\ /g' "$1"/lib/pkgconfig/*.pc
+)

@@ -1,8 +1,6 @@
 # Libraries that are built for other systems, static, from the unpacked sources of their Debian packages in SOURCES, and that
 # all of these systems need. Installs them, their headers and what pkg-config says about them.
 
-string(REPLACE " " "\\ " pkg_config_prefix "${CMAKE_INSTALL_PREFIX}")  # as pkg-config writes blanks
-
 # source_of(RESULT PACKAGE): the folder of a package, whatever its version.
 function(source_of result package)
     file(GLOB found LIST_DIRECTORIES true ${SOURCES}/${package}-*)
@@ -30,7 +28,7 @@ function(library name)
         set(known_as ${arg_KNOWN_AS})
     endif()
     file(WRITE ${CMAKE_BINARY_DIR}/${known_as}.pc
-         "prefix=${pkg_config_prefix}\nName: ${name}\nDescription: ${name}\nVersion: 1\n"
+         "prefix=${CMAKE_INSTALL_PREFIX}\nName: ${name}\nDescription: ${name}\nVersion: 1\n"
          "Cflags: -I\${prefix}/include/${arg_FOLDER} -I\${prefix}/include ${arg_DEFINITIONS}\n"
          "Libs: -L\${prefix}/lib -l${name} ${arg_LINK}\n")
     install(FILES ${CMAKE_BINARY_DIR}/${known_as}.pc DESTINATION lib/pkgconfig)

@@ -31,6 +31,7 @@ web_libraries() (
         say "cannot build the libraries of live pages"
         exit 4
     fi
+    blanks_for_pkg_config "$web_folder"
     printf '%s\n' "$stamp" >"$web_folder/stamp"
 )
 

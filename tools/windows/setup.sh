@@ -35,6 +35,7 @@ windows_libraries() (
         say "cannot build the libraries for Windows"
         exit 4
     fi
+    blanks_for_pkg_config "$folder"
     printf '%s\n' "$stamp" >"$folder/stamp"
 )
 
