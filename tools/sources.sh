@@ -50,7 +50,10 @@ END
     done
 )
 
-# blanks_for_pkg_config FOLDER: paths in what pkg-config reads of the libraries there get a backslash before their blanks.
+# blanks_for_pkg_config FOLDER: where pkg-config reads of the libraries there, the folder gets a backslash before each blank.
 blanks_for_pkg_config() (
-    sed -i '/^[A-Za-z_]*=/s/\([^\]\) /\1\\ /g' "$1"/lib/pkgconfig/*.pc
+    python3 -c 'import pathlib, sys
+folder = sys.argv[1]
+for each in pathlib.Path(folder, "lib/pkgconfig").glob("*.pc"):
+    each.write_text(each.read_text().replace(folder, folder.replace(" ", "\\ ")))' "$1"
 )
