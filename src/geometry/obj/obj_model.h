@@ -52,9 +52,7 @@ class FileRemarks {
     std::size_t otherIgnored_ = 0;
 };
 
-// Wavefront OBJ models: as the file has them, and their meshes.
-
-// Wavefront OBJ models as the file has them: positions, texture coordinates, normals, polygons.
+// Models as the file has them: positions, texture coordinates, normals, polygons.
 
 /// The largest sizes that are read; beyond them: file-E09.
 inline constexpr std::uint64_t kLargestModelFile = std::uint64_t{1} << 30;  ///< bytes

@@ -104,9 +104,6 @@ class Tabs {
     std::size_t shown_ = 0;
 };
 
-// The window program: tabs with a session each, their panels, and a loop that waits for events, carries out
-// what the panels request, and only draws what has changed.
-
 struct WindowArguments {
     std::vector<std::filesystem::path> scenes;  ///< one tab per scene
     std::vector<std::string> set;               ///< "NAME=VALUE", for the first scene
