@@ -19,7 +19,8 @@ portable_packages="patchelf xz-utils"
 debian_packages="build-essential debhelper dpkg-dev fakeroot libegl-dev lintian python3-dev pybind11-dev python3-numpy dh-python
  appstream desktop-file-utils"
 # What tools/package-python needs besides.
-python_packages="python3-dev pybind11-dev python3-numpy python3-pip python3-setuptools python3-wheel libegl-dev twine"
+python_packages="python3-dev pybind11-dev python3-numpy python3-pip python3-setuptools python3-wheel libegl-dev twine
+ patchelf libjpeg-dev libtiff-dev"
 # What the tests need besides all of these.
 test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy-19 libgtest-dev libtinyobjloader-dev libpng-dev libegl-dev
  meson glslang-tools mesa-vulkan-drivers python3 python3-pil python3-yaml chromium? chromium-driver? imagemagick
@@ -30,6 +31,12 @@ test_packages="clang-19 libclang-rt-19-dev clang-format-19 clang-tidy-19 libgtes
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 say() { printf 'glibra: %s\n' "$*" >&2; }
+
+# package_of FILE: the package that has installed it. Its list may say /lib where the file is in /usr/lib.
+package_of() (
+    file=$(realpath "$1")
+    dpkg -S "*${file#/usr}" | sed -n '1s/:.*//p'
+)
 
 # install_packages NAME...: installs those that are missing, and names them in one line.
 install_packages() (

@@ -4,8 +4,8 @@
 
 windows_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev nasm"
 windows_test_packages="wine64 xvfb xauth"
-# Debian's sources of what is linked, and the packages that consist of headers.
-windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash minizip cpp-httplib
+# Debian's sources of what is linked, besides minizip's, and the packages that consist of headers.
+windows_sources="glfw3 imgui fmtlib libspng libdeflate xxhash cpp-httplib
  libjpeg-turbo libwebp tiff imath openexr"
 windows_headers="libglm-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libstb-dev libboost-dev"
 
@@ -18,8 +18,8 @@ windows_libraries() (
     rm -rf "$folder" "$root/build/windows"  # headers have the times of their sources
     mkdir -p "$folder/sources"
     say "fetching the sources of the libraries for Windows"
-    # shellcheck disable=SC2086
-    fetch_sources "$folder/sources" $windows_sources
+    # shellcheck disable=SC2016,SC2086
+    fetch_sources "$folder/sources" $windows_sources "$(dpkg-query -W -f '${source:Package}' libminizip-dev)"  # minizip or zlib
     # Headers that are the same on all systems, without those of this one beside them.
     mkdir -p "$folder/include" "$folder/share/cmake"
     for each in glm CLI nlohmann toml++ stb boost; do ln -s "/usr/include/$each" "$folder/include/$each"; done
