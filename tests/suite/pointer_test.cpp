@@ -212,6 +212,15 @@ TEST_F(Pointers, OfAWebServerPutNewPicturesAmongTheUploads) {
         << asked.reason;
 }
 
+/// The name of a registry's blob begins with "sha256:", which Windows takes for a stream of another file.
+TEST_F(Pointers, NameUploadsAsEverySystemTakesThem) {
+    suite.store = "https://registry.example/v2/team/goldens/blobs/sha256:{hash}?ns=\"a*b\"";
+    EXPECT_EQ(update(gradient()).verdict, Verdict::updated);
+    const auto pointer = parsed(textOf(folder / "goldens/a.png"));
+    ASSERT_TRUE(pointer);
+    EXPECT_TRUE(std::filesystem::exists(folder / ("results/upload/sha256_" + pointer->sha256 + "_ns=_a_b_")));
+}
+
 /// A suite that gets a store moves its goldens there.
 TEST_F(Pointers, TakeThePlaceOfPicturesWithUpdate) {
     update(gradient());

@@ -172,7 +172,7 @@ Result<HashList> HashList::read(const fs::path& file) {
     }
     std::string_view rest = base::asText(*bytes);
     for (int number = 1; !rest.empty(); ++number) {
-        std::string_view line = base::nextLine(rest);
+        const std::string_view line = base::nextLine(rest);
         if (line.empty() || line.front() == '#') continue;
         Result<AcceptedHash> parsed = parseLine(line, {file.generic_string(), number, 1});
         append(list.diagnostics, std::move(parsed.diagnostics));

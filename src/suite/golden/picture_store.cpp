@@ -118,7 +118,10 @@ Diagnostics PictureStore::keep(std::span<const std::byte> picture, const std::st
     // Without a cache the next run downloads what was uploaded.
     if (const fs::path folder = downloadFolder(); !folder.empty())
         static_cast<void>(base::writeBeneath(folder, pointer.sha256, picture));
-    return writeBelow(uploads_.parent_path(), uploads_.filename() / place.filename(), picture);
+    std::string name = place.filename().generic_string();
+    for (char& each : name)  // a registry's "sha256:HASH" is no file's name on Windows
+        if (std::string_view("<>:\"|?*\\").find(each) != std::string_view::npos) each = '_';
+    return writeBelow(uploads_.parent_path(), uploads_.filename() / name, picture);
 }
 
 namespace {

@@ -53,6 +53,7 @@ class PictureStore {
     [[nodiscard]] std::optional<std::vector<std::byte>> find(const Pointer& pointer,
                                                              const std::string& ending) const;
     /// Keeps the file of a picture: in the folder; or, for an address, among the uploads and the downloads.
+    /// An upload is named by the end of its address, with '_' for what names of files lack on Windows.
     /// Error: file-E10.
     [[nodiscard]] Diagnostics keep(std::span<const std::byte> picture, const std::string& ending) const;
 
