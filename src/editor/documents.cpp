@@ -37,7 +37,12 @@ std::filesystem::path fileOf(std::string_view uri) {
     namespace fs = std::filesystem;
     const bool isFile = uri.starts_with(kFileScheme);
     std::string path;
-    if (isFile) uri.remove_prefix(std::min(uri.find('/', kFileScheme.size()), uri.size()));  // with a host
+    if (isFile) {
+        const std::size_t scheme = kFileScheme.size(), end = std::min(uri.find('/', scheme), uri.size());
+        const std::string_view host = uri.substr(scheme, end - scheme);
+        const bool isShare = !host.empty() && host != "localhost" && fs::path("//server").has_root_name();
+        uri.remove_prefix(isShare ? scheme - 2 : end);  // "//server/share/a.glib"
+    }
     for (std::size_t i = 0; i < uri.size(); ++i) {
         const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
         const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
@@ -64,7 +69,8 @@ std::string uriOf(const std::filesystem::path& file) {
     const std::string path = whole.lexically_normal().generic_string();
     const bool hasDrive = !path.starts_with('/');
     if (hasDrive) uri += '/';
-    for (const char& c : path) {
+    const bool hasHost = path.starts_with("//");  // a share of Windows
+    for (const char& c : std::string_view(path).substr(hasHost ? 2 : 0)) {
         if ((hasDrive && &c == &path[1]) || glib::isLetter(c) || glib::isDigit(c) ||
             kPlain.find(c) != std::string_view::npos)
             uri += c;

@@ -163,7 +163,8 @@ void LanguageServer::notify(const std::string& method, const json& parameters) {
     }
     if (!isInitialized_ || isShutDown_) return;
     if (method == "initialized" && formatsByLanguage_) {
-        const json scenes = json::array({{{"language", "glib"}}});
+        // Some editors know no language of a file.
+        const json scenes = json::array({{{"language", "glib"}}, {{"pattern", "**/*.glib"}}});
         send({{"jsonrpc", "2.0"},
               {"id", "formatting"},
               {"method", "client/registerCapability"},

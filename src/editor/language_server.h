@@ -48,8 +48,9 @@ class TextLines {
     std::vector<bool> isPlain_;  ///< for each line: all characters are one byte and one unit
 };
 
-/// The file of a URI: "file:///a%20b.glib" is /a b.glib. Another URI, as of a text without a name, is a file
-/// of the current folder that need not exist.
+/// The file of a URI: "file:///a%20b.glib" is /a b.glib, and where systems have shares,
+/// "file://host/a/b.glib" is //host/a/b.glib. Another URI, as of a text without a name, is a file of the
+/// current folder that need not exist.
 std::filesystem::path fileOf(std::string_view uri);
 std::string uriOf(const std::filesystem::path& file);
 

@@ -261,7 +261,7 @@ json LanguageServer::hints(const json& parameters) {
 }
 
 json LanguageServer::findSymbols(const json& parameters) {
-    constexpr std::size_t kMost = 500;
+    constexpr std::size_t kHits = 500;
     const std::string query = glib::lower(parameters.at("query").get<std::string>());
     std::set<std::filesystem::path> files;
     for (const auto& [uri, each] : documents_.all()) files.insert(each.file);
@@ -275,7 +275,7 @@ json LanguageServer::findSymbols(const json& parameters) {
         const TextLines lines(text);
         const json uri = documents_.uriOf(file);
         const auto add = [&](const std::string& name, int kind, const TextRange& place) {
-            if (found.size() < kMost && !name.empty() && glib::lower(name).find(query) != std::string::npos)
+            if (found.size() < kHits && !name.empty() && glib::lower(name).find(query) != std::string::npos)
                 found.push_back({{"name", name},
                                  {"kind", kind},
                                  {"location", {{"uri", uri}, {"range", toJson(lines, place)}}}});

@@ -67,14 +67,17 @@ TEST_F(NoisySuite, AShotThatIsRightInOneOfItsDrawingsIsFlaky) {
               "(sed s/.5/.9/ a.glib > other; cp a.glib one\n"
               "(while [ -e one ]; do cp one x; mv x a.glib; cp other y; mv y a.glib; done) 2>/dev/null &\n"
               "for i in 1 2 3 4 5 6 7 8 9 10 11 12; do '" GLIBRA_PROGRAM
-              "' test s.toml --results r > out 2>&1; s=$?; cat out; echo status $s;"
+              "' test s.toml --results r > out 2>&1; s=$?; cat out;"
+              " ! grep -q '^flaky' out || echo flaky: status $s;"
               " '" GLIBRA_PROGRAM
               "' test s.toml --results strict --strict-flaky > out2 2>&1; s=$?;"
               " ! grep -q '^unstable' out2 || echo strict $s;"
               " ! { grep -q '^flaky' out && grep -q '^unstable' out2; } || break; done; rm one; wait)");
     EXPECT_TRUE(contains(runs.out, "flaky")) << runs.out << runs.err;
     EXPECT_TRUE(contains(runs.out, "is right; before: ")) << runs.out;
-    EXPECT_FALSE(contains(runs.out, "status 1")) << runs.out;
+    // A busy machine may draw the wrong picture twenty times in a row; that run has no flaky shot.
+    EXPECT_TRUE(contains(runs.out, "flaky: status 0")) << runs.out;
+    EXPECT_FALSE(contains(runs.out, "flaky: status 1")) << runs.out;
     EXPECT_TRUE(contains(runs.out, "strict 1")) << runs.out;
 }
 

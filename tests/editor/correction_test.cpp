@@ -94,8 +94,9 @@ TEST_F(CorrectionTest, RegistersTheFormattingOfScenesAlone) {
     const std::vector<json> told = tell("initialized", json::object());
     ASSERT_EQ(told.size(), 1U);
     EXPECT_EQ(told[0]["method"], "client/registerCapability");
-    EXPECT_EQ(told[0]["params"]["registrations"][0]["registerOptions"]["documentSelector"][0]["language"],
-              "glib");
+    const json& of = told[0]["params"]["registrations"][0]["registerOptions"]["documentSelector"];
+    EXPECT_EQ(of[0]["language"], "glib");
+    EXPECT_EQ(of[1]["pattern"], "**/*.glib") << "for an editor that knows no language of the file";
     EXPECT_TRUE(say({{"id", "formatting"}, {"result", nullptr}}).empty()) << "the answer of the client";
 }
 

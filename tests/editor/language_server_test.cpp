@@ -474,6 +474,20 @@ TEST(MessageReader, FindsTheNextMessageAfterAWrongLength) {
     }
 }
 
+TEST(Uris, AreFilesAndBack) {
+    const std::filesystem::path file = editor::fileOf("file:///a%20b/%C3%A4.glib");
+    EXPECT_TRUE(file.generic_string().ends_with("/a b/\xc3\xa4.glib")) << file;
+    EXPECT_TRUE(editor::uriOf(file).ends_with("/a%20b/%C3%A4.glib")) << editor::uriOf(file);
+    EXPECT_EQ(editor::fileOf("file://localhost/a.glib"), editor::fileOf("file:///a.glib"));
+    const bool hasShares = std::filesystem::path("//server").has_root_name();
+    const std::filesystem::path shared = editor::fileOf("file://server/share/a%20b.glib");
+    EXPECT_EQ(shared.generic_string(), hasShares ? "//server/share/a b.glib" : "/share/a b.glib");
+    if (hasShares) {
+        EXPECT_EQ(editor::uriOf(shared), "file://server/share/a%20b.glib");
+        EXPECT_EQ(editor::fileOf("file://wsl%24/Debian/a.glib").generic_string(), "//wsl$/Debian/a.glib");
+    }
+}
+
 TEST(MessageReader, IsLostAfterALengthThatNoMessageHas) {
     for (const char* length : {"67108865", "99999999999", "99999999999999999999999999"}) {
         editor::MessageReader reader;

