@@ -180,7 +180,7 @@ std::string packed(const Value& value, PackedText texts = PackedText::asItIs) {
 template <class Value>
 std::optional<Value> unpacked(std::string_view bytes) {
     std::optional<Value> value(std::in_place);
-    Unpacker unpacker(bytes);
+    Unpacker unpacker(bytes);  // NOLINT(misc-const-correctness): members differ by Value
     unpacker(*value);
     if (!unpacker.isWhole()) value.reset();
     return value;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <ranges>
 
 namespace glibra::base {
 namespace {
@@ -24,9 +25,9 @@ class Filler {
 
     /// The innermost field of the name; null if there is none.
     const Field* find(std::string_view name) const {
-        for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
-            const auto field = std::ranges::find(*scope->fields, name, &Field::name);
-            if (field != scope->fields->end()) return &*field;
+        for (const Scope& scope : scopes_ | std::views::reverse) {
+            const auto field = std::ranges::find(*scope.fields, name, &Field::name);
+            if (field != scope.fields->end()) return &*field;
         }
         return nullptr;
     }

@@ -35,8 +35,6 @@ namespace {
 /// Pairs of similar submissions that the page lists with their passages; the others are counted.
 constexpr std::size_t kMostListedPairs = 50;
 
-constexpr std::size_t kMostStudentPictures = 12;
-
 constexpr const char* kStudentPages = "students";
 
 // What the page of a class and the page of one student have in common.

@@ -20,6 +20,9 @@ namespace glibra::classroom {
 /// numbers, addresses, commands and folders. `keys` are the names in the new order.
 Classroom anonymous(const Classroom& classroom, std::vector<std::string>& keys);
 
+/// Pictures of a submission that are shown to its student and to who reviews it.
+inline constexpr std::size_t kMostStudentPictures = 12;
+
 // The page of a class, for a browser, and its table.
 
 /// The page as HTML. Nothing on it needs its script, which compares pictures and sorts the table. The

@@ -86,16 +86,6 @@ std::filesystem::path wholePath(const std::filesystem::path& path) {
     return found.has_filename() || !found.has_relative_path() ? found : found.parent_path();
 }
 
-std::optional<std::filesystem::path> libraryAbove(std::filesystem::path folder) {
-    for (folder = wholePath(folder);; folder = folder.parent_path()) {
-        std::error_code failure;
-        if (std::filesystem::is_directory(folder / "shaders", failure) ||
-            std::filesystem::is_directory(folder / "textures", failure))
-            return folder;
-        if (!folder.has_relative_path()) return std::nullopt;
-    }
-}
-
 namespace fs = std::filesystem;
 
 Diagnostics libraryHint(const fs::path& scene, const Diagnostics& diagnostics, const fs::path& library) {

@@ -34,10 +34,6 @@ RenderOptions optionsFor(const std::string& scene, const std::optional<std::stri
 /// The path without links, "." and "..", and without a slash at its end.
 std::filesystem::path wholePath(const std::filesystem::path& path);
 
-/// The library of a folder of scenes: the nearest folder, from itself upwards, with `shaders` or `textures`,
-/// as for a scene in it. A scene of the folder may read its files although they lie outside of the folder.
-std::optional<std::filesystem::path> libraryAbove(std::filesystem::path folder);
-
 // What a scene names and does not have may be in the library that glibra is installed with.
 
 /// A note for the first of the missing files (file-E01) of a scene that the library has, with the --library

@@ -25,6 +25,7 @@
 #include "gpu/context/context.h"
 #include "image/file.h"
 #include "page/page.h"
+#include "scene/file_lookup.h"
 #include "suite/run/run_options.h"
 #include "system/interruption.h"
 
@@ -59,7 +60,8 @@ std::vector<fs::path> scenesOf(const GalleryArguments& arguments, const std::vec
 /// The folders of --library, those of GLIBRA_PATH, and the library above a folder of scenes.
 std::vector<fs::path> rootsWith(std::vector<fs::path> roots, const fs::path& folder) {
     for (fs::path& each : libraryRoots()) roots.push_back(std::move(each));
-    if (std::optional<fs::path> library = libraryAbove(folder)) roots.push_back(std::move(*library));
+    if (std::optional<fs::path> library = scene::libraryAbove(wholePath(folder)))
+        roots.push_back(std::move(*library));
     return roots;
 }
 

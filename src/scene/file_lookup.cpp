@@ -269,15 +269,6 @@ class FolderSearch {
     FolderListings& listings_;
 };
 
-/// Returns the nearest folder, from `folder` upwards, that contains `shaders` or `textures`. The search ends
-/// at `last`, if that is not empty.
-std::optional<fs::path> libraryAbove(const fs::path& folder, const fs::path& last) {
-    for (fs::path each = folder;; each = each.parent_path()) {
-        if (isFolder(each / "shaders") || isFolder(each / "textures")) return each;
-        if (each == last || each == each.parent_path()) return std::nullopt;
-    }
-}
-
 void addRoot(SearchFolders& folders, const fs::path& root, const fs::path& sceneFolder) {
     const auto add = [&](const fs::path& folder) {
         if (std::ranges::find(folders.library, folder) != folders.library.end()) return;
@@ -378,6 +369,13 @@ Diagnostic notFound(const CleanName& name, std::string_view written, const Searc
 }
 
 }  // namespace
+
+std::optional<fs::path> libraryAbove(const fs::path& folder, const fs::path& last) {
+    for (fs::path each = folder;; each = each.parent_path()) {
+        if (isFolder(each / "shaders") || isFolder(each / "textures")) return each;
+        if (each == last || each == each.parent_path()) return std::nullopt;
+    }
+}
 
 MemoryFiles memoryFiles(const std::map<fs::path, std::string>& texts,
                         const std::shared_ptr<const FileReader>& reader) {

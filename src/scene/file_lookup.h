@@ -102,11 +102,16 @@ struct SearchFolders {
     }
 };
 
+/// The nearest folder, from a whole path upwards, that has `shaders` or `textures`: the library of its
+/// scenes, which may read its files although they lie outside of their folder. The search ends at `last`, if
+/// that is not empty.
+std::optional<std::filesystem::path> libraryAbove(const std::filesystem::path& folder,
+                                                  const std::filesystem::path& last = {});
+
 /// Returns the folders to search for a scene's files: the scene's own folder, the given library roots, then
-/// the nearest folder, from the scene's own upwards, that contains `shaders` or `textures`; with
-/// InterpretOptions::within only up to that folder. TOPIC is the path
-/// of the scene's folder below `glib` of that root, or else the last part of that path. A relative
-/// `scenePath` starts at the current folder.
+/// libraryAbove(), with InterpretOptions::within only up to that folder. TOPIC is the path of the scene's
+/// folder below `glib` of that root, or else the last part of that path. A relative `scenePath` starts at the
+/// current folder.
 SearchFolders searchFolders(const std::filesystem::path& scenePath, const InterpretOptions& options = {});
 
 /// The folders whose files may be shown to others: the scene's own, and those of the library. A scene may

@@ -26,7 +26,7 @@ class HiddenWindow {
     [[nodiscard]] void* deviceContext() const { return context_; }
 
   private:
-    void* window_ = nullptr;
+    [[maybe_unused]] void* window_ = nullptr;  // where windows are made
     void* context_ = nullptr;
 };
 

@@ -165,9 +165,10 @@ class UnpackTest : public testing::Test {
 };
 
 TEST_F(UnpackTest, AClassHasItsSumAndOneSubmissionItsOwnLimit) {
+    std::string large;
+    large.resize(90'000'000, ' ');
     for (int i = 0; i < 60; ++i)
-        writeZip(made / "all" / (std::to_string(i) + ".zip"),
-                 {{"a.glib", i == 7 ? std::string(90'000'000, ' ') : "Sphere\n"}});
+        writeZip(made / "all" / (std::to_string(i) + ".zip"), {{"a.glib", i == 7 ? large : "Sphere\n"}});
     for (const Submission& each : find().all) EXPECT_EQ(each.problem, "") << each.name;
     // In the order of the names; one that does not fit takes nothing from those after it.
     fs::remove_all(made / "all");

@@ -20,7 +20,7 @@ struct Own {
     PFNGLDELETEPROGRAMPROC deleteProgram = nullptr;
     PFNGLGETERRORPROC getError = nullptr;
 };
-Own own;
+Own ownFunctions;
 GLuint program = 0;            ///< in use
 GLenum pending = GL_NO_ERROR;  ///< of a function that ES does not have
 bool isLoaded = false;
@@ -56,13 +56,13 @@ GLenum ofEs(GLenum capability) {
 }
 
 void enable(GLenum capability) {
-    if (isOfEs(ofEs(capability))) own.enable(ofEs(capability));
+    if (isOfEs(ofEs(capability))) ownFunctions.enable(ofEs(capability));
 }
 void disable(GLenum capability) {
-    if (isOfEs(ofEs(capability))) own.disable(ofEs(capability));
+    if (isOfEs(ofEs(capability))) ownFunctions.disable(ofEs(capability));
 }
 GLboolean isEnabled(GLenum capability) {
-    if (isOfEs(ofEs(capability))) return own.isEnabled(ofEs(capability));
+    if (isOfEs(ofEs(capability))) return ownFunctions.isEnabled(ofEs(capability));
     return GL_FALSE;
 }
 
@@ -103,28 +103,28 @@ void getBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void* dat
 
 void useProgram(GLuint used) {
     program = used;
-    own.useProgram(used);
+    ownFunctions.useProgram(used);
 }
 
 /// Its number may be that of another program from now on.
 void deleteProgram(GLuint deleted) {
     if (deleted == program) useProgram(0);
-    own.deleteProgram(deleted);
+    ownFunctions.deleteProgram(deleted);
 }
 
 /// Sets a uniform of a program that need not be in use.
 template <auto& kUniform, class... Arguments>
 void programUniform(GLuint of, GLint location, Arguments... arguments) {
-    if (of != program) own.useProgram(of);
+    if (of != program) ownFunctions.useProgram(of);
     kUniform(location, arguments...);
-    if (of != program) own.useProgram(program);
+    if (of != program) ownFunctions.useProgram(program);
 }
 
 // ---- The table
 
 GLenum getError() {
     const GLenum noted = std::exchange(pending, GL_NO_ERROR);
-    return noted != GL_NO_ERROR ? noted : own.getError();
+    return noted != GL_NO_ERROR ? noted : ownFunctions.getError();
 }
 
 /// In place of a function that ES does not have.
@@ -251,8 +251,8 @@ bool loadEsFunctions(const std::function<void*(const char*)>& address) {
     GLAD_GL_VERSION_4_1 = 1;
     GLAD_GL_VERSION_4_2 = GLAD_GL_VERSION_4_3 = GLAD_GL_VERSION_4_4 = GLAD_GL_VERSION_4_5 =
         GLAD_GL_VERSION_4_6 = 0;
-    own = {glad_glEnable,     glad_glDisable,       glad_glIsEnabled,
-           glad_glUseProgram, glad_glDeleteProgram, glad_glGetError};
+    ownFunctions = {glad_glEnable,     glad_glDisable,       glad_glIsEnabled,
+                    glad_glUseProgram, glad_glDeleteProgram, glad_glGetError};
     glad_glEnable = enable;
     glad_glDisable = disable;
     glad_glIsEnabled = isEnabled;
