@@ -13,6 +13,7 @@
 #include <unordered_set>
 
 #include "base/text.h"
+#include "system/folder.h"
 
 namespace glibra::classroom {
 
@@ -152,12 +153,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string placeOf(const std::string& path) {
-    std::error_code failure;
-    const fs::path place = fs::weakly_canonical(path, failure);
-    return failure ? path : place.generic_string();
-}
-
 /// Names a file of an entry that others use, too.
 void nameShared(Classroom& room, std::size_t index, const std::string& place,
                 const std::vector<std::size_t>& users, bool isOfReference) {
@@ -209,7 +204,8 @@ void removeCommon(Classroom& room, std::size_t wanted) {
 /// Sets the places of the files of an entry, and returns them.
 std::vector<std::string> setPlaces(Entry& entry) {
     std::vector<std::string> places;
-    for (SourceFile& file : entry.files) places.push_back(file.place = placeOf(file.path));
+    for (SourceFile& file : entry.files)
+        places.push_back(file.place = system::realPath(file.path).generic_string());
     return places;
 }
 
@@ -224,7 +220,8 @@ void compareSources(Classroom& room, const std::vector<SourceFile>& given, std::
     for (const SourceFile& each : room.reference.files) addGivenCode(code, each.tokens);
     for (const SourceFile& each : given) addGivenCode(code, each.tokens);
     std::set<std::string> ofReference;
-    for (const SourceFile& each : room.reference.files) ofReference.insert(placeOf(each.path));
+    for (const SourceFile& each : room.reference.files)
+        ofReference.insert(system::realPath(each.path).generic_string());
     std::map<std::string, std::vector<std::size_t>> users;
     std::vector<std::vector<std::string>> places;
     for (std::size_t i = 0; i < room.entries.size(); ++i) {

@@ -413,7 +413,7 @@ void reviewScene(const ReviewTask& task, const std::vector<SmallPictures>& small
     for (const scene::Program& program : scene.programs) {
         UsedProgram used{program.name, {}, {}};
         for (const scene::StageFile& stage : program.stages) {
-            used.stages.emplace_back(stageName(stage.stage));
+            used.stages.emplace_back(glsl::stageName(stage.stage));
             for (DeclaredUniform& each : sources.uniformsOf(scene.files[stage.file]))
                 used.uniforms.push_back(std::move(each));
             const bool runs = drawn.contains({program.name, stage.stage});

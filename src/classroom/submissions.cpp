@@ -10,6 +10,7 @@
 
 #include "glib/text.h"
 #include "suite/file/selection.h"
+#include "system/folder.h"
 
 namespace glibra::classroom {
 namespace {
@@ -349,8 +350,7 @@ Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOpti
 
 Result<Submissions> ownSubmission(const fs::path& path, const SubmissionOptions& options) {
     std::error_code failure;
-    const fs::path whole = fs::weakly_canonical(path, failure);
-    const fs::path named = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    const fs::path named = system::realPath(path).filename();
     Submission made{named.stem().generic_string(), path.has_parent_path() ? path.parent_path() : ".", {}, {}};
     if (fs::is_directory(path, failure)) {
         made.name = named.generic_string();

@@ -202,12 +202,6 @@ std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl) {
     return found;
 }
 
-const char* stageName(glsl::Stage stage) {
-    constexpr std::array kNames{
-        "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
-    return kNames.at(static_cast<std::size_t>(stage));
-}
-
 std::vector<std::string> includedNames(std::string_view glsl) {
     const Text text(glsl);
     std::vector<std::string> names;

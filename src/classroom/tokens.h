@@ -9,8 +9,6 @@
 #include <unordered_set>
 #include <vector>
 
-#include "glsl/types/stage.h"
-
 namespace glibra::classroom {
 
 // Shader sources as sequences of tokens that stay the same when somebody renames, reformats or comments them.
@@ -55,9 +53,6 @@ struct DeclaredUniform {
 
 /// The uniforms that a GLSL text declares, in its order; macros are not expanded.
 std::vector<DeclaredUniform> declaredUniforms(std::string_view glsl);
-
-/// "vertex", "tessellation control", ...
-const char* stageName(glsl::Stage stage);
 
 /// The names of its #include lines.
 std::vector<std::string> includedNames(std::string_view glsl);

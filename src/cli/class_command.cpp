@@ -33,6 +33,7 @@
 #include "suite/options/option_table.h"
 #include "suite/options/option_words.h"
 #include "suite/write_below.h"
+#include "system/folder.h"
 #include "system/interruption.h"
 
 namespace glibra::cli {
@@ -106,9 +107,8 @@ void nameAbsent(const ClassInput& input, classroom::Classroom& room) {
 classroom::ImportOptions importOptions(const ClassArguments& arguments, const ClassInput& input) {
     classroom::ImportOptions import;
     import.book = arguments.book != classroom::GradeBook::none ? arguments.book : input.find.names.book();
-    std::error_code failed;
     import.assignment = arguments.assignment.empty()
-                            ? fs::weakly_canonical(input.plan.folder, failed).filename().generic_string()
+                            ? system::realPath(input.plan.folder).filename().generic_string()
                             : arguments.assignment;
     import.roster = input.roster ? &*input.roster : nullptr;
     import.handed = input.handed;

@@ -15,6 +15,7 @@
 #include "render/file/job.h"
 #include "scene/file_lookup.h"
 #include "suite/file/shot_name.h"
+#include "system/folder.h"
 #include "system/library.h"
 #include "system/places.h"
 #include "system/process.h"
@@ -89,21 +90,6 @@ fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// The path without links; itself if that is impossible. A path that does not exist starts at the current
-/// folder, too.
-fs::path real(const fs::path& path) {
-    std::error_code failure;
-    const fs::path whole = fs::absolute(path.empty() ? "." : path, failure);
-    const fs::path found = fs::weakly_canonical(failure ? path : whole, failure);
-    return failure ? path : found;
-}
-
-bool isBelow(const fs::path& path, const fs::path& folder) {
-    const fs::path inside = real(path);
-    const fs::path outside = real(folder);
-    return std::mismatch(outside.begin(), outside.end(), inside.begin(), inside.end()).first == outside.end();
-}
-
 /// The way from a folder that the user named down to a path, as it is written. Nothing if the path does not
 /// lead down from there.
 std::optional<system::Reach> reachBelow(const fs::path& folder, const fs::path& path) {
@@ -113,7 +99,7 @@ std::optional<system::Reach> reachBelow(const fs::path& folder, const fs::path& 
         return whole.has_filename() ? whole : whole.parent_path();
     };
     const fs::path inside = plain(path);
-    for (const fs::path& root : {plain(folder), real(folder)}) {
+    for (const fs::path& root : {plain(folder), system::realPath(folder)}) {
         const fs::path below = inside.lexically_relative(root);
         if (!failure && !below.empty() && *below.begin() != "..") return system::Reach(root, below);
     }
@@ -270,7 +256,7 @@ std::optional<system::Sandbox> sandboxOf(const Selection& selection, Driver driv
                 Severity::error, fmt::format("--untrusted: '{}' on the way to what is written is a link",
                                              link->generic_string())));
         for (const system::Reach& each : readable.all())
-            if (isBelow(each.whole(), folder.whole()))
+            if (system::isBelow(each.whole(), folder.whole()))
                 problems.push_back(withoutId(
                     Severity::error,
                     fmt::format("--untrusted: the folder '{}', which is written to, must not contain '{}'",
@@ -333,7 +319,7 @@ Diagnostics StagingFolder::deliver(std::size_t piece, const fs::path& target, im
     if (made != FileKind::regular) return refuse("the process that drew it made something else of it");
     // A link that the user named keeps its target, as with files that are written directly.
     const bool isNamed = named == image::NamedBy::user;
-    const fs::path place = isNamed ? real(target) : target;
+    const fs::path place = isNamed ? system::realPath(target) : target;
     const FileKind there = system::kindOf(place, Links::notFollowed);
     if (there != FileKind::missing && there != FileKind::regular && (isNamed || there != FileKind::link))
         return refuse("with --untrusted only ordinary files are written");

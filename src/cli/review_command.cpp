@@ -15,6 +15,7 @@
 #include "suite/results/results.h"
 #include "suite/results/results_file.h"
 #include "suite/serve/review.h"
+#include "system/folder.h"
 #include "system/interruption.h"
 
 namespace glibra::cli {
@@ -31,20 +32,13 @@ struct ReviewArguments {
     std::vector<std::string> accept;  ///< patterns of shots
 };
 
-bool isBelowHere(const fs::path& file) {
-    std::error_code failed;
-    const fs::path inside =
-        fs::weakly_canonical(fs::absolute(file, failed), failed).lexically_relative(fs::current_path(failed));
-    return !failed && !inside.empty() && *inside.begin() != "..";
-}
-
 /// The suites of the run. Those that only the results name have to lie below the current folder: results may
 /// come from somebody else, who is not to choose which goldens are written.
 Result<std::vector<suite::Suite>> suitesOf(const suite::RunResult& run, const ReviewArguments& arguments) {
     std::vector<fs::path> files(arguments.suites.begin(), arguments.suites.end());
     if (files.empty() && run.planned)
         for (const suite::PlannedShots& each : *run.planned)
-            if (!each.file.empty() && isBelowHere(each.file)) files.emplace_back(each.file);
+            if (!each.file.empty() && system::isBelow(each.file, ".")) files.emplace_back(each.file);
     std::vector<suite::Suite> suites;
     Diagnostics problems;
     for (const fs::path& each : files) {

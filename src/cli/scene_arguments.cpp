@@ -80,12 +80,6 @@ RenderOptions optionsFor(const std::string& scene, const std::optional<std::stri
     return own;
 }
 
-std::filesystem::path wholePath(const std::filesystem::path& path) {
-    std::error_code failure;
-    const std::filesystem::path found = std::filesystem::weakly_canonical(path, failure);
-    return found.has_filename() || !found.has_relative_path() ? found : found.parent_path();
-}
-
 namespace fs = std::filesystem;
 
 Diagnostics libraryHint(const fs::path& scene, const Diagnostics& diagnostics, const fs::path& library) {

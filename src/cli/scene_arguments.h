@@ -31,9 +31,6 @@ Diagnostics resolveScenes(const std::vector<std::string>& words, SceneArguments&
 RenderOptions optionsFor(const std::string& scene, const std::optional<std::string>& standardInput,
                          const RenderOptions& options);
 
-/// The path without links, "." and "..", and without a slash at its end.
-std::filesystem::path wholePath(const std::filesystem::path& path);
-
 // What a scene names and does not have may be in the library that glibra is installed with.
 
 /// A note for the first of the missing files (file-E01) of a scene that the library has, with the --library

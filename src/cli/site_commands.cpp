@@ -27,6 +27,7 @@
 #include "page/page.h"
 #include "scene/file_lookup.h"
 #include "suite/run/run_options.h"
+#include "system/folder.h"
 #include "system/interruption.h"
 
 namespace glibra::cli {
@@ -48,19 +49,16 @@ namespace fs = std::filesystem;
 
 /// The scenes of the site itself, if it lies in the folder, do not count.
 std::vector<fs::path> scenesOf(const GalleryArguments& arguments, const std::vector<std::string>& found) {
-    const fs::path site = wholePath(arguments.made.site);
     std::vector<fs::path> scenes;
-    for (const std::string& each : found) {
-        const fs::path inside = wholePath(each).lexically_relative(site);
-        if (inside.empty() || *inside.begin() == "..") scenes.emplace_back(each);
-    }
+    for (const std::string& each : found)
+        if (!system::isBelow(each, arguments.made.site)) scenes.emplace_back(each);
     return scenes;
 }
 
 /// The folders of --library, those of GLIBRA_PATH, and the library above a folder of scenes.
 std::vector<fs::path> rootsWith(std::vector<fs::path> roots, const fs::path& folder) {
     for (fs::path& each : libraryRoots()) roots.push_back(std::move(each));
-    if (std::optional<fs::path> library = scene::libraryAbove(wholePath(folder)))
+    if (std::optional<fs::path> library = scene::libraryAbove(system::realPath(folder)))
         roots.push_back(std::move(*library));
     return roots;
 }
@@ -84,8 +82,8 @@ int planGallery(const GalleryArguments& arguments, gallery::GalleryPlan& plan) {
     plan.folder = arguments.folder;
     plan.site = arguments.made.site;
     plan.scenes = scenesOf(arguments, named.scenes);
-    plan.title =
-        !arguments.title.empty() ? arguments.title : wholePath(arguments.folder).filename().generic_string();
+    plan.title = !arguments.title.empty() ? arguments.title
+                                          : system::realPath(arguments.folder).filename().generic_string();
     constexpr int kWidth = 400, kHeight = 300;
     const RenderOptions& picture = arguments.made.picture.options;
     plan.width = picture.width > 0 ? picture.width : kWidth;
@@ -162,9 +160,9 @@ fs::path sceneFolder(const fs::path& scene) {
 
 /// The folder that all of the scenes are in.
 fs::path commonFolder(const std::vector<std::string>& scenes) {
-    fs::path common = wholePath(sceneFolder(scenes.front()));
+    fs::path common = system::realPath(sceneFolder(scenes.front()));
     for (const std::string& each : scenes) {
-        const fs::path place = wholePath(each);
+        const fs::path place = system::realPath(each);
         while (std::ranges::mismatch(common, place).in1 != common.end()) common = common.parent_path();
     }
     return common;
@@ -269,7 +267,7 @@ int runPublishCommand(PublishArguments& arguments) {
             isOneFolder ? arguments.named.front() : commonFolder(named.scenes).generic_string();
         if (!isOneFolder)
             for (const std::string& each : named.scenes)
-                arguments.scenes.push_back(wholePath(each).generic_string());
+                arguments.scenes.push_back(system::realPath(each).generic_string());
         arguments.isLive = true;
         return makeGallery(arguments);
     }

@@ -23,6 +23,7 @@
 #include "suite/report/terminal_report.h"
 #include "suite/run/fingerprint.h"
 #include "suite/run/verdict.h"
+#include "system/folder.h"
 
 namespace glibra::cli {
 namespace {
@@ -201,14 +202,10 @@ void RunRecord::finish(suite::RunResult& run) {
 }
 
 bool mayBeForged(const fs::path& results, std::span<const suite::Suite> suites) {
-    std::error_code failure;
-    const fs::path place = fs::weakly_canonical(fs::absolute(results, failure), failure);
     return std::any_of(suites.begin(), suites.end(), [&](const suite::Suite& each) {
-        const fs::path file = fs::absolute(each.file, failure);
-        const fs::path folder = fs::is_directory(file, failure) ? file : file.parent_path();
-        const fs::path root = fs::weakly_canonical(folder, failure);
-        const fs::path inside = place.lexically_relative(root);
-        return inside.empty() || *inside.begin() != "..";
+        std::error_code failure;
+        return system::isBelow(
+            results, fs::is_directory(each.file, failure) ? each.file : fs::path(each.file).parent_path());
     });
 }
 

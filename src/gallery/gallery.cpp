@@ -17,6 +17,7 @@
 #include "render/scene_renderer.h"
 #include "scene/file_lookup.h"
 #include "suite/file/sweep.h"
+#include "system/folder.h"
 
 namespace glibra::gallery {
 namespace {
@@ -89,16 +90,10 @@ constexpr std::size_t kMostText = 2'000'000;  // bytes of them
 constexpr std::size_t kMostControls = 500;
 constexpr std::uint64_t kLargestText = std::min<std::uint64_t>(glib::kLargestFile, kMostText);
 
-fs::path whole(const fs::path& path) {
-    std::error_code failure;
-    return fs::weakly_canonical(fs::absolute(path, failure), failure);
-}
-
 /// The path from the folder; without a value it leads outside.
 std::optional<std::string> below(const fs::path& folder, const fs::path& file) {
-    const fs::path inside = whole(file).lexically_relative(whole(folder));
-    if (inside.empty() || *inside.begin() == "..") return std::nullopt;
-    return inside.generic_string();
+    if (!system::isBelow(file, folder)) return std::nullopt;
+    return system::realPath(file).lexically_relative(system::realPath(folder)).generic_string();
 }
 
 /// The texts of one scene, each once, as far as they may be shown.
@@ -112,7 +107,7 @@ class Texts {
 
     /// Reads a file and adds it. Returns its text, or an empty one.
     std::string add(const fs::path& file, const std::string& role) {
-        if (!seen_.insert(whole(file).generic_string()).second) return {};
+        if (!seen_.insert(system::realPath(file).generic_string()).second) return {};
         const std::optional<std::string> text = base::textIn(readable_.open(file), kLargestText);
         if (!text || text->find('\0') != std::string::npos || to_.sources.size() >= kMostSources ||
             size_ + text->size() > kMostText)
@@ -252,7 +247,7 @@ Description describe(const DescribeTask& task) {
     for (const scene::Program& program : scene.programs)
         for (const scene::StageFile& stage : program.stages)
             texts.addShader(scene, scene.files[stage.file],
-                            std::string(classroom::stageName(stage.stage)) + " shader");
+                            std::string(glsl::stageName(stage.stage)) + " shader");
     found.mayMove = read->changesWithTime() || !scene.steps.empty() || namesTime(found.sources);
     return found;
 }

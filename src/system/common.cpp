@@ -1,5 +1,6 @@
 // What is the same on all systems.
 
+#include <algorithm>
 #include <filesystem>
 #include <span>
 #include <utility>
@@ -33,6 +34,25 @@ FileIdentity identityOf(const fs::path& path) {
 fs::path wholePath(const fs::path& path) {
     std::error_code failure;
     return asInFolders(fs::absolute(path, failure).lexically_normal());
+}
+
+/// The path with links followed, as far as it exists; empty if they cannot be.
+static fs::path withoutLinks(const fs::path& path) {
+    std::error_code failure;
+    const fs::path found = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path, failure), failure);
+    if (failure) return {};
+    return asInFolders(found.has_filename() || !found.has_relative_path() ? found : found.parent_path());
+}
+
+fs::path realPath(const fs::path& path) {
+    const fs::path found = withoutLinks(path);
+    return found.empty() ? wholePath(path) : found;
+}
+
+bool isBelow(const fs::path& path, const fs::path& folder) {
+    const fs::path inside = withoutLinks(path), outside = withoutLinks(folder);
+    return !inside.empty() && !outside.empty() &&
+           std::mismatch(outside.begin(), outside.end(), inside.begin(), inside.end()).first == outside.end();
 }
 
 Process& Process::operator=(Process&& other) noexcept {

@@ -69,5 +69,11 @@ int renameOver(const std::filesystem::path& from, const std::filesystem::path& t
 std::filesystem::path asInFolders(const std::filesystem::path& path);
 /// The same, absolute and without "." and "..": one path for all names of a file but links.
 std::filesystem::path wholePath(const std::filesystem::path& path);
+/// wholePath() with links followed, as far as the path exists; wholePath() if they cannot be. "" is the
+/// current folder. No slash at its end.
+std::filesystem::path realPath(const std::filesystem::path& path);
+/// True if the real path is the folder or lies below it, with links followed. False if links cannot be
+/// followed.
+bool isBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 }  // namespace glibra::system

@@ -48,12 +48,6 @@ constexpr std::array kStageWords = std::to_array<StageWord>({
     {"discard", Stage::fragment, "Fragment"},
     {"gl_VertexID", Stage::vertex, "Vertex"},
 });
-constexpr std::array<std::string_view, kStageCount> kStageNames{
-    "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
-
-std::string_view nameOf(Stage stage) {
-    return kStageNames.at(static_cast<std::size_t>(stage));
-}
 
 /// For a stage that does not compile: its first word that only another stage can have, such as EmitVertex in
 /// a vertex stage. Nothing if there is no such word.
@@ -67,7 +61,7 @@ std::optional<OtherStage> findOtherStage(const TranslatedStage& stage) {
         return OtherStage{
             fmt::format("'{}' belongs to a {} stage, but this is a {} stage; if the whole text is one, "
                         "write '{}' before it",
-                        word->word, nameOf(word->stage), nameOf(stage.stage), word->command),
+                        word->word, stageName(word->stage), stageName(stage.stage), word->command),
             userPlace(stage, {static_cast<std::size_t>(token.line) - 1, token.column})};
     }
     return std::nullopt;
@@ -358,11 +352,11 @@ Diagnostics explainLinkLog(const TranslatedProgram& program, std::string_view lo
         const bool isWarning = stripSeverity(text);
         const std::string told = inUserNames(program, text);
         const auto lacking = std::ranges::find_if(program.stages, [&](const TranslatedStage& one) {
-            return told.starts_with(fmt::format("{} shader lacks `main'", nameOf(one.stage)));
+            return told.starts_with(fmt::format("{} shader lacks `main'", stageName(one.stage)));
         });
         if (lacking != program.stages.end()) {
             result.push_back(diagnose(
-                "glsl-E02", fmt::format("the {} shader has no function 'main'", nameOf(lacking->stage)),
+                "glsl-E02", fmt::format("the {} shader has no function 'main'", stageName(lacking->stage)),
                 {lacking->path, lacking->firstLine, 1}));
             continue;
         }

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -130,8 +129,6 @@ Json jsonOf(const scene::KeyBinding& key) {
 
 /// The scene, its shaders with what these include, then other files that it reads.
 Json filesOf(const render::LiveScene& live) {
-    constexpr std::array<const char*, glsl::kStageCount> kStages{
-        "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
     Json files = Json::array();
     std::set<std::string> known;
     const auto add = [&](const fs::path& path, const std::string& role, bool isText) {
@@ -149,8 +146,7 @@ Json filesOf(const render::LiveScene& live) {
     for (const scene::Program& program : scene.programs)
         for (const scene::StageFile& each : program.stages)
             add(scene.files[each.file].path,
-                std::string(kStages.at(static_cast<std::size_t>(each.stage))) + " shader of " + program.name,
-                true);
+                std::string(glsl::stageName(each.stage)) + " shader of " + program.name, true);
     std::set<fs::path> data;
     for (const scene::FileReference& each : scene.files) data.insert(each.path);
     for (const fs::path& each : live.files())

@@ -89,10 +89,7 @@ std::filesystem::path frameFile(const std::filesystem::path& output, int index, 
 }
 
 std::filesystem::path filePlaceOf(const std::filesystem::path& file) {
-    std::error_code failure;
-    const std::filesystem::path absolute = system::wholePath(file);
-    const std::filesystem::path folder = std::filesystem::weakly_canonical(absolute.parent_path(), failure);
-    return failure ? absolute : folder / absolute.filename();
+    return system::realPath(file.parent_path()) / system::wholePath(file).filename();
 }
 
 namespace {

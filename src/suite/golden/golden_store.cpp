@@ -48,21 +48,6 @@ Diagnostics writePicture(const image::Image& picture, const fs::path& file) {
     return image::writeImage(picture, file, image::writtenAs(image::NamedBy::program));
 }
 
-/// The path with all links resolved, as far as it exists.
-fs::path resolved(const fs::path& path) {
-    std::error_code failed;
-    fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
-    if (!whole.has_filename() && whole.has_parent_path()) whole = whole.parent_path();
-    return failed ? fs::path() : whole;
-}
-
-/// True if the path is the folder or lies below it, after all links are resolved.
-bool isBelow(const fs::path& path, const fs::path& folder) {
-    const fs::path whole = resolved(path), root = resolved(folder.empty() ? "." : folder);
-    const fs::path inside = whole.lexically_relative(root);
-    return !whole.empty() && !inside.empty() && *inside.begin() != "..";
-}
-
 }  // namespace
 
 fs::path folderOf(const Suite& suite) {
@@ -103,7 +88,7 @@ bool hasGolden(const fs::path& folder, const Shot& shot) {
 Diagnostics checkGoldenFolder(const Suite& suite, const fs::path& folder) {
     Diagnostics problems;
     const auto check = [&](const char* key, const fs::path& named) {
-        if (!isBelow(named, folderOf(suite)))
+        if (!system::isBelow(named, folderOf(suite)))
             problems.push_back(diagnose(
                 "suite-E20",
                 fmt::format("{}: '{}' is outside of the suite's folder '{}'; --allow-outside lets --update "
@@ -150,7 +135,7 @@ Result<Golden> GoldenStore::find(const Shot& shot, std::string_view family) cons
 
 Result<Golden> GoldenStore::read(const Shot& shot, std::string variant) const {
     const fs::path path = file(shot, variant);
-    if (!allowOutside_ && !isBelow(path, folder_) && !isBelow(path, suiteFolder_))
+    if (!allowOutside_ && !system::isBelow(path, folder_) && !system::isBelow(path, suiteFolder_))
         return diagnose(
             "file-E14",
             fmt::format("cannot read '{0}': it is a link to a place outside of the golden folder; "
@@ -341,7 +326,7 @@ std::string GoldenStore::whyNotWritten(const fs::path& path) const {
     std::error_code ignored;
     if (fs::is_symlink(path, ignored))
         return "it is a symbolic link, and its target would be overwritten; remove the link";
-    if (!allowOutside_ && !isBelow(path, folder_))
+    if (!allowOutside_ && !system::isBelow(path, folder_))
         return "its folder is a link that leads out of the golden folder; --allow-outside follows it";
     return {};
 }

@@ -18,6 +18,7 @@
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
 #include "suite/golden/picture_store.h"
+#include "system/folder.h"
 
 namespace glibra::suite {
 namespace {
@@ -99,8 +100,8 @@ std::vector<fs::path> orphanGoldens(const Suite& suite, const fs::path& folder,
             const fs::path otherRoot = goldenFolder(other, folder);
             const std::set<std::string> names = shotNames(other);
             std::erase_if(found, [&](const auto& each) {
-                return belongsTo(names, fs::weakly_canonical(each.first, failure)
-                                            .lexically_relative(fs::weakly_canonical(otherRoot, failure))
+                return belongsTo(names, system::realPath(each.first)
+                                            .lexically_relative(system::realPath(otherRoot))
                                             .replace_extension()
                                             .generic_string());
             });

@@ -12,6 +12,7 @@
 
 #include "glib/text.h"
 #include "suite/number_of.h"
+#include "system/folder.h"
 
 namespace glibra::suite {
 namespace {
@@ -296,9 +297,8 @@ std::string tomlText(std::string_view text) {
 }
 
 std::string tomlText(const fs::path& file, const fs::path& folder) {
-    std::error_code failure;
-    const fs::path whole = fs::weakly_canonical(file, failure);
-    const fs::path relative = whole.lexically_relative(fs::weakly_canonical(folder, failure));
+    const fs::path whole = system::realPath(file);
+    const fs::path relative = whole.lexically_relative(system::realPath(folder));
     return tomlText((relative.empty() ? whole : relative).generic_string());
 }
 

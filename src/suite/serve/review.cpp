@@ -27,6 +27,7 @@
 #include "suite/file/selection.h"
 #include "suite/results/results_file.h"
 #include "suite/run/verdict.h"
+#include "system/folder.h"
 #include "system/process.h"
 
 namespace glibra::suite {
@@ -90,11 +91,6 @@ std::vector<std::string> git(const fs::path& folder, std::vector<std::string> ar
     return parts;
 }
 
-fs::path absolutePath(const fs::path& path) {
-    std::error_code failed;
-    return fs::weakly_canonical(fs::absolute(path, failed), failed);
-}
-
 const ChangedFiles::Folder& ChangedFiles::folder(const fs::path& path) {
     const auto [at, isNew] = folders_.try_emplace(path);
     Folder& known = at->second;
@@ -124,7 +120,7 @@ const std::set<std::string>& ChangedFiles::changedSince(const fs::path& top, con
 }
 
 std::vector<fs::path> ChangedFiles::since(const fs::path& golden, std::span<const fs::path> files) {
-    const fs::path whole = absolutePath(golden);
+    const fs::path whole = system::realPath(golden);
     const Folder& known = folder(whole.parent_path());
     const auto commit = known.commits.find(whole.filename().generic_string());
     std::vector<fs::path> changed(files.begin(), files.end());
@@ -134,7 +130,7 @@ std::vector<fs::path> ChangedFiles::since(const fs::path& golden, std::span<cons
             return names.contains(file.lexically_relative(known.top).generic_string());
         };
         if (!isChanged(whole)) {
-            std::erase_if(changed, [&](const fs::path& each) { return !isChanged(absolutePath(each)); });
+            std::erase_if(changed, [&](const fs::path& each) { return !isChanged(system::realPath(each)); });
             return changed;
         }
     }

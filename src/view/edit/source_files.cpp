@@ -1,17 +1,12 @@
 #include "view/edit/source_files.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string_view>
 #include <system_error>
 
 namespace glibra::view {
 namespace {
-
-/// In the order of glsl::Stage.
-constexpr std::array<const char*, glsl::kStageCount> kStageWords{
-    "vertex", "tessellation control", "tessellation evaluation", "geometry", "fragment", "compute"};
 
 SourceFile* find(std::vector<SourceFile>& files, const std::filesystem::path& path) {
     const auto found = std::ranges::find(files, path, &SourceFile::path);
@@ -47,12 +42,12 @@ std::vector<SourceFile> sourceFiles(const render::LiveScene& live) {
     std::vector<SourceFile> files{{scene.path, {}, "scene"}};
     std::set<std::filesystem::path> data;
     for (const scene::FileReference& each : scene.files) data.insert(each.path);
-    for (std::size_t i = 0; i < kStageWords.size(); ++i)
+    for (std::size_t i = 0; i < std::size_t{glsl::kStageCount}; ++i)
         for (const scene::Program& program : scene.programs)
             for (const scene::StageFile& each : program.stages) {
                 const std::filesystem::path& path = scene.files[each.file].path;
                 if (each.stage != static_cast<glsl::Stage>(i) || path.empty()) continue;
-                const std::string role = std::string(kStageWords.at(i)) + " shader of ";
+                const std::string role = std::string(glsl::stageName(each.stage)) + " shader of ";
                 SourceFile* known = find(files, path);
                 if (!known)
                     files.push_back({path, {}, role + program.name});
