@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/files.h"
+#include "base/percent.h"
 #include "base/utf8.h"
 #include "glib/limits.h"
 #include "glib/text.h"
@@ -17,12 +18,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view kFileScheme = "file://";
-
-int hexDigit(char c) {
-    if (glib::isDigit(c)) return c - '0';
-    const char small = glib::lower(c);
-    return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
-}
 
 CodeLanguage languageOf(const std::filesystem::path& file, const std::string& id) {
     if (id == "glib") return CodeLanguage::glib;
@@ -43,16 +38,7 @@ std::filesystem::path fileOf(std::string_view uri) {
         const bool isShare = !host.empty() && host != "localhost" && fs::path("//server").has_root_name();
         uri.remove_prefix(isShare ? scheme - 2 : end);  // "//server/share/a.glib"
     }
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-        const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
-        if (low >= 0) {
-            path += static_cast<char>(high * 16 + low);
-            i += 2;
-        } else {
-            path += uri[i];
-        }
-    }
+    path = base::percentDecoded(uri);
     std::erase(path, '\0');
     if (isFile && path.starts_with('/') && fs::path(path.substr(1)).has_root_name()) path.erase(0, 1);  // C:
     if (isFile) return fs::path(path).lexically_normal();

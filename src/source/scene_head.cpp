@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 
+#include "base/percent.h"
 #include "base/text.h"
 #include "glib/text.h"
 
@@ -29,6 +31,21 @@ bool isRow(std::string_view word) {
 std::string_view firstSentence(std::string_view text) {
     const std::size_t end = text.find(". ");
     return end == std::string_view::npos ? text : text.substr(0, end + 1);
+}
+
+/// The files that the links of a cell lead to: [a](a.glib), [a](<a b.glib>), [a](./a%20b.glib "title").
+std::vector<std::string> linksIn(std::string_view cell) {
+    std::vector<std::string> files;
+    for (std::size_t at = cell.find("]("); at != std::string_view::npos; at = cell.find("](", at)) {
+        at += 2;
+        const bool isBracketed = cell.substr(at).starts_with('<');
+        if (isBracketed) ++at;
+        const std::size_t end = cell.find_first_of(isBracketed ? ">" : " )", at);
+        if (end == std::string_view::npos) break;
+        const std::filesystem::path file = base::percentDecoded(cell.substr(at, end - at));
+        files.push_back(file.lexically_normal().generic_string());
+    }
+    return files;
 }
 
 void addChapters(std::string_view source, std::string_view numbers, std::vector<std::string>& to) {
@@ -72,17 +89,13 @@ std::map<std::string, std::string> chapterColumn(std::string_view table) {
     std::map<std::string, std::string> chapters;
     while (!table.empty()) {
         const std::string_view line = base::trimmed(base::nextLine(table), kBlanks);
-        const std::size_t link = line.find("](");
-        const std::size_t end = line.find(')', link);
         const std::size_t last =
             line.size() < 4 ? std::string_view::npos : line.rfind(" | ", line.size() - 3);
-        if (!line.starts_with("| [") || end == std::string_view::npos || last == std::string_view::npos ||
-            last < end)
-            continue;
+        if (!line.starts_with("| ") || last == std::string_view::npos) continue;
         const std::string_view chapter =
             base::trimmed(line.substr(last + 3, line.size() - last - 4), kBlanks);
-        if (!chapter.empty() && chapter != "-")
-            chapters.emplace(line.substr(link + 2, end - link - 2), chapter);
+        if (chapter.empty() || chapter == "-") continue;
+        for (std::string& each : linksIn(line.substr(0, line.find(" | ")))) chapters.emplace(each, chapter);
     }
     return chapters;
 }

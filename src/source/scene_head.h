@@ -19,9 +19,9 @@ struct SceneHead {
 /// Reads the comment at the beginning of a scene. The text may be anything.
 SceneHead headOf(std::string_view scene);
 
-/// The last column of a table of scenes in Markdown, by the file that its first column links to:
+/// The last column of a table of scenes in Markdown, by the files that its first column links to:
 /// "| [topic/name](topic/name.glib) | what it shows | Graphics Shaders, chapters 4 and 9 |". A "-" is left
-/// out.
+/// out. The paths are normal ones: "a b.glib" of "./a%20b.glib".
 std::map<std::string, std::string> chapterColumn(std::string_view table);
 
 /// The single chapters that such a column names: "Graphics Shaders, chapter 4", "Graphics Shaders, chapter 9"

@@ -44,6 +44,19 @@ TEST(Chapters, AreTheLastColumnOfATableOfScenes) {
     EXPECT_EQ(chapters.at("d.glib"), "Slides");
 }
 
+TEST(Chapters, BelongToEveryFileThatACellLinksTo) {
+    for (const char* each : {"[a](a%20b/x.glib)", "[a](./a%20b/x.glib)", "[a](<a b/x.glib>)",
+                             "**[a](a%20b/x.glib)**", "[a](a%20b/x.glib \"title\")",
+                             "[o](o.glib), [a](a%20b/x.glib)", "![p](p.png) [a](c/../a%20b/x.glib)"}) {
+        const auto chapters = chapterColumn("| " + std::string(each) + " | [w](w.glib) | Slides |\n");
+        ASSERT_TRUE(chapters.contains("a b/x.glib")) << each;
+        EXPECT_EQ(chapters.at("a b/x.glib"), "Slides") << each;
+        EXPECT_FALSE(chapters.contains("w.glib")) << "it stands in the second column";
+    }
+    EXPECT_TRUE(chapterColumn("| [a](100%.glib) | w | S |").contains("100%.glib"));
+    EXPECT_TRUE(chapterColumn("| [a](a%2.glib) | w | S |").contains("a%2.glib"));
+}
+
 TEST(Chapters, AreSingleOnes) {
     EXPECT_EQ(chaptersIn("Graphics Shaders, chapters 3, 4 and 12; Slides; B, chapter 2"),
               (Texts{"Graphics Shaders, chapter 3", "Graphics Shaders, chapter 4",
