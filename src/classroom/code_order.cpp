@@ -51,8 +51,8 @@ class Sorter {
         for (std::size_t i = 0; i < tokens.size();) {
             if (separates(tokens[i])) {
                 const std::string_view sign = tokens[i].text;
-                if ((sign == "+=" || sign == "-=" || sign == "*=") && made.size() > statement &&
-                    made.size() - statement <= 8) {
+                if ((sign == "+=" || sign == "-=" || sign == "*=" || sign == "/=") &&
+                    made.size() > statement && made.size() - statement <= 8) {
                     i = writeOut(tokens, i,
                                  {made.begin() + static_cast<std::ptrdiff_t>(statement), made.end()}, made);
                     continue;
@@ -93,22 +93,12 @@ class Sorter {
         return std::max(i, begin + 1);
     }
 
-    static CodeToken sign(std::string_view text, CodeLine line) { return {text, codeOfText(text), line}; }
-
     /// "a += b" as "a = a + b". Returns the token after b.
     std::size_t writeOut(std::span<const CodeToken> tokens, std::size_t at, const Code& target, Code& made) {
-        const CodeLine line = tokens[at].line;
-        const std::size_t end = endOfExpression(tokens, at + 1);
-        Code whole = target;
-        whole.push_back(sign(tokens[at].text.substr(0, 1), line));
-        const bool isProduct = tokens[at].text == "*=" || tokens[at].text == "-=";
-        if (isProduct) whole.push_back(sign("(", line));
-        whole.insert(whole.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at) + 1,
-                     tokens.begin() + static_cast<std::ptrdiff_t>(std::min(end, tokens.size())));
-        if (isProduct) whole.push_back(sign(")", line));
-        made.push_back(sign("=", line));
-        append(made, sum(whole));
-        return std::min(end, tokens.size());
+        const std::size_t end = std::min(endOfExpression(tokens, at + 1), tokens.size());
+        made.push_back(sign("=", tokens[at].line));
+        append(made, sum(assignedBy(target, tokens[at], tokens.subspan(at + 1, end - at - 1))));
+        return end;
     }
 
     struct Operand {

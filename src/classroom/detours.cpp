@@ -29,10 +29,6 @@ bool isControl(const Code& statement) {
     return !statement.empty() && kWords.contains(statement.front().text);
 }
 
-CodeToken sign(std::string_view text, CodeLine line) {
-    return {text, codeOfText(text), line};
-}
-
 /// "const vec3 a = b, c;" as "vec3 a = b;" and "vec3 c;"; nothing if it declares no variable.
 std::vector<Code> declarations(const Code& statement) {
     const std::size_t type = !statement.empty() && statement[0].text == "const" ? 1 : 0;
@@ -49,12 +45,12 @@ std::vector<Code> declarations(const Code& statement) {
     return made;
 }
 
-/// The sign of the only assignment of "a.b = c;"; 0 if the statement is none.
+/// The sign of the only assignment of "a.b = c;" or "a *= c;"; 0 if the statement is none.
 std::size_t onlyAssignment(std::span<const CodeToken> statement) {
     std::size_t sign = 0;
     for (std::size_t i = 0; i < statement.size(); ++i) {
         if (!glsl::isAssignment(statement[i].text) && !glsl::isStep(statement[i].text)) continue;
-        if (sign > 0 || statement[i].text != "=") return 0;
+        if (sign > 0 || glsl::isStep(statement[i].text)) return 0;
         sign = i;
     }
     const bool isWhole = sign > 0 && sign + 2 < statement.size() && statement.back().text == ";";
@@ -81,15 +77,20 @@ std::optional<Code> asConditional(const CodeTree& tree, std::uint32_t statement,
         !std::ranges::equal(one.first(signOne), two.first(signTwo), isSame))
         return std::nullopt;
     const CodeLine line = tree.code(statement).front().line;
-    Code made(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(signOne) + 1);
+    Code made(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(signOne));
     const auto add = [&](std::span<const CodeToken> part) {
         made.insert(made.end(), part.begin(), part.end());
     };
+    const auto value = [&](std::span<const CodeToken> of) {
+        return assignedBy(of.first(signOne), of[signOne], of.subspan(signOne + 1, of.size() - signOne - 2));
+    };
+    made.push_back(sign("=", line));
     add(tree.code(tree.child(statement, 0)));
     made.push_back(sign("?", line));
-    add(one.subspan(signOne + 1, one.size() - signOne - 2));
+    add(value(one));
     made.push_back(sign(":", line));
-    add(two.subspan(signTwo + 1));
+    add(value(two));
+    made.push_back(two.back());
     return made;
 }
 

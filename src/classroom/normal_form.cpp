@@ -145,6 +145,21 @@ std::string_view targetOf(std::span<const CodeToken> tokens, std::size_t begin, 
     return textOf(tokens, sign + 1);
 }
 
+CodeToken sign(std::string_view text, CodeLine line) {
+    return {text, codeOfText(text), line};
+}
+
+std::vector<CodeToken> assignedBy(std::span<const CodeToken> target, const CodeToken& by,
+                                  std::span<const CodeToken> value) {
+    if (by.text == "=") return {value.begin(), value.end()};
+    Code made(target.begin(), target.end());
+    made.push_back(sign(by.text.substr(0, by.text.size() - 1), by.line));
+    made.push_back(sign("(", by.line));
+    made.insert(made.end(), value.begin(), value.end());
+    made.push_back(sign(")", by.line));
+    return made;
+}
+
 bool isBefore(const Code& a, const Code& b) {
     return std::ranges::lexicographical_compare(a, b, {}, &CodeToken::code, &CodeToken::code);
 }

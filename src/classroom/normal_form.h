@@ -60,12 +60,18 @@ std::vector<CodeToken> comparedCode(std::span<const CodeToken> tokens, const Own
 inline constexpr std::uint32_t kNameCode = 1, kNumberCode = 2;
 /// What words and signs that are neither are compared by.
 std::uint32_t codeOfText(std::string_view text);
+/// A sign that the code does not have.
+CodeToken sign(std::string_view text, CodeLine line);
 
 /// True for the built-in functions whose call has an effect besides its value.
 bool hasEffect(std::string_view builtIn);
 /// True if code calls such a function; if it does, or assigns anything.
 bool callsWithEffect(std::span<const CodeToken> code, const OwnFunctions& own);
 bool hasEffect(std::span<const CodeToken> code, const OwnFunctions& own);
+
+/// What "a += b" assigns to a: "a + (b)". Of "a = b" it is b.
+std::vector<CodeToken> assignedBy(std::span<const CodeToken> target, const CodeToken& by,
+                                  std::span<const CodeToken> value);
 
 /// Moves variables that stand outside of functions and that one function alone mentions to its beginning.
 std::vector<CodeToken> withLocalVariables(const std::vector<CodeToken>& tokens);
@@ -95,7 +101,8 @@ std::vector<CodeToken> withoutDetours(std::vector<CodeToken> tokens, const OwnFu
 std::vector<CodeToken> inStatementOrder(const std::vector<CodeToken>& tokens, const OwnFunctions& own);
 
 /// Sorts the operands of sums and products, computes with numbers, drops what adds 0 or multiplies by 1 and
-/// parentheses around one operand, and writes "a += b" as "a = a + b". All numbers are compared by `number`.
+/// parentheses around one operand, and writes "a += b" as "a = a + b" (assignedBy). All numbers are compared
+/// by `number`.
 std::vector<CodeToken> inOrder(const std::vector<CodeToken>& tokens, std::uint32_t number);
 
 // Code as a tree of statements and expressions, for what changes it.

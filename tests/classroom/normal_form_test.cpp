@@ -74,6 +74,10 @@ TEST(NormalForm, EvasionsDoNotCount) {
          "float v = cos(b); float u = sin(a); u *= 2.; o = u * u - v * v; return;"},
         // branches that choose a value
         {"o = a > b ? sin(a) : cos(b);", "if (a > b) o = sin(a); else { o = cos(b); }"},
+        {"o = a > b ? sin(a) : o * b;", "if (a > b) o = sin(a); else o *= b;"},
+        {"o = a > b ? o - (b - a) : o / (b + a);", "if (a > b) o -= b - a; else { o /= b + a; }"},
+        {"o = a > b ? o + a : a > o ? o - b : b;", "if (a > b) o += a; else if (a > o) o -= b; else o = b;"},
+        {"o = o / (a + sin(b));", "o /= sin(b) + a;"},
         {"float u = a > b ? a : a > o ? b : o; o = u * u;",
          "float u; if (a > b) u = a; else if (a > o) { u = b; } else u = o; o = u * u;"},
         // constants
