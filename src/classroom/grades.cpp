@@ -15,9 +15,12 @@
 namespace glibra::classroom {
 namespace {
 
-class CsvRecord {
+/// One record: fields of strangers are made harmless, those of the platform's own table stay as they are.
+class Record {
   public:
     void text(std::string_view value) { add(csvField(value)); }
+    void ours(std::string_view value) { text(base::printableText(value)); }
+    void theirs(std::string_view value) { add(base::csvField(value, ",\"\r\n;")); }
     void count(std::size_t value) { add(fmt::format("{}", value)); }
     void score(const std::optional<double>& value) { add(value ? fmt::format("{:.5f}", *value) : ""); }
     /// A field as it is to stand there, quoted if it has to be.
@@ -42,17 +45,6 @@ constexpr bool isBlank(std::uint32_t code) {
     return code <= ' ' || (code >= 0x7F && code <= 0xA0) || code == 0x2028 || code == 0x2029 ||
            code == 0xFEFF;
 }
-
-/// One record: fields of strangers are made harmless, those of the platform's own table stay as they are.
-class Record {
-  public:
-    void ours(std::string_view text) { record_.text(base::printableText(text)); }
-    void theirs(std::string_view text) { record_.add(base::csvField(text, ",\"\r\n;")); }
-    std::string end() { return record_.end(); }
-
-  private:
-    CsvRecord record_;
-};
 
 std::string gradeOf(const Classroom& room, const std::optional<std::size_t>& entry) {
     // Who has not been marked yet has no grade: an import would make the points that are missing 0.
@@ -234,11 +226,8 @@ std::string gradeLine(const Classroom& room, GradeBook book, std::size_t entry, 
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Half of the step to which points are rounded.
-constexpr double kHalfStep = .005;
-
 bool isFull(const Mark& mark) {
-    return mark.points >= mark.most - kHalfStep;
+    return mark.points >= mark.most;
 }
 
 /// "at worst likeness 0.600 at uAd=0.3; compare the two pictures on the page".
@@ -379,7 +368,7 @@ std::string gradesCsv(const Classroom& classroom) {
         return !each.submission.number.empty() || !each.submission.email.empty();
     });
     const bool pointed = mostPoints(classroom) > 0;
-    CsvRecord head;
+    Record head;
     for (const char* each : {"submission", "state", "reason", "scene", "pictures", "drawn", "flip",
                              "worst flip", "structure", "worst structure", "likeness", "errors", "warnings",
                              "stages", "uniforms", "most similar", "similarity", "not compared"})
@@ -421,7 +410,7 @@ std::string gradesCsv(const Classroom& classroom) {
             }
             for (const DeclaredUniform& uniform : program.uniforms) addNew(uniforms, uniform.name);
         }
-        CsvRecord line;
+        Record line;
         line.text(entry.submission.name);
         line.text(stateOf(entry));
         line.text(reasonOf(entry));

@@ -117,11 +117,11 @@ class Sources {
     }
 
     /// Keeps the code that a stage runs, and if it `counts`, the names of the functions that this calls.
-    /// False for a geometry stage that emits nothing.
+    /// False for a stage without code, and for a geometry stage that emits nothing.
     bool addCode(glsl::Stage stage, const scene::FileReference& file, bool counts) {
-        if (file.path.empty()) return true;
+        if (file.path.empty()) return false;
         const std::optional<std::string> text = file.text ? file.text : textOf(opened(file.path));
-        if (!text) return true;
+        if (!text) return false;
         const auto include = [this](std::string_view name, std::string_view includingPath) {
             return included(name, includingPath);
         };

@@ -8,8 +8,10 @@
 #include <cstdint>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "classroom/hand_in.h"
 #include "classroom/names.h"
+#include "glib/messages.h"
 #include "suite/file/selection.h"
 #include "suite/file/toml_reader.h"
 
@@ -143,11 +145,14 @@ Judgement judgeMessages(const Check& check, const Entry& entry) {
     if (entry.submission.scene.empty()) return {0, "there is no scene"};
     std::size_t count = 0;
     std::string first;
-    for (const Diagnostic& each : entry.diagnostics)
-        if (std::ranges::any_of(check.ids, [&](const std::string& id) { return suite::fits(id, each.id); })) {
-            ++count;
-            if (first.empty()) first = each.id;
-        }
+    for (const Diagnostic& each : entry.diagnostics) {
+        // A note with the id of an error says more about that.
+        if ((each.severity == Severity::note && severityOf(each.id) != Severity::note) ||
+            std::ranges::none_of(check.ids, [&](const std::string& id) { return suite::fits(id, each.id); }))
+            continue;
+        ++count;
+        if (first.empty()) first = each.id;
+    }
     if (count == 0) return {1, ""};
     // One oversight costs half.
     return {count == 1 ? 0.5 : 0.0,
@@ -155,7 +160,7 @@ Judgement judgeMessages(const Check& check, const Entry& entry) {
 }
 
 Judgement judgeCalls(const Check& check, const Entry& entry) {
-    if (entry.submission.scene.empty() || entry.programs.empty()) return {0, "it has no program"};
+    if (entry.programs.empty()) return {0, "it has no program"};
     const bool uses = std::ranges::find(entry.calls, check.of) != entry.calls.end();
     const bool isRight = uses == (check.kind == Check::Kind::uses);
     return {isRight ? 1.0 : 0.0, uses ? fmt::format("its shaders call {}", check.of)
@@ -163,6 +168,9 @@ Judgement judgeCalls(const Check& check, const Entry& entry) {
 }
 
 Judgement judge(const Check& check, const Classroom& room, const Entry& entry) {
+    using enum Check::Kind;
+    const bool isOfPictures = check.kind == stage || check.kind == uses || check.kind == avoids;
+    if (isOfPictures && drawnCount(entry) == 0) return {0, "no picture was drawn"};
     switch (check.kind) {
         case Check::Kind::drawn:
             return {entry.pictures.empty() || entry.drawsNothing
@@ -287,6 +295,7 @@ class RubricReader {
         if (check.name.empty()) check.name = defaultName(check);
         if (std::ranges::find(rubric_.checks, check.name, &Check::name) != rubric_.checks.end())
             return reader_.report("suite-E25", fmt::format("there are two checks '{}'", check.name), place);
+        check.place = place;
         rubric_.checks.push_back(std::move(check));
     }
 
@@ -339,6 +348,15 @@ class RubricReader {
                 break;
             case Check::Kind::without:
                 if (auto ids = reader_.texts(entry.value, entry.key)) check.ids = std::move(*ids);
+                for (const std::string& id : check.ids)
+                    if (std::ranges::none_of(
+                            glib::diagnosticCatalogue(),
+                            [&](const glib::CatalogueRow& each) { return suite::fits(id, each.id); }))
+                        reader_.report("suite-E17",
+                                       fmt::format("without: there is no message {}; 'glibra language "
+                                                   "--diagnostics' lists them",
+                                                   base::inQuotes(id)),
+                                       entry.value);
                 break;
             case Check::Kind::stage:
                 if (auto text = reader_.text(entry.value, entry.key)) check.of = std::move(*text);
@@ -449,10 +467,11 @@ void giveMarks(const Rubric& rubric, const Classroom& room, const HandedIn& hand
     entry.marks.clear();
     for (const Check& check : rubric.checks) {
         Judgement verdict = judge(check, room, entry);
-        // To the hundredth, so that the sum is that of what is shown.
-        entry.marks.push_back({check.name, std::round(verdict.part * check.points * 100) / 100, check.points,
-                               check.isBonus, std::move(verdict.reason), verdict.moment, false,
-                               check.kind == Check::Kind::byHand});
+        // A part is rounded to the hundredth, so that the sum is that of what is shown.
+        const double rounded = std::round(verdict.part * check.points * 100) / 100;
+        const double points = verdict.part == 1 ? check.points : std::min(rounded, check.points);
+        entry.marks.push_back({check.name, points, check.points, check.isBonus, std::move(verdict.reason),
+                               verdict.moment, false, check.kind == Check::Kind::byHand});
     }
     entry.lateFactor = 1;
     entry.lateReason.clear();
@@ -486,7 +505,8 @@ Diagnostics problemsOf(const Rubric& rubric, const std::vector<Moment>& moments,
                        const std::vector<Slider>& sliders, bool hasReference) {
     Diagnostics problems;
     const auto report = [&](const Check& check, const std::string& text) {
-        problems.push_back(diagnose("suite-E26", fmt::format("the check '{}': {}", check.name, text)));
+        problems.push_back(
+            diagnose("suite-E26", fmt::format("the check '{}': {}", check.name, text), check.place));
     };
     for (const Check& check : rubric.checks) {
         const bool varies = check.kind == Check::Kind::reacts || check.kind == Check::Kind::ignores;

@@ -37,6 +37,7 @@ struct Check {
     std::vector<std::string> ids;                    ///< of messages; "*" in them is any text
     double full = 0, none = 0;    ///< like: the figures from which on there are all points, and none
     std::vector<std::string> at;  ///< like: labels of moments; empty: all
+    Place place{};                ///< in the file of the rubric
 };
 
 /// What handing in late costs.
@@ -55,8 +56,8 @@ struct Rubric {
 Rubric solvedRubric();
 
 /// Errors: suite-E01 to suite-E03, suite-E04 (a number out of its limits, or two in the wrong order),
-/// suite-E24 (a check asks for nothing or for several things, or has a key of another kind), suite-E25 (two
-/// checks of one name).
+/// suite-E17 (no message has an id of `without`), suite-E24 (a check asks for nothing or for several things,
+/// or has a key of another kind), suite-E25 (two checks of one name).
 Result<Rubric> readRubricText(std::string_view text, const std::string& file);
 
 /// The checks that name a moment or a slider which the class does not draw (suite-E26).

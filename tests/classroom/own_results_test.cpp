@@ -117,6 +117,14 @@ TEST(OwnResults, AreWhatGradescopeReads) {
     EXPECT_NE(result.at("output").get<std::string>().find("glib-W23"), std::string::npos);
 }
 
+TEST(OwnResults, AreNotFullWithoutTheSmallestPoint) {
+    Classroom room = classOfOne(0);
+    judged(room, "[[check]]\nuses = \"texture\"\npoints = 0.004\n");
+    EXPECT_FALSE(reachesAll(room));
+    judged(room, "[[check]]\nuses = \"smoothstep\"\npoints = 0.004\n");
+    EXPECT_TRUE(reachesAll(room));
+}
+
 TEST(OwnResults, AreWhatASubmittyValidatorWrites) {
     Classroom room = classOfOne(.6);
     const Rubric rubric = judged(room);

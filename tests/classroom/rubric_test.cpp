@@ -65,6 +65,14 @@ TEST(Rubrics, GivePointsForEachKindOfCheck) {
     idle.entries[0].programs[0].idle = {"tessellation control"};
     EXPECT_EQ(markOf("stage = \"tessellation\"", idle).points, 0) << "nothing is drawn with it";
     EXPECT_EQ(markOf("stage = \"fragment\"", idle).points, 4);
+    Classroom undrawn = classOfOne();
+    for (Picture& each : undrawn.entries[0].pictures) each.verdict = suite::Verdict::failed;
+    for (const char* each : {"stage = \"fragment\"", "uses = \"mix\"", "avoids = \"texture\""}) {
+        EXPECT_EQ(markOf(each, undrawn).points, 0) << each;
+        EXPECT_EQ(markOf(each, undrawn).reason, "no picture was drawn") << each;
+    }
+    undrawn.entries[0].pictures[1].verdict = suite::Verdict::passed;
+    EXPECT_EQ(markOf("stage = \"fragment\"", undrawn).points, 4) << "a picture is drawn with it";
     EXPECT_EQ(markOf("without = \"glib-W*\"").points, 4);
     EXPECT_EQ(markOf("by-hand = true").points, 0);
     EXPECT_TRUE(markOf("by-hand = true").isOpen);
@@ -133,6 +141,26 @@ TEST(Rubrics, WeakReactionsAndSingleWarningsAreHalf) {
     EXPECT_EQ(markOf("without = \"glib-W02\"", room).points, 4);
     room.entries[0].diagnostics.push_back(diagnose("glib-W23", "b"));
     EXPECT_EQ(markOf("without = [\"glib-W23\"]", room).points, 0);
+    room.entries[0].diagnostics = {diagnose("glsl-E01", "a"),
+                                   {Severity::note, "glsl-E01", "in Program 'P'", {}},
+                                   diagnose("check-N03", "b")};
+    EXPECT_EQ(markOf("without = \"glsl-*\"", room).points, 2) << "one mistake, and a note that belongs to it";
+    EXPECT_EQ(markOf("without = \"check-N*\"", room).points, 2);
+}
+
+TEST(Rubrics, PointsAreNeverMoreThanTheMost) {
+    const Classroom room = classOfOne();
+    for (const std::string points : {"0.125", "0.004", "0.3333", "2.5"}) {
+        const Result<Rubric> rubric = readRubricText(
+            "[[check]]\nlike = 0.6\npoints = " + points +
+                "\n[[check]]\nlike = 0.605\nat = \"uAd=0.3\"\npoints = " + points + "\nname = \"nearly\"\n",
+            "x");
+        ASSERT_TRUE(rubric) << points;
+        Entry entry = room.entries[0];
+        giveMarks(*rubric, room, {}, entry);
+        EXPECT_EQ(entry.marks[0].points, std::stod(points));
+        EXPECT_LE(entry.marks[1].points, std::stod(points));
+    }
 }
 
 TEST(Rubrics, BonusIsNotAmongTheMostAndLateTakesItsPart) {
@@ -193,6 +221,7 @@ TEST(Rubrics, MistakesHaveTheirPlace) {
     EXPECT_EQ(idOf("[[check]]\nstage = \"pixel\"\n"), "suite-E03");
     EXPECT_EQ(idOf("[[check]]\nlike = 2\n"), "suite-E04");
     EXPECT_EQ(idOf("[[check]]\nlike"), "suite-E01");
+    EXPECT_EQ(idOf("[[check]]\nwithout = [\"glsl-E01\", \"glib-*\", \"*-W0?\"]\n"), "none");
     EXPECT_EQ(idOf("[[check]]\ndrawn = true\n[late]\ndue = \"tomorrow\"\n"), "suite-E03");
     const Result<Rubric> rubric = readRubricText(
         "[[check]]\nreacts = \"uBd\"\n[[check]]\nlike = 0.5\nat = \"uAd=7\"\n[[check]]\nreacts = \"uAd\"\n",
@@ -201,6 +230,7 @@ TEST(Rubrics, MistakesHaveTheirPlace) {
     const Classroom room = classOfOne();
     EXPECT_EQ(problemsOf(*rubric, room.moments, room.sliders, true).size(), 2U);
     EXPECT_EQ(problemsOf(*rubric, room.moments, room.sliders, false).size(), 3U);
+    EXPECT_EQ(problemsOf(*rubric, room.moments, room.sliders, true)[1].place, (Place{"x", 3, 1}));
 }
 
 /// "LINE ID TEXT" of the first message.
@@ -234,6 +264,8 @@ TEST(Rubrics, KeysOfAnotherKindOfCheckAreErrors) {
               "3 suite-E24 'measure' belongs to a check that asks for 'like'; this one asks for 'slider'");
     EXPECT_EQ(mistakeOf("range = [0, 1]\nreacts = \"uTol\"\n"),
               "2 suite-E24 'range' belongs to a check that asks for 'slider'; this one asks for 'reacts'");
+    EXPECT_EQ(mistakeOf("without = [\"glsl-E01\", \"nonsense-E99\"]\n").substr(0, 57),
+              "2 suite-E17 without: there is no message 'nonsense-E99'; ");
     EXPECT_EQ(mistakeOf("drawn = false\n").substr(0, 33), "2 suite-E03 drawn: expected true,");
     EXPECT_EQ(mistakeOf("lik = 0.8\ndrawn = true\n"),
               "2 suite-E02 unknown key 'lik' in [[check]]; did you mean 'like'?");
