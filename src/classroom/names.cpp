@@ -181,6 +181,15 @@ Result<std::string> givenText(const std::filesystem::path& file, std::uint64_t l
     return std::string(base::asText(*bytes));
 }
 
+std::string fromCodePage(std::string_view bytes, std::u16string_view upper) {
+    std::string text;
+    for (const char each : bytes) {
+        const std::uint32_t code = static_cast<unsigned char>(each);
+        base::appendUtf8(text, code < 0x80 || code - 0x80 >= upper.size() ? code : upper[code - 0x80]);
+    }
+    return text;
+}
+
 std::string joined(const std::vector<Member>& members, std::string Member::* which) {
     std::string all;
     for (const Member& each : members)
@@ -213,7 +222,7 @@ Result<NameRule> NameRule::of(const std::string& text) try {
             6, 2, 5, 4});
     } else if (text == "gradescope") {
         rule.book_ = GradeBook::gradescope;
-        rule.pattern_ = std::make_shared<Pattern>(Pattern{std::regex("(submission_(\\d+))", flags), 1, 2, 0});
+        rule.pattern_ = std::make_shared<Pattern>(Pattern{std::regex("(submission_\\d+)", flags), 1, 0, 0});
     } else {
         Pattern pattern{std::regex(text, flags)};
         const auto groups = static_cast<int>(pattern.expression.mark_count());

@@ -28,6 +28,10 @@ std::vector<std::string> fileNames(std::vector<std::string> names);
 /// no harm. The errors of image::readFile.
 Result<std::string> givenText(const std::filesystem::path& file, std::uint64_t largest);
 
+/// Text in a code page of one byte for each character: `upper` has those from 0x80 on; the others are
+/// Latin-1.
+std::string fromCodePage(std::string_view bytes, std::u16string_view upper);
+
 /// The grade books whose names and tables are known.
 enum class GradeBook { none, moodle, canvas, gradescope };
 std::string_view name(GradeBook book);

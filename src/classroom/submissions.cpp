@@ -15,16 +15,6 @@
 namespace glibra::classroom {
 namespace {
 
-/// The first pattern that fits some of several scenes leaves these: it is compared with the file name, or
-/// with the whole path if it contains a "/". A pattern for the submission itself must fit one. Of several,
-/// the first of these rules that leaves exactly one decides: the file with the name of the reference, the
-/// file named as the submission, the file that is less deep than all others. The paths are relative to the
-/// folder. Returns the index, or the reason why there is none.
-struct ChosenScene {
-    std::size_t index = 0;
-    std::string problem;  ///< empty if a scene was chosen
-};
-
 namespace fs = std::filesystem;
 
 bool isScene(const fs::path& path) {
@@ -40,9 +30,15 @@ Diagnostic problem(const std::string& text) {
     return withoutId(Severity::error, text);
 }
 
-/// What follows the name of a student if another one has it, too.
-std::string numberBesideName(const std::string& number) {
-    return fmt::format(" ({})", number);
+/// True for the reference and what else is no submission. A link to it is one, unless that is its name.
+bool isOther(const fs::path& path, const SubmissionOptions& options) {
+    std::error_code ignored;
+    const bool isLink = fs::is_symlink(path, ignored);
+    const auto same = [&](const fs::path& other) {
+        return isLink ? path.lexically_normal() == other.lexically_normal()
+                      : !other.empty() && fs::equivalent(path, other, ignored);
+    };
+    return same(options.reference) || std::ranges::any_of(options.others, same);
 }
 
 /// Collects what was handed in, entry by entry.
@@ -128,8 +124,10 @@ class Collector {
 
     /// A file of a student whose other files may stand beside it.
     void addPart(const fs::path& path, const Person& person) {
-        const auto [known, isNew] =
-            flat_.try_emplace(std::pair(person.name, person.number), found_.all.size());
+        // Gradescope's names are of one submission each, and its students need not have a number.
+        const std::string number =
+            names_.book() == GradeBook::gradescope ? path.filename().generic_string() : person.number;
+        const auto [known, isNew] = flat_.try_emplace(std::pair(person.name, number), found_.all.size());
         if (isNew) {
             found_.all.push_back(of(person, path.stem().generic_string()));
             found_.all.back().folder = folder_;
@@ -164,7 +162,6 @@ class Collector {
 };
 
 /// What is looked at in one submission. A student may hand in a whole disk.
-constexpr int kDeepest = 8;
 constexpr std::size_t kMostSeen = 20'000;
 
 /// What a folder has, relative to it, in the order of the paths.
@@ -189,8 +186,9 @@ std::string namesOf(std::span<const fs::path> files) {
 }
 
 /// `problem` says why the contents may not be all: there are more entries than are looked at, or a folder
-/// cannot be listed.
-Contents contentsOf(const fs::path& folder, std::string& problem, bool& isUnlisted) {
+/// cannot be listed. What glibra has made, as a page and what was unpacked for it, is left out.
+Contents contentsOf(const fs::path& folder, const SubmissionOptions& options, std::string& problem,
+                    bool& isUnlisted) {
     Contents found;
     std::error_code failure;
     std::size_t seen = 0;
@@ -207,14 +205,16 @@ Contents contentsOf(const fs::path& folder, std::string& problem, bool& isUnlist
             if (type == fs::file_type::directory) each.disable_recursion_pending();
             continue;
         }
-        if (type == fs::file_type::directory && each.depth() >= kDeepest) each.disable_recursion_pending();
+        if (type == fs::file_type::directory &&
+            (each.depth() >= kDeepestFolder || fs::exists(path / kMark, ignored) || isOther(path, options)))
+            each.disable_recursion_pending();
         if (type != fs::file_type::regular && type != fs::file_type::symlink) continue;
-        if (glib::sameWord(path.extension().generic_string(), ".glib"))
-            found.scenes.push_back(path.lexically_relative(folder));
-        else if (type == fs::file_type::regular && isArchive(path))
-            found.archives.push_back(path.lexically_relative(folder));
-        else if (glib::sameWord(path.stem().extension().generic_string(), ".glib"))
-            found.misnamed.push_back(path.lexically_relative(folder));
+        std::vector<fs::path>* const list = isScene(path) ? &found.scenes
+                                            : type == fs::file_type::regular && isArchive(path)
+                                                ? &found.archives
+                                            : isMisnamed(path) ? &found.misnamed
+                                                               : nullptr;
+        if (list && !isOther(path, options)) list->push_back(path.lexically_relative(folder));
     }
     isUnlisted = bool(failure);
     if (isUnlisted)
@@ -240,9 +240,13 @@ bool fitsPattern(const std::string& pattern, const fs::path& scene) {
     return suite::fits(pattern, wholePath ? scene.generic_string() : scene.filename().generic_string());
 }
 
-ChosenScene chooseScene(std::span<const fs::path> scenes, const Submission& submission,
-                        const SubmissionOptions& options) {
-    if (scenes.empty()) return {0, withoutScene({})};
+/// The first pattern that fits some of several scenes leaves these: it is compared with the file name, or
+/// with the whole path if it contains a "/". A pattern for the submission itself must fit one. Of several,
+/// the first of these rules that leaves exactly one decides: the file with the name of the reference, the
+/// file named as the submission, the file that is less deep than all others. The paths are relative to the
+/// folder. Null if nothing decides, with the reason in `problem`.
+const fs::path* chooseScene(std::span<const fs::path> scenes, const Submission& submission,
+                            const SubmissionOptions& options, std::string& problem) {
     std::vector<const fs::path*> left;
     for (const fs::path& each : scenes) left.push_back(&each);
     const auto fitting = [&](const std::string& pattern) {
@@ -255,9 +259,11 @@ ChosenScene chooseScene(std::span<const fs::path> scenes, const Submission& subm
         const auto own = options.sceneOf.find(each);
         if (own == options.sceneOf.end()) continue;
         const std::vector<const fs::path*> fit = fitting(own->second);
-        if (fit.empty())
-            return {0, fmt::format("no scene fits --scene-of '{}={}'; found {}", own->first, own->second,
-                                   namesOf(left))};
+        if (fit.empty()) {
+            problem = fmt::format("no scene fits --scene-of '{}={}'; found {}", own->first, own->second,
+                                  namesOf(left));
+            return nullptr;
+        }
         left = fit;
         break;
     }
@@ -267,33 +273,33 @@ ChosenScene chooseScene(std::span<const fs::path> scenes, const Submission& subm
                 left = std::move(fit);
                 break;
             }
-    const auto chosen = [&](const fs::path* scene) {
-        return ChosenScene{static_cast<std::size_t>(scene - scenes.data()), {}};
-    };
-    if (left.size() == 1) return chosen(left.front());
+    if (left.size() == 1) return left.front();
     const auto onlyOne = [&](const auto& fits) -> const fs::path* {
         const auto found = std::ranges::find_if(left, fits);
         return found != left.end() && std::none_of(std::next(found), left.end(), fits) ? *found : nullptr;
     };
     const std::string preferred = options.reference.filename().generic_string();
     if (const fs::path* one = onlyOne([&](const fs::path* each) { return each->filename() == preferred; }))
-        return chosen(one);
+        return one;
     if (const fs::path* one = onlyOne([&](const fs::path* each) {
             return each->stem() == submission.name || each->stem() == submission.key;
         }))
-        return chosen(one);
+        return one;
     const auto depth = [](const fs::path* each) { return std::distance(each->begin(), each->end()); };
     const auto least = depth(*std::ranges::min_element(
         left, [&](const fs::path* a, const fs::path* b) { return depth(a) < depth(b); }));
-    if (const fs::path* one = onlyOne([&](const fs::path* each) { return depth(each) == least; }))
-        return chosen(one);
-    return {0, fmt::format("the folder has {} scenes: {}; expected one, or one named {}'{}.glib'; --scene "
-                           "chooses",
-                           left.size(), namesOf(left),
-                           preferred.empty() ? "" : fmt::format("'{}' or ", preferred), submission.name)};
+    if (const fs::path* one = onlyOne([&](const fs::path* each) { return depth(each) == least; })) return one;
+    problem = fmt::format(
+        "the folder has {} scenes: {}; expected one, or one named {}'{}.glib'; --scene chooses", left.size(),
+        namesOf(left), preferred.empty() ? "" : fmt::format("'{}' or ", preferred), submission.name);
+    return nullptr;
 }
 
 }  // namespace
+
+std::string numberBesideName(const std::string& number) {
+    return fmt::format(" ({})", number);
+}
 
 std::vector<Member> membersOf(const Submission& submission) {
     if (!submission.members.empty()) return submission.members;
@@ -319,15 +325,8 @@ Result<Submissions> findSubmissions(const fs::path& folder, const SubmissionOpti
     if (failure)
         return problem(fmt::format("cannot read the folder of submissions '{}': {}", folder.generic_string(),
                                    failure.message()));
-    const auto isOther = [&](const fs::path& path) {
-        const auto same = [&](const fs::path& other) {
-            std::error_code ignored;
-            return !other.empty() && fs::equivalent(path, other, ignored);
-        };
-        return same(options.reference) || std::ranges::any_of(options.others, same);
-    };
     for (; !failure && each != fs::directory_iterator(); each.increment(failure))
-        if (!each->path().filename().generic_string().starts_with('.') && !isOther(each->path()))
+        if (!each->path().filename().generic_string().starts_with('.') && !isOther(each->path(), options))
             entries.push_back(*each);
     if (failure)
         return problem(fmt::format("cannot read all of the folder of submissions '{}': {}",
@@ -373,7 +372,7 @@ Result<Submissions> ownSubmission(const fs::path& path, const SubmissionOptions&
 }
 
 void findScene(Submission& submission, const SubmissionOptions& options) {
-    const Contents found = contentsOf(submission.folder, submission.problem, submission.isUnlisted);
+    const Contents found = contentsOf(submission.folder, options, submission.problem, submission.isUnlisted);
     if (!submission.problem.empty()) return;
     if (found.scenes.empty()) {
         // Platforms put the one zip file that was handed in into a folder.
@@ -383,17 +382,13 @@ void findScene(Submission& submission, const SubmissionOptions& options) {
             submission.problem = withoutScene(found);
         return;
     }
-    const ChosenScene chosen = chooseScene(found.scenes, submission, options);
-    if (!chosen.problem.empty()) {
-        submission.problem = chosen.problem;
-        return;
-    }
-    const fs::path& scene = found.scenes[chosen.index];
-    if (std::error_code failure; fs::is_symlink(submission.folder / scene, failure))
+    const fs::path* const scene = chooseScene(found.scenes, submission, options, submission.problem);
+    if (!scene) return;
+    if (std::error_code failure; fs::is_symlink(submission.folder / *scene, failure))
         submission.problem =
-            fmt::format("the scene '{}' is a link; expected the file itself", scene.generic_string());
+            fmt::format("the scene '{}' is a link; expected the file itself", scene->generic_string());
     else
-        submission.scene = submission.folder / scene;
+        submission.scene = submission.folder / *scene;
 }
 
 bool isArchive(const fs::path& file) {

@@ -36,6 +36,8 @@ struct Submission {
 
 /// Who has handed it in: the members of a group, or one student.
 std::vector<Member> membersOf(const Submission& submission);
+/// What follows the name of a student if another one has it, too: " (1234567)".
+std::string numberBesideName(const std::string& number);
 /// What --scene-of may call a submission: its name, also without the number that tells it from others of this
 /// name, its number and key, and the names and numbers of the members.
 std::vector<std::string> identitiesOf(const Submission& submission);
@@ -54,14 +56,17 @@ struct Submissions {
 };
 
 inline constexpr std::size_t kMostSubmissions = 2'000;
+inline constexpr int kDeepestFolder = 32;                ///< of a submission, and in a zip file
+inline constexpr const char* kMark = ".made-by-glibra";  ///< a file in folders that are made anew in each run
 
 /// Every folder in `folder` is a submission, and so is every .glib and every zip file; names that begin with
 /// "." are left out, and so are folders named "shaders" and "textures", which scenes search as a library. A
 /// file "x.glib.txt" is a submission with a `problem`. With a rule of names all files of one student are one
 /// submission. No link is followed: a submission that is one, or whose scene is one, has a `problem`.
 ///
-/// The scene of a folder is chosen by chooseScene. A folder without one that has one zip file is that file.
-/// Errors: the folder cannot be read, has no submission, or has more than kMostSubmissions.
+/// The scene of a folder is chosen by chooseScene, without what `options` names as no submission. A folder
+/// without one that has one zip file is that file. Errors: the folder cannot be read, has no submission, or
+/// has more than kMostSubmissions.
 Result<Submissions> findSubmissions(const std::filesystem::path& folder, const SubmissionOptions& options);
 
 /// What one student is about to hand in: a folder, a zip file or a .glib file, as one of many would be found.

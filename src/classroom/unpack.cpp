@@ -17,6 +17,7 @@
 #include "base/contained.h"
 #include "base/contained_call.h"
 #include "base/files.h"
+#include "base/utf8.h"
 #include "base/workers.h"
 #include "classroom/names.h"
 #include "glib/text.h"
@@ -30,7 +31,6 @@ namespace fs = std::filesystem;
 
 constexpr unsigned kEncrypted = 1U;
 constexpr std::size_t kLongestPath = 1'000;
-constexpr int kDeepestEntry = 32;
 constexpr unsigned kStored = 0;
 
 struct CloseArchive {
@@ -70,6 +70,15 @@ zlib_filefunc64_def fileFunctions() {
     return functions;
 }
 
+/// The name of an entry. Tools write UTF-8 with and without a flag for it, or code page 437 (APPNOTE.TXT,
+/// D.1).
+std::string nameOf(std::string_view bytes) {
+    constexpr std::u16string_view kPage437 =
+        u"ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀"
+        u"αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00A0";
+    return base::isUtf8(bytes) ? std::string(bytes) : fromCodePage(bytes, kPage437);
+}
+
 /// The path of an entry below the folder; nothing for one that is left out. Windows writes backslashes.
 std::optional<fs::path> pathOf(std::string name) {
     std::ranges::replace(name, '\\', '/');
@@ -79,7 +88,7 @@ std::optional<fs::path> pathOf(std::string name) {
     for (const fs::path& each : fs::path(name)) {
         const std::string part = each.generic_string();
         if (part.empty() || part == ".") continue;
-        if (part.front() == '.' || part == "__MACOSX" || part.size() > 255 || ++depth > kDeepestEntry ||
+        if (part.front() == '.' || part == "__MACOSX" || part.size() > 255 || ++depth > kDeepestFolder ||
             !system::isPlainName(part))
             return std::nullopt;
         path /= each;
@@ -126,7 +135,6 @@ std::string writeEntry(unzFile file, const fs::path& to, UnpackLimits& limits, s
     return out ? std::string() : fmt::format("cannot write '{}'", to.generic_string());
 }
 
-constexpr const char* kMark = ".made-by-glibra";
 constexpr const char* kFormerMark = "made-by-glibra";
 
 /// Makes SITE/NAME anew. The mark says that a folder of this name is ours, so that nobody loses theirs.
@@ -221,7 +229,8 @@ std::string unpackArchive(const fs::path& archive, const fs::path& into, UnpackL
         if (unzGetCurrentFileInfo64(file.get(), &info, name.data(), kLongestPath, nullptr, 0, nullptr, 0) !=
             UNZ_OK)
             return "the zip file is damaged";
-        const std::string text(name.data(), std::min<std::size_t>(info.size_filename, kLongestPath));
+        const std::string text =
+            nameOf({name.data(), std::min<std::size_t>(info.size_filename, kLongestPath)});
         const std::optional<fs::path> path =
             info.size_filename >= kLongestPath || isLink(info) ? std::nullopt : pathOf(text);
         if (!count(path.value_or(fs::path())))
@@ -253,11 +262,9 @@ Result<fs::path> unpackExport(const fs::path& archive, const UnpackOptions& opti
             if (outcome.end == base::Outcome::End::finished) why = outcome.answer;
         },
         [](std::size_t, const std::string&) {});
-    if (!why.empty()) empty(folder);
-    if (!why.empty())
-        return withoutId(Severity::error,
-                         fmt::format("cannot unpack '{}': {}", archive.generic_string(), why));
-    return descended(folder);
+    if (why.empty()) return descended(folder);
+    empty(folder);
+    return withoutId(Severity::error, fmt::format("cannot unpack '{}': {}", archive.generic_string(), why));
 }
 
 Diagnostics unpackSubmissions(Submissions& submissions, const SubmissionOptions& find,

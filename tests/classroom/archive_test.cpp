@@ -58,6 +58,20 @@ TEST_F(ArchiveTest, FilesAndFoldersComeOut) {
     EXPECT_TRUE(fs::exists(to / "empty.txt"));
 }
 
+TEST_F(ArchiveTest, NamesAreOfTheCodePageOfZipFilesUnlessTheyAreUtf8) {
+    writeZip(made / "a.zip", {{"\x9a"
+                               "bung.frag",
+                               "of code page 437"},
+                              {"\xe1\xff/a.frag", "its last characters"},
+                              {"\xC3\x84.frag", "UTF-8 without the flag for it"}});
+    EXPECT_EQ(unpacked(), "");
+    EXPECT_EQ(suite::textOf(to / "\xC3\x9C"
+                                 "bung.frag"),
+              "of code page 437");
+    EXPECT_EQ(suite::textOf(to / "\xC3\x9F\xC2\xA0/a.frag"), "its last characters");
+    EXPECT_EQ(suite::textOf(to / "\xC3\x84.frag"), "UTF-8 without the flag for it");
+}
+
 TEST_F(ArchiveTest, NothingComesOutBesideTheFolder) {
     zipFile file = zipOpen64((made / "a.zip").c_str(), APPEND_STATUS_CREATE);
     for (const char* each : {"../out.txt", "x/../../out.txt", "/tmp/glibra-out.txt", "..\\out.txt",

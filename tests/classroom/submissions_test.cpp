@@ -142,6 +142,43 @@ TEST_F(SubmissionsTest, TheReferenceAndWhatIsNamedAreNoSubmissions) {
     EXPECT_EQ(all[0].name, "ana");
 }
 
+TEST_F(SubmissionsTest, ALinkToTheReferenceIsNamedUnlessTheTeacherNamesIt) {
+    write("solution/solution.glib");
+    write("ana/a.glib");
+    fs::create_directory_symlink(folder / "solution", folder / "eve");
+    fs::create_symlink(folder / "solution/solution.glib", folder / "eve.glib");
+    fs::create_directory_symlink(folder / "solution", folder / "mine");
+    const std::vector<Submission> all = found({.scenes = {},
+                                               .reference = folder / "solution/solution.glib",
+                                               .others = {folder / "solution", folder / "mine"}});
+    ASSERT_EQ(all.size(), 3U);
+    EXPECT_EQ(all[0].name, "ana");
+    for (const std::size_t i : {1U, 2U})
+        EXPECT_NE(all[i].problem.find("the submission is a link"), std::string::npos) << all[i].name;
+}
+
+TEST_F(SubmissionsTest, AnOwnOneIsNotThePageOfAnEarlierRun) {
+    write("me/a.zip");
+    write("me/page/unpacked/me/old.glib");
+    write("me/other/unpacked/me/old.glib");
+    write("me/other/unpacked/.made-by-glibra");
+    write("me/solution/solution.glib");
+    const Result<Submissions> own = ownSubmission(
+        folder / "me",
+        {.scenes = {}, .reference = folder / "me/solution/solution.glib", .others = {folder / "me/page"}});
+    ASSERT_TRUE(own);
+    EXPECT_EQ(own->all[0].scene, fs::path());
+    ASSERT_EQ(own->all[0].parts.size(), 1U) << own->all[0].problem;
+    EXPECT_EQ(own->all[0].parts[0].file, folder / "me/a.zip");
+}
+
+TEST_F(SubmissionsTest, AreFoundHoweverDeepAZipFileMayPutThem) {
+    fs::path deep = "ana";
+    for (int i = 0; i < 30; ++i) deep /= std::to_string(i);
+    write(deep / "a.glib");
+    EXPECT_EQ(sceneOf(), deep / "a.glib");
+}
+
 TEST_F(SubmissionsTest, AFolderAndAFileOfOneNameKeepDifferentNames) {
     write("ana/a.glib");
     write("ana.glib");
