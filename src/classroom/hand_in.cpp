@@ -1,7 +1,6 @@
 #include "classroom/hand_in.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -21,6 +20,7 @@
 #include "image/video/video_file.h"
 #include "render/file/scene_inputs.h"
 #include "suite/golden/hash_list.h"
+#include "suite/number_of.h"
 #include "suite/report/report_pictures.h"
 #include "system/places.h"
 
@@ -257,18 +257,16 @@ bool isTime(std::string_view text) {
 }
 
 std::optional<double> latenessOf(std::string_view hours) {
-    std::array<int, 3> numbers{};
-    const char* at = hours.data();
-    const char* const end = at + hours.size();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto [read, problem] = std::from_chars(at, end, numbers[i]);
-        if (problem != std::errc() || numbers[i] < 0) return std::nullopt;
-        const bool isLast = i + 1 == numbers.size();
-        if (isLast ? read != end : read == end || *read != ':') return std::nullopt;
-        at = isLast ? read : read + 1;
+    const std::vector<std::string_view> parts = partsOf(hours);
+    if (parts.size() != 5 || parts[1] != ":" || parts[3] != ":") return std::nullopt;
+    std::int64_t seconds = 0;
+    for (const std::size_t i : {0U, 2U, 4U}) {
+        const auto number = suite::numberOf<int>(parts[i]);
+        if (!number) return std::nullopt;
+        seconds = 60 * seconds + *number;
     }
-    const std::int64_t minutes = std::int64_t{numbers[0]} * 60 + numbers[1];
-    return static_cast<double>((minutes + 24 * 60 - 1) / (24 * 60));
+    constexpr std::int64_t kDay = 24 * 60 * 60;
+    return static_cast<double>((seconds + kDay - 1) / kDay);
 }
 
 MoodleStatus readMoodleStatus(std::string_view status) {

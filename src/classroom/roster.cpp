@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "base/files.h"
 #include "base/text.h"
+#include "base/utf8.h"
 #include "classroom/hand_in.h"
 #include "classroom/names.h"
 #include "glib/text.h"
@@ -19,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::size_t kMostProblems = 20;  // of a roster
 
 /// "Participant 1234567", as Moodle's table has it, is 1234567.
 std::string numberOf(const std::string& text) {
@@ -109,8 +114,14 @@ std::optional<std::size_t> columnOf(const Roster& roster, std::string_view name)
 
 Result<Roster> readRoster(const fs::path& file) {
     constexpr std::uint64_t kLargest = 16U << 20U;
-    const Result<std::string> text = givenText(file, kLargest);
+    Result<std::string> text = givenText(file, kLargest);
     if (!text) return text.diagnostics;
+    Diagnostics problems;
+    if (!base::isUtf8(*text)) {
+        problems.push_back(withoutId(Severity::note, "the roster is not UTF-8; it is read as Latin-1",
+                                     {file.generic_string(), 1, 1}));
+        *text = fromCodePage(*text, {});
+    }
     Roster roster{csvRecords(*text), {}};
     const auto name = firstColumn(roster, {"full name", "name", "student", "student name"});
     const auto first = firstColumn(roster, {"first name", "given name"});
@@ -129,33 +140,38 @@ Result<Roster> readRoster(const fs::path& file) {
                                      "the names of the columns",
                                      file.generic_string()),
                          {file.generic_string(), 1, 1});
-    Diagnostics problems;
     for (std::size_t i = 1; i < roster.records.size(); ++i) {
         const auto field = [&](const std::optional<std::size_t>& column) {
             return column && *column < roster.records[i].size()
                        ? std::string(base::trimmed(roster.records[i][*column], kBlanks))
                        : std::string();
         };
+        const auto warn = [&](const std::string& words, const char* expected) {
+            // Moodle writes "-" for nobody's time.
+            if (words.empty() || words == "-" || problems.size() >= kMostProblems) return;
+            problems.push_back(withoutId(Severity::warning,
+                                         fmt::format("cannot read '{}' in the roster '{}'; {}", words,
+                                                     file.generic_string(), expected),
+                                         {file.generic_string(), static_cast<int>(i + 1), 1}));
+        };
         Student student{field(name), numberOf(field(number)), field(email), field(scene), {}, {}, i};
         if (student.name.empty()) student.name = base::trimmed(field(first) + " " + field(last), kBlanks);
         if (student.name.empty() && student.number.empty()) continue;
         // The second line of Canvas's table has the most points.
         if (student.number.empty() && glib::sameWord(student.name, "points possible")) continue;
-        if (const auto value = suite::numberOf<double>(field(days)); value && *value >= 0 && *value < 1e4)
+        std::string late = field(days);
+        std::ranges::replace(late, ',', '.');  // as in a spreadsheet in German
+        if (const auto value = suite::numberOf<double>(late); value && *value >= 0 && *value < 1e4)
             student.daysLate = value;
+        else
+            warn(field(days), "'days late' is a number from 0 on");
         if (!student.daysLate) student.daysLate = latenessOf(field(lateness));
+        if (!student.daysLate) warn(field(lateness), "a lateness is '27:13:05'");
         student.status = field(status);
-        // Moodle writes "-" for nobody's time.
         if (std::string words = field(time); isTime(words))
             student.time = std::move(words);
-        else if (!words.empty() && words != "-" && problems.empty())
-            problems.push_back(withoutId(
-                Severity::warning,
-                fmt::format(
-                    "cannot read the time '{}' in the roster '{}'; a time is '2026-11-20 23:59', or as "
-                    "Moodle writes it in English",
-                    words, file.generic_string()),
-                {file.generic_string(), static_cast<int>(i + 1), 1}));
+        else
+            warn(words, "a time is '2026-11-20 23:59', or as Moodle writes it in English");
         roster.students.push_back(std::move(student));
     }
     return {std::move(roster), std::move(problems)};
@@ -187,18 +203,23 @@ std::optional<std::size_t> studentOf(const Roster& roster, const Member& member)
 }
 
 std::vector<std::optional<std::size_t>> applyRoster(const Roster& roster, Submissions& submissions) {
+    std::vector<std::string> former;
+    std::map<std::string, std::set<std::string>> numbers;  // of those with a name
     for (Submission& each : submissions.all) {
         std::vector<Member> members = membersOf(each);
         for (Member& member : members)
             if (const auto found = studentOf(roster, member)) correct(member, roster.students[*found]);
-        const std::string name = joined(members, &Member::name);
-        if (std::ranges::none_of(submissions.all, [&](const Submission& other) {
-                return &other != &each && other.name == name;
-            }))
-            each.name = name;
-        each.number = members.front().number;
+        former.push_back(std::exchange(each.name, joined(members, &Member::name)));
+        numbers[each.name].insert(each.number = members.front().number);
         each.email = members.front().email;
         if (members.size() > 1) each.members = std::move(members);
+    }
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < former.size(); ++i) {
+        Submission& each = submissions.all[i];
+        if (numbers[each.name].size() > 1 && !each.number.empty()) each.name += numberBesideName(each.number);
+        for (int k = 1; !taken.insert(each.name).second; ++k)
+            each.name = k == 1 ? former[i] : fmt::format("{} ({})", former[i], k);
     }
     std::ranges::sort(submissions.all, {}, &Submission::name);
     std::vector<std::optional<std::size_t>> handed(roster.students.size());

@@ -33,7 +33,8 @@ struct Roster {
     std::vector<Student> students;
 };
 
-/// Errors: the file cannot be read, or has no column of names or numbers. Warning: times that cannot be read.
+/// Errors: the file cannot be read, or has no column of names or numbers. Warnings: times and
+/// lateness that cannot be read, up to a limit.
 Result<Roster> readRoster(const std::filesystem::path& file);
 
 /// The column of that name, in any case, or nothing.

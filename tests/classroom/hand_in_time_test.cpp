@@ -77,7 +77,10 @@ TEST(HandInTimes, LatenessIsReadAsGradescopeHasIt) {
     EXPECT_EQ(latenessOf("00:01:00"), 1);
     EXPECT_EQ(latenessOf("24:00:00"), 1);
     EXPECT_EQ(latenessOf("27:13:05"), 2);
-    for (const char* each : {"", "1", "1:2", "1:2:3:4", "-1:00:00", "a:b:c", "99999999999:0:0"})
+    EXPECT_EQ(latenessOf("48:00:00"), 2);
+    EXPECT_EQ(latenessOf("48:00:01"), 3) << "a second begins a day";
+    for (const char* each :
+         {"", "1", "1:2", "1:2:3:4", "1-2-3", "1:2:", "-1:00:00", "a:b:c", "99999999999:0:0"})
         EXPECT_FALSE(latenessOf(each)) << each;
 }
 

@@ -52,7 +52,8 @@ TEST(NameRules, SplitTheNamesOfCanvas) {
 }
 
 TEST(NameRules, SplitTheNamesOfGradescope) {
-    EXPECT_EQ(split("gradescope", "submission_77").number, "77");
+    EXPECT_EQ(split("gradescope", "submission_77").name, "submission_77");
+    EXPECT_EQ(split("gradescope", "submission_77").number, "") << "that of the submission is no student's";
     const suite::Folder made;
     suite::writeText(made / "submission_metadata.yml",
                      "---\nsubmission_77:\n  :submitters:\n  - :name: Ana Lee\n    :sid: '0042'\n"
@@ -72,7 +73,7 @@ TEST(NameRules, SplitTheNamesOfGradescope) {
     EXPECT_EQ(group[1].name + " " + group[1].number + group[1].email, "Bob Ray 0043");
     EXPECT_TRUE(rule.split("submission_78")->members.empty()) << "one student is no group";
     EXPECT_EQ(rule.split("submission_78")->name, "Cem \xC3\x96z");
-    EXPECT_EQ(rule.split("submission_78")->number, "78");
+    EXPECT_EQ(rule.split("submission_78")->number, "");
 }
 
 TEST(NameRules, AnExpressionHasGroups) {
@@ -135,6 +136,40 @@ TEST(Rosters, KnowWhenSomethingWasHandedIn) {
     EXPECT_EQ(own.diagnostics[0].place.line, 4);
 }
 
+TEST(Rosters, NameWhatTheyCannotRead) {
+    const suite::Folder made;
+    suite::writeText(made / "a.csv",
+                     "name;submitted;days late;lateness (h:m:s)\nAna;;1,5;\nBob;soon;two;\nCem;later;-;\n"
+                     "Dee;-;-1;\nEve;;;long\nFay;;0;\n");
+    const Result<Roster> roster = readRoster(made / "a.csv");
+    ASSERT_TRUE(roster);
+    EXPECT_EQ(roster->students[0].daysLate, 1.5) << "as a spreadsheet in German writes it";
+    EXPECT_EQ(roster->students[5].daysLate, 0);
+    std::string named;
+    for (const Diagnostic& each : roster.diagnostics) {
+        EXPECT_EQ(each.severity, Severity::warning);
+        named += std::to_string(each.place.line) + each.text.substr(0, each.text.find(" in the")) + "\n";
+    }
+    EXPECT_EQ(named,
+              "3cannot read 'two'\n3cannot read 'soon'\n4cannot read 'later'\n5cannot read '-1'\n"
+              "6cannot read 'long'\n");
+    std::string many = "name,days late\n";
+    for (int i = 0; i < 1'000; ++i) many += std::to_string(i) + ",many\n";
+    suite::writeText(made / "b.csv", many);
+    EXPECT_EQ(readRoster(made / "b.csv").diagnostics.size(), 20U);
+}
+
+TEST(Rosters, AreLatin1IfTheyAreNotUtf8) {
+    const suite::Folder made;
+    suite::writeText(made / "a.csv", "name;days late\nJ\xF6rg M\xFCller;2\n");
+    const Result<Roster> roster = readRoster(made / "a.csv");
+    ASSERT_TRUE(roster);
+    EXPECT_EQ(roster->students[0].name, "J\xC3\xB6rg M\xC3\xBCller");
+    EXPECT_EQ(studentOf(*roster, {"M\xC3\xBCller J\xC3\xB6rg", "", ""}), std::optional<std::size_t>(0));
+    ASSERT_EQ(roster.diagnostics.size(), 1U);
+    EXPECT_EQ(roster.diagnostics[0].severity, Severity::note);
+}
+
 TEST(Rosters, KnowTheirStudents) {
     const Roster roster{{},
                         {{"Ana Lee", "7", "", "", {}, {}, 1},
@@ -166,6 +201,31 @@ TEST(Rosters, GiveNamesAndShowWhoIsAbsent) {
     EXPECT_EQ(all.all[0].email, "a@x");
     EXPECT_EQ(handed[0], std::optional<std::size_t>(0));
     EXPECT_FALSE(handed[1]);
+}
+
+TEST(Rosters, KeepStudentsOfOneNameApart) {
+    const Roster roster{{},
+                        {{"Muster, Max", "1", "", "", {}, {}, 1},
+                         {"Muster, Max", "2", "", "", {}, {}, 2},
+                         {"Ana Lee", "", "", "", {}, {}, 3},
+                         {"b", "4", "", "", {}, {}, 4}}};
+    Submissions all;
+    all.all = {{"Max Muster (1)", {}, {}, {}},
+               {"Max Muster (2)", {}, {}, {}},
+               {"ana lee", {}, {}, {}},
+               {"ana lee.glib", {}, {}, {}},
+               {"4", {}, {}, {}},
+               {"b", {}, {}, {}}};
+    all.all[0].number = "1";
+    all.all[1].number = "2";
+    all.all[3].members = {{"Lee Ana", "", ""}};
+    const auto handed = applyRoster(roster, all);
+    std::vector<std::string> names;
+    for (const Submission& each : all.all) names.push_back(each.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"Ana Lee", "Muster, Max (1)", "Muster, Max (2)",
+                                               "ana lee.glib", "b", "b (2)"}));
+    EXPECT_EQ(handed[0], std::optional<std::size_t>(1));
+    EXPECT_EQ(handed[1], std::optional<std::size_t>(2));
 }
 
 TEST(Rosters, FindTheSubmissionThatATeacherMeans) {
