@@ -485,6 +485,7 @@ std::vector<base::Fields> leftOutRows(const Classroom& room) {
     add("These files are no scenes, zip files or folders.", room.leftOut);
     add("These earlier submissions are not compared, because they have no scene.", earlier);
     add("These students of the roster handed in nothing that was found.", room.absent);
+    add("These students handed something in and are not in the roster.", room.strangers);
     add("These points and comments of marks.json belong to no submission or check.", room.unplaced);
     return rows;
 }
@@ -508,6 +509,7 @@ Classroom anonymous(const Classroom& room, std::vector<std::string>& keys) {
     made.command.clear();
     made.leftOut.clear();
     made.absent.clear();
+    made.strangers.clear();
     made.unplaced.clear();
     keys.clear();
     for (std::size_t i = 0; i < order.size(); ++i) {

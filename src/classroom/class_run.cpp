@@ -17,8 +17,10 @@
 #include "classroom/review.h"
 #include "image/png/png_writer.h"
 #include "image/read.h"
+#include "scene/file_lookup.h"
 #include "suite/run/run.h"
 #include "suite/write_below.h"
+#include "system/folder.h"
 
 namespace glibra::classroom {
 namespace {
@@ -154,14 +156,11 @@ class ClassRun {
         for (const fs::path& each : plan_.given)
             if (std::error_code failure; fs::is_directory(each, failure))
                 options.libraryRoots.push_back(each);
-        const fs::path own = submission.folder.lexically_normal();
-        for (fs::path each = submission.scene.lexically_normal().parent_path();; each = each.parent_path()) {
-            std::error_code failure;
-            // A library of its own comes before the one beside the submissions.
-            if (fs::is_directory(each / "shaders", failure) || fs::is_directory(each / "textures", failure))
-                return;
-            if (each == own || each == each.parent_path()) break;
-        }
+        if (submission.folder == beside) return;  // both are one library, which is found above the scene
+        // A library of its own comes before the one beside the submissions.
+        if (const auto own = scene::libraryAbove(system::wholePath(submission.scene.parent_path()),
+                                                 system::wholePath(submission.folder)))
+            options.libraryRoots.push_back(*own);
         options.libraryRoots.push_back(beside);
     }
 
@@ -325,28 +324,30 @@ class ClassRun {
     }
 
     void drawSubmissions() {
-        // The first pictures show which submissions end their process, so that no other picture of these
-        // waits for its time limit.
-        std::vector<std::size_t> first, others;
-        for (std::size_t i = moments(); i < suite_.shots.size(); ++i)
-            if (!suite_.shots[i].script.empty() && i % moments() == 0) first.push_back(i);
-        draw(first);
-        if (plan_.reference.empty()) reportNamesOfNobody();
-        if (end_.stopped || end_.noDriver || end_.misspelt) return;
-        for (std::size_t i = moments(); i < suite_.shots.size(); ++i) {
-            if (suite_.shots[i].script.empty() || i % moments() == 0) continue;
-            Entry& entry = entryOf(i / moments());
-            const Picture& before = entry.pictures.front();
-            if (before.verdict != Verdict::crashed && before.verdict != Verdict::timedOut) {
-                others.push_back(i);
-                continue;
+        // In rounds of 1, 1, 2, 4, 8, 8, ... pictures of each submission: one that ends its process, or is
+        // late, waits for no more time limits than a round has.
+        constexpr std::size_t kMostOfRound = 8;
+        for (std::size_t begin = 0, end = 1; begin < moments();
+             begin = std::exchange(end, std::min(moments(), end + std::min(end, kMostOfRound)))) {
+            std::vector<std::size_t> shots;
+            for (std::size_t i = begin + moments(); i < suite_.shots.size(); ++i) {
+                if (i % moments() < begin || i % moments() >= end || suite_.shots[i].script.empty()) continue;
+                std::vector<Picture>& pictures = entryOf(i / moments()).pictures;
+                const auto before = std::ranges::find_if(pictures, [](const Picture& each) {
+                    return each.verdict == Verdict::crashed || each.verdict == Verdict::timedOut;
+                });
+                if (before == pictures.end()) {
+                    shots.push_back(i);
+                    continue;
+                }
+                pictures[i % moments()].reason =
+                    "not drawn, because an earlier picture of this submission was not: " + before->reason;
+                if (events_.done) events_.done(true);
             }
-            Picture& picture = entry.pictures[i % moments()];
-            picture.reason =
-                "not drawn, because the first picture of this submission was not: " + before.reason;
-            if (events_.done) events_.done(true);
+            if (!shots.empty()) draw(shots);
+            if (begin == 0 && plan_.reference.empty()) reportNamesOfNobody();
+            if (end_.stopped || end_.noDriver || end_.misspelt) return;
         }
-        if (!others.empty()) draw(others);
     }
 
     /// The reference is number 0, the entries follow, then the given code, then the earlier submissions.

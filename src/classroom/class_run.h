@@ -54,10 +54,11 @@ std::size_t pictureCount(const ClassPlan& plan);
 
 /// Draws the reference, or takes its pictures, then every submission at the same moments and in the same
 /// size, then reviews all. Submissions with errors are drawn as far as that is possible
-/// (RenderOptions::incomplete). If a picture of a submission crashes or is late, its other pictures are not
-/// drawn. Pictures, page and table of an earlier run are removed once the reference is drawn. A name that is
-/// set and that the reference does not have (or, without a reference, none of the submissions) ends the run
-/// before that. Call it before any thread or GL context exists.
+/// (RenderOptions::incomplete). If a picture of a submission crashes or is late, its pictures of later
+/// rounds are not drawn; the rounds have 1, 1, 2, 4 and then 8 pictures of each. Pictures, page and table of
+/// an earlier run are removed once the reference is drawn. A name that is set and that the reference does not
+/// have (or, without a reference, none of the submissions) ends the run before that. Call it before any
+/// thread or GL context exists.
 ClassEnd runClass(const ClassPlan& plan, const suite::SiteWorkers& workers, const ClassEvents& events);
 
 }  // namespace glibra::classroom

@@ -118,11 +118,12 @@ struct Classroom {
     Entry reference;     ///< without a scene if the class has none
     std::vector<Entry> entries;
     std::vector<Moment> moments;
-    std::vector<Slider> sliders{};        ///< that the moments vary
-    std::vector<std::string> leftOut;     ///< files that are no submissions
-    std::vector<Entry> earlier{};         ///< of earlier folders: their code alone
-    std::vector<std::string> absent;      ///< students of the roster who handed nothing in
-    std::vector<std::string> unplaced{};  ///< typed points that belong to nobody here
+    std::vector<Slider> sliders{};         ///< that the moments vary
+    std::vector<std::string> leftOut;      ///< files that are no submissions
+    std::vector<Entry> earlier{};          ///< of earlier folders: their code alone
+    std::vector<std::string> absent;       ///< students of the roster who handed nothing in
+    std::vector<std::string> strangers{};  ///< who handed something in and is not in the roster
+    std::vector<std::string> unplaced{};   ///< typed points that belong to nobody here
     /// Of each entry, and of each earlier one after them, without given code.
     std::vector<std::vector<Fingerprint>> fingerprints;
     std::size_t common = 0;              ///< what more submissions than this have does not count as similar

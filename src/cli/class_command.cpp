@@ -41,14 +41,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What confines the workers. Every submission's folder can be read by all workers, but a scene reads only
-/// its own, because the file look-up refuses the others.
-system::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
+/// What is read of the reference and of the submissions.
+std::vector<std::string> scenesOf(const classroom::ClassPlan& plan) {
     std::vector<std::string> scenes;
     if (!plan.reference.empty() && plan.pictures.empty()) scenes.push_back(plan.reference.generic_string());
     for (const classroom::Submission& each : plan.submissions.all)
         if (!each.scene.empty()) scenes.push_back(each.scene.generic_string());
-    system::Sandbox sandbox = sandboxOf(scenes, plan.moments.front().shot.options, driver);
+    return scenes;
+}
+
+/// What confines the workers. Every submission's folder can be read by all workers, but a scene reads only
+/// its own, because the file look-up refuses the others.
+system::Sandbox drawingSandbox(const classroom::ClassPlan& plan, Driver driver) {
+    system::Sandbox sandbox = sandboxOf(scenesOf(plan), plan.moments.front().shot.options, driver);
     sandbox.readable.push_back(plan.folder);
     sandbox.readable.emplace_back(plan.site, fs::path(classroom::kUnpacked));
     sandbox.readable.insert(sandbox.readable.end(), plan.given.begin(), plan.given.end());
@@ -97,11 +102,16 @@ void keepDigests(ClassInput& input, const classroom::Classroom& room) {
     classroom::writeDigests(room, input.plan.site);
 }
 
-void nameAbsent(const ClassInput& input, classroom::Classroom& room) {
+/// Names the students of the roster who handed nothing in, and those that it does not have.
+void nameOthers(const ClassInput& input, classroom::Classroom& room) {
+    if (!input.roster) return;
     for (std::size_t i = 0; i < input.handed.size(); ++i) {
         const classroom::Student& student = input.roster->students[i];
         if (!input.handed[i]) room.absent.push_back(student.name.empty() ? student.number : student.name);
     }
+    for (const classroom::Submission& each : input.plan.submissions.all)
+        for (const classroom::Member& member : classroom::membersOf(each))
+            if (!classroom::studentOf(*input.roster, member)) room.strangers.push_back(member.name);
 }
 
 classroom::ImportOptions importOptions(const ClassArguments& arguments, const ClassInput& input) {
@@ -154,18 +164,22 @@ void reportMissing(const classroom::Classroom& room) {
     }
 }
 
+/// "3 students are late: ana, bob, cem", with the first names; nothing if there is none.
+void reportNames(const char* one, const char* words, std::vector<std::string> names) {
+    if (names.empty()) return;
+    constexpr std::size_t kMostNames = 6;
+    const bool isMore = names.size() > kMostNames;
+    const std::string count = base::counted(names.size(), one);
+    if (isMore) names.resize(kMostNames);
+    printNote(fmt::format("{} {}: {}{}", count, words, fmt::join(names, ", "), isMore ? ", ..." : ""));
+}
+
 /// Names what of the earlier submissions cannot be compared.
 void reportEarlier(const classroom::Classroom& room) {
     std::vector<std::string> names;
     for (const classroom::Entry& each : room.earlier)
         if (each.submission.scene.empty()) names.push_back(each.submission.name);
-    if (names.empty()) return;
-    constexpr std::size_t kMostNames = 6;
-    const bool isMore = names.size() > kMostNames;
-    const std::string count = base::counted(names.size(), "earlier submission");
-    if (isMore) names.resize(kMostNames);
-    printNote(fmt::format("{} without a scene cannot be compared: {}{}", count, fmt::join(names, ", "),
-                          isMore ? ", ..." : ""));
+    reportNames("earlier submission", "without a scene cannot be compared", std::move(names));
 }
 
 /// Says which fields nobody has typed points into yet.
@@ -205,6 +219,7 @@ void report(const classroom::Classroom& room, const fs::path& site) {
                                   classroom::reasonOf(each)));
     reportMissing(room);
     reportEarlier(room);
+    reportNames("student", "not in the roster", room.strangers);
     reportOpen(room);
     for (const classroom::Entry& each : room.entries)
         if (const Diagnostics hint = libraryHint(each.submission.scene, each.diagnostics); !hint.empty()) {
@@ -213,6 +228,29 @@ void report(const classroom::Classroom& room, const fs::path& site) {
         }
     printLine(classroom::summary(room));
     printLine("page: " + (site / "index.html").generic_string());
+}
+
+/// file-E13 for each file of the page and of --results that is read.
+Diagnostics overwritten(const ClassArguments& arguments, const ClassInput& input,
+                        const base::WorkerOptions& workers) {
+    const classroom::ClassPlan& plan = input.plan;
+    RenderOptions options = plan.moments.front().shot.options;
+    options.libraryRoots.insert(options.libraryRoots.end(), plan.given.begin(), plan.given.end());
+    ReadFiles read;
+    if (!arguments.results.empty()) read = filesReadBy(scenesOf(plan), std::nullopt, options, workers);
+    read.add(plan.folder, "it is handed in");
+    read.add(rubricFile(arguments), "it is the rubric");
+    read.add(arguments.roster, "it is the roster");
+    read.add(arguments.reference, "it is the reference");
+    read.add(fs::path(arguments.reference) / classroom::kReferenceFile, "it is of the reference");
+    for (const fs::path& each : plan.pictures) read.add(each, "it is of the reference");
+    Diagnostics problems;
+    for (const auto& [format, file] : arguments.results)
+        append(problems, read.overwrittenBy(file, "--results"));
+    const std::string table = classroom::importFile(importOptions(arguments, input).book);
+    for (const char* each : {"index.html", "grades.csv", "names.csv", table.c_str()})
+        append(problems, read.overwrittenBy(plan.site / each, "-o"));
+    return problems;
 }
 
 /// Prints what the checks say about the one submission, and writes it for platforms. The exit status.
@@ -303,14 +341,18 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     Confinement confined;
     if (arguments.made.untrusted)
         confined = confinement(drawingSandbox(plan, arguments.made.driver), plan.site);
+    const suite::SiteWorkers workers = siteWorkers(arguments.made, confined);
+    const auto stop = [&] { return interruption.signal() != 0; };
+    if (printErrors(overwritten(arguments, input, suite::readingOptions(workers, 1, stop))))
+        return kSceneIsWrong;
 
     const auto start = std::chrono::steady_clock::now();
     SuiteProgress progress(classroom::pictureCount(plan), system::isTerminal(system::Standard::error));
     classroom::ClassEvents events;
     events.begins = [&](const std::string& submission) { progress.begins(submission); };
     events.done = [&](bool failed) { progress.add(failed); };
-    events.stop = [&] { return interruption.signal() != 0; };
-    classroom::ClassEnd end = classroom::runClass(plan, siteWorkers(arguments.made, confined), events);
+    events.stop = stop;
+    classroom::ClassEnd end = classroom::runClass(plan, workers, events);
     progress.clear();
     print(end.diagnostics);
     if (end.noDriver) return kNoDriver;
@@ -326,7 +368,7 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
     room.command = command;
     room.began = utcNow();
     room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    nameAbsent(input, room);
+    nameOthers(input, room);
     if (!arguments.isOwn) keepDigests(input, room);
     const Marked marked = mark(input, room);
     print(marked.remarks);
@@ -347,7 +389,7 @@ int runClassCommand(const ClassArguments& arguments, const std::string& command)
                                        .isAnonymous = arguments.isAnonymous,
                                        .mark = [&] { mark(input, room); },
                                        .write = [&] { return writeFiles(arguments, input, room) == kDone; },
-                                       .stop = [&] { return interruption.signal() != 0; }});
+                                       .stop = stop});
         if (status != kDone) return status;
     }
     const std::vector<classroom::Submission>& all = plan.submissions.all;
@@ -399,8 +441,12 @@ void addOwnOptions(CommandLine& command, ClassArguments& to) {
                 const std::size_t equals = std::min(text.find('='), text.size());
                 for (const auto& [word, format] : kFormats) {
                     if (text.substr(0, equals) != word || equals + 1 >= text.size()) continue;
-                    to.results.emplace_back(format, text.substr(equals + 1));
-                    return {};
+                    const std::string file = text.substr(equals + 1);
+                    for (const auto& [other, known] : to.results)
+                        if (fs::path(known).lexically_normal() == fs::path(file).lexically_normal())
+                            return fmt::format("'{}' is named twice", file);
+                    to.results.emplace_back(format, file);
+                    return whyNotWritten(file);
                 }
                 return fmt::format("expected gradescope=FILE, submitty=FILE or github=FILE, found '{}'",
                                    text);

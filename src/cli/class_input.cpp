@@ -95,9 +95,6 @@ int readNames(const ClassArguments& arguments, ClassInput& input) {
         Result<classroom::Roster> roster = classroom::readRoster(arguments.roster);
         print(roster.diagnostics);
         if (!roster) return kWrongUsage;
-        for (const classroom::Student& each : roster->students)
-            if (!each.scene.empty())
-                input.find.sceneOf.try_emplace(each.number.empty() ? each.name : each.number, each.scene);
         input.roster = std::move(*roster);
     }
     return kDone;
@@ -112,15 +109,6 @@ int readOwnMarks(const ClassArguments& arguments, ClassInput& input) {
     if (!own) return kSceneIsWrong;
     input.own = std::move(*own);
     return kDone;
-}
-
-/// The file of --rubric, or the one that was handed out with the pictures of the reference; empty if there is
-/// none.
-fs::path rubricFile(const ClassArguments& arguments) {
-    if (!arguments.rubric.empty() || !isOfPictures(arguments)) return arguments.rubric;
-    const fs::path beside = fs::path(arguments.reference) / classroom::kReferenceRubric;
-    std::error_code failure;
-    return fs::exists(beside, failure) ? beside : fs::path();
 }
 
 /// Reads the rubric. The exit status; kDone if all is well.
@@ -227,8 +215,8 @@ std::string nearestStudent(const std::string& student, const classroom::Submissi
     return base::suggestion(student, candidates);
 }
 
-/// Gives patterns whose student only the roster calls so to the submission itself, in input.find.sceneOf. The
-/// exit status; kWrongUsage if nobody is called so.
+/// Gives the roster's patterns, and those whose student only the roster calls so, to the submissions
+/// themselves, in input.find.sceneOf. The exit status; kWrongUsage if nobody is called so.
 int useNamesOfRoster(const std::vector<std::string>& scenesOf, const classroom::Submissions& found,
                      ClassInput& input) {
     const classroom::Roster* roster = input.roster ? &*input.roster : nullptr;
@@ -239,38 +227,49 @@ int useNamesOfRoster(const std::vector<std::string>& scenesOf, const classroom::
         if (index) {
             const std::vector<std::string> names = classroom::identitiesOf(found.all[*index]);
             if (std::find(names.begin(), names.end(), student) == names.end())
-                input.find.sceneOf.try_emplace(found.all[*index].key, each.substr(equals + 1));
+                input.find.sceneOf.try_emplace(found.all[*index].name, each.substr(equals + 1));
         } else if (!roster || !classroom::studentOf(*roster, {student, student, student})) {
             // Of a student of the roster, the page says that nothing was handed in.
             return refuse(fmt::format("--scene-of '{}': nobody is called '{}'{}", each, student,
                                       nearestStudent(student, found)));
         }
     }
+    if (!roster) return kDone;
+    for (const classroom::Submission& each : found.all) {
+        const std::vector<std::string> names = classroom::identitiesOf(each);
+        const auto hasPattern = [&](const std::string& name) { return input.find.sceneOf.contains(name); };
+        if (std::any_of(names.begin(), names.end(), hasPattern)) continue;
+        for (const classroom::Member& member : classroom::membersOf(each))
+            if (const auto student = classroom::studentOf(*roster, member);
+                student && !roster->students[*student].scene.empty())
+                input.find.sceneOf.try_emplace(each.name, roster->students[*student].scene);
+    }
     return kDone;
 }
 
 /// Finds the submissions. The exit status; kDone if all is well.
 int findAll(const ClassArguments& arguments, ClassInput& input) {
-    Result<classroom::Submissions> found = arguments.isOwn
-                                               ? classroom::ownSubmission(input.plan.folder, input.find)
-                                               : classroom::findSubmissions(input.plan.folder, input.find);
+    const auto find = arguments.isOwn ? classroom::ownSubmission : classroom::findSubmissions;
+    Result<classroom::Submissions> found = find(input.plan.folder, input.find);
     print(found.diagnostics);
     if (!found) return kWrongUsage;
-    if (arguments.isOwn) {
-        input.plan.submissions = std::move(*found);
-        return kDone;
-    }
     const std::size_t patterns = input.find.sceneOf.size();
     if (const int status = useNamesOfRoster(arguments.scenesOf, *found, input); status != kDone)
         return status;
-    if (input.find.sceneOf.size() > patterns)
-        found = classroom::findSubmissions(input.plan.folder, input.find);
+    if (input.find.sceneOf.size() > patterns) found = find(input.plan.folder, input.find);
     if (!found) return kWrongUsage;
     input.plan.submissions = std::move(*found);
     return kDone;
 }
 
 }  // namespace
+
+fs::path rubricFile(const ClassArguments& arguments) {
+    if (!arguments.rubric.empty() || !isOfPictures(arguments)) return arguments.rubric;
+    const fs::path beside = fs::path(arguments.reference) / classroom::kReferenceRubric;
+    std::error_code failure;
+    return fs::exists(beside, failure) ? beside : fs::path();
+}
 
 int readInput(const ClassArguments& arguments, ClassInput& input) {
     classroom::ClassPlan& plan = input.plan;

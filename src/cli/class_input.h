@@ -49,6 +49,9 @@ struct ClassInput {
     classroom::TeacherMarks own;
 };
 
+/// The file of --rubric, or the one that was handed out with the pictures of the reference; empty if there is
+/// none.
+std::filesystem::path rubricFile(const ClassArguments& arguments);
 /// Finds out what is to be drawn. The exit status; kDone if all is well.
 int readInput(const ClassArguments& arguments, ClassInput& input);
 /// Unpacks zip files and gives the students the names of the roster. The exit status; kDone if all is well.

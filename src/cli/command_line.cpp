@@ -273,12 +273,13 @@ Option& Option::existingFile() {
     return *this;
 }
 
+std::string whyNotWritten(const std::string& text) {
+    if (text != "-") return {};
+    return "'-' does not mean standard output here; name a file or folder (./- for one with the name '-')";
+}
+
 Option& Option::written() {
-    option_->check([](const std::string& text) -> std::string {
-        if (text != "-") return {};
-        return "'-' does not mean standard output here; name a file or folder (./- for one with the name "
-               "'-')";
-    });
+    option_->check(whyNotWritten);
     return *this;
 }
 

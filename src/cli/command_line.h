@@ -25,6 +25,10 @@ namespace glibra::cli {
 /// Reads a value as the user typed it. Returns what is wrong with it, or an empty text.
 using ReadValue = std::function<std::string(const std::string& text)>;
 
+/// Why the text does not name a file or folder to write: "-" does not mean standard output there. Empty if it
+/// does.
+std::string whyNotWritten(const std::string& text);
+
 /// An option, a flag or a positional argument of a command. Copies are the same option.
 class Option {
   public:
@@ -40,8 +44,7 @@ class Option {
     Option& withDefault();
     /// The value is the name of a file that exists.
     Option& existingFile();
-    /// The value is the name of a file or folder to write. "-" is refused: it does not mean standard output
-    /// here.
+    /// The value is the name of a file or folder to write (whyNotWritten).
     Option& written();
     /// --help does not list it, --help-all does: for what few users need.
     Option& rare();

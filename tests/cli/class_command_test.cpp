@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -289,6 +290,40 @@ TEST_F(ClassCommand, WhatLiesAboveTheSubmissionsIsNoLibraryOfTheirs) {
     EXPECT_TRUE(contains(page(), "Not compared with other submissions: ")) << page();
     EXPECT_EQ(run("--library .").status, 0);
     EXPECT_EQ(grade("eva", "flip"), "0.00000");
+}
+
+TEST_F(ClassCommand, ALibraryOfTheirOwnHidesNotWhatWasGivenToAll) {
+    folder.write("all/shaders/given.vert", kVertex);
+    folder.write("all/shaders/a.frag", fragment("0."));
+    for (const char* own : {"shaders", "textures"}) {
+        const std::string student = "all/" + std::string(own) + "Of/";
+        folder.write(student + "a.glib", replaced(scene("a"), "a.vert", "given.vert"));
+        folder.write(student + own + "/none.txt", "");
+    }
+    folder.write("all/texturesOf/a.frag", fragment("uTone"));
+    folder.write("all/shadersOf/shaders/a.frag", fragment("uTone"));
+    const Finished done = run("");
+    ASSERT_EQ(done.status, 0) << done.err;
+    for (const char* each : {"shadersOf", "texturesOf"})
+        EXPECT_EQ(grade(each, "flip"), "0.00000") << each << ": " << grade(each, "reason");
+}
+
+TEST_F(ClassCommand, AfterALatePictureOthersAreNotTried) {
+    hand("ana", fragment("uTone"));
+    hand("eve",
+         "#version 330 core\nuniform float uTone;\nout vec4 f;\n"
+         "float more(float x) { return sin(sin(sin(sin(sin(sin(sin(sin(x)))))))); }\n"
+         "void main() {\n    float s = uTone < .15 ? 2e30 : 0.;\n"
+         "    while (s < 1e30) s += 1e-20 * uTone * more(more(more(more(s))));\n    f = vec4(s);\n}\n");
+    std::string values = "0";
+    for (int i = 1; i < 20; ++i) values += fmt::format(", {}", .05 * i);
+    const auto start = std::chrono::steady_clock::now();
+    const Finished done = run("--jobs 1 --timeout 3 --sweep 'uTone = [" + values + "]'");
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(grade("ana", "drawn"), grade("ana", "pictures"));
+    EXPECT_EQ(grade("eve", "state"), "timed-out");
+    EXPECT_LT(seconds, 30) << "more than ten of its pictures had their time";
 }
 
 TEST_F(ClassCommand, NobodyTakesTheCodeOfOthersOutOfTheComparison) {

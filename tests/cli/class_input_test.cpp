@@ -492,6 +492,41 @@ TEST_F(ClassInput, ProgramsThatDrawNothingCountForNoCheck) {
     EXPECT_TRUE(contains(page(), "nothing is drawn with the geometry shader of program"));
 }
 
+TEST_F(ClassInput, WithoutAPictureThereIsNoPointForAStage) {
+    writeScene("all/missing/", kReference, sceneWith() + "Geometry missing.geom\nProgram Q\nSphere .1\n");
+    writeScene("all/huge/", kReference, "WindowSize 60000 60000\n" + sceneWith());
+    writeScene("all/broken/", dots("1.,.5,0.", "nothing"));
+    folder.write("class.toml",
+                 "[[check]]\nstage = \"geometry\"\n[[check]]\nstage = \"fragment\"\n[[check]]\nuses = "
+                 "\"smoothstep\"\n[[check]]\navoids = \"cos\"\n[[check]]\nwithout = \"glsl-*\"\n");
+    ASSERT_EQ(glibra(folder.path(), "class all -o site --rubric class.toml").status, 0);
+    for (const char* student : {"missing", "huge", "broken"})
+        for (const char* check :
+             {"has a geometry shader", "has a fragment shader", "uses smoothstep", "does not use cos"})
+            EXPECT_EQ(grades()[student]["points " + std::string(check)], "0.00000") << student << check;
+    EXPECT_EQ(grades()["broken"]["points has no glsl-*"], "0.50000") << "one error";
+}
+
+TEST_F(ClassInput, WhoIsNotInTheRosterIsNamed) {
+    writeScene("all/ana/", kReference);
+    writeScene("all/zed/", kReference);
+    folder.write("class.csv", "name,number\nAna,7\nBob,8\n");
+    const Finished done = run("--roster class.csv");
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_TRUE(contains(done.err, "1 student not in the roster: zed\n")) << done.err;
+    const std::size_t at = page().find("These students handed something in and are not in the roster.");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_TRUE(contains(page().substr(at, 200), "zed"));
+    ASSERT_EQ(run("--roster class.csv --anonymous").status, 0);
+    EXPECT_FALSE(contains(page(), "not in the roster"));
+    // A roster that lies where the page would replace it.
+    fs::rename(folder / "class.csv", folder / "site/grades.csv");
+    const Finished refused = run("--roster site/grades.csv");
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_TRUE(contains(refused.err, "[file-E13]")) << refused.err;
+    EXPECT_TRUE(contains(readFile(folder / "site/grades.csv"), "Bob,8"));
+}
+
 TEST_F(ClassInput, PointsTypedOnTheServedPageAreKept) {
     writeScene("all/ana/", kReference);
     writeScene("all/bob/", kReference);
@@ -575,6 +610,19 @@ TEST_F(ClassInput, TheSceneOfAStudentIsOfSomebodyWhoHandedSomethingIn) {
     EXPECT_FALSE(fs::exists(folder / "site/index.html"));
     EXPECT_EQ(run("--scene-of 'Zoe=x.glib' --scene-of 'Ana Lee=two.glib' --roster class.csv").status, 0);
     EXPECT_EQ(grades()["Ana Lee"]["scene"], "two.glib") << "as the roster calls leeana";
+    // The column of the roster does the same, by whatever it knows the student, and the command line comes
+    // first.
+    for (const char* roster :
+         {"name,scene\nleeana,one.glib\n", "name,number,scene\n\"Lee, Ana\",7,one.glib\n",
+          "name,number,scene\nLee Ana,,one.*\n", "number,scene\nleeana,one.glib\n"}) {
+        folder.write("class.csv", roster);
+        ASSERT_EQ(run("--roster class.csv").status, 0) << roster;
+        const std::string table = readFile(folder / "site/grades.csv");
+        EXPECT_TRUE(contains(table, ",one.glib,")) << roster;
+        EXPECT_FALSE(contains(table, ",two.glib,")) << roster;
+        ASSERT_EQ(run("--roster class.csv --scene-of 'leeana=two.glib'").status, 0) << roster;
+        EXPECT_TRUE(contains(readFile(folder / "site/grades.csv"), ",two.glib,")) << roster;
+    }
 }
 
 TEST_F(ClassInput, WrongNamesAndRubricsAreMistakesOfTheCommandLine) {

@@ -199,6 +199,38 @@ TEST_F(OwnSubmission, MayBeAFileOrAZipFileAndTheReferenceASuiteOrAnExercise) {
     EXPECT_EQ(glibra(folder.path(), "class all/ana.zip --mine --reference reference -o mine").status, 0);
 }
 
+TEST_F(OwnSubmission, AZipFileAloneIsReadAnewInEachRun) {
+    ASSERT_EQ(handOut().status, 0);
+    takeCourseAway();
+    fs::create_directory(folder / "me");
+    for (const auto& [student, status] : {std::pair("bob", 1), {"bob", 1}, {"ana", 0}, {"ana", 0}}) {
+        fs::remove(folder / "me/hand.zip");
+        ASSERT_EQ(shell(folder / ("all/" + std::string(student)),
+                        "python3 -m zipfile -c ../../me/hand.zip a.vert a.frag a.glib")
+                      .status,
+                  0);
+        const Finished done = glibra(folder / "me", "class . --mine --reference ../reference");
+        EXPECT_EQ(done.status, status) << done.err;
+        EXPECT_FALSE(contains(done.err, "cannot find")) << done.err;
+    }
+}
+
+TEST_F(OwnSubmission, ResultsAreNotWrittenOverWhatIsRead) {
+    ASSERT_EQ(handOut().status, 0);
+    const std::string own = "class all/ana --mine -o mine --reference reference --results github=";
+    for (const char* each : {"all/ana/a.frag", "all/ana/./a.glib", "reference/rubric.toml",
+                             "reference/reference.json", "reference/uTone=0.png"}) {
+        const std::string before = readFile(folder / each);
+        ASSERT_FALSE(before.empty()) << each;
+        const Finished done = glibra(folder.path(), own + each);
+        EXPECT_EQ(done.status, 3) << each << done.err;
+        EXPECT_TRUE(contains(done.err, "--results: '" + std::string(each) + "' is not written over"))
+            << done.err;
+        EXPECT_EQ(readFile(folder / each), before);
+    }
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(glibra(folder.path(), own + "all/ana/results.json").status, 0) << i;
+}
+
 TEST_F(OwnSubmission, WrongInputIsOneMessage) {
     ASSERT_EQ(handOut().status, 0);
     const auto says = [&](const std::string& arguments, int status, const std::string& words) {
@@ -218,6 +250,9 @@ TEST_F(OwnSubmission, WrongInputIsOneMessage) {
     says(own + "reference --serve", 2, "--mine cannot be given together with --serve");
     says("all --reference reference --results gradescope=x.json", 2, "--results needs --mine");
     says(own + "reference --results moodle=x.json", 2, "found 'moodle=x.json'");
+    says(own + "reference --results github=-", 2, "'-' does not mean standard output here");
+    says(own + "reference --results github=x.json --results gradescope=./x.json", 2,
+         "'./x.json' is named twice");
     says("--hand-out all --reference course/solution.glib", 2, "it has other files");
     says("all --hand-out new --reference course/solution.glib", 2, "leave out the folder");
     says("--hand-out new --reference reference", 2, "--hand-out draws the scene");
