@@ -48,7 +48,7 @@ File readWhole(const std::string& path) {
 
 Result<image::Image> decode(const std::vector<std::byte>& file, const std::string& path,
                             const suite::Shot& limits) {
-    image::ReadOptions options;
+    image::ReadOptions options{.limits = image::kDrawnLimits};
     options.decoder.seconds = limits.timeout;
     options.decoder.memory = limits.memory.value_or(options.decoder.memory);
     return image::decodeImage(file, path, {path, 1, 1}, options);

@@ -50,7 +50,7 @@ Result<std::vector<suite::Suite>> suitesOf(const suite::RunResult& run, const Re
     return {std::move(suites), std::move(problems)};
 }
 
-void list(const suite::Review& review) {
+void list(const suite::Review& review, bool isWhole) {
     std::string text;
     for (const suite::ReviewGroup& group : review.groups()) {
         text += fmt::format("{} ({})\n", base::printableText(group.cause), group.shots.size());
@@ -62,7 +62,7 @@ void list(const suite::Review& review) {
                     "\n";
         }
     }
-    if (review.shots().empty()) text = "nothing has failed\n";
+    if (text.empty() && isWhole) text = "nothing has failed\n";
     std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
@@ -97,8 +97,11 @@ int review(const ReviewArguments& arguments) {
     suite::Review shown(*run, *suites, {arguments.results, arguments.goldens, arguments.allowOutside});
     print(shown.problems());
     if (!arguments.accept.empty()) return accept(shown, arguments.accept);
+    const std::string missing = suite::shortfall(*run);
+    if (!missing.empty()) print({diagnose("result-E03", missing + "; continue the run with --resume")});
     if (!arguments.serve) {
-        list(shown);
+        list(shown, missing.empty());
+        if (!missing.empty()) return kSceneIsWrong;
         for (std::size_t i = 0; i < shown.shots().size(); ++i)
             if (!suite::isChangedPass(shown.shots()[i]) && shown.decisionOf(i) != "accepted") return kDiffers;
         return kDone;

@@ -35,6 +35,9 @@ struct Limits {
     std::uint64_t sceneBytesLeft = kSceneTexelBytes;
 };
 
+/// For pictures that may be drawn by glibra: the sides that --size takes.
+inline constexpr Limits kDrawnLimits{.texelBytes = 4 * kGiB, .side = 65'536, .sceneBytesLeft = 4 * kGiB};
+
 /// The name of a file in messages, and the place in the scene that refers to it.
 struct FileLabel {
     std::string name;

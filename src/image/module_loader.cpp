@@ -27,6 +27,7 @@ struct Module {
 
 /// A text says why there is no module. OpenImageIO does not survive being unloaded, and is not.
 std::variant<Module, std::string> loadModule(std::span<const fs::path> folders) {
+    const system::LiftedMemoryLimit lifted;
     std::string why;
     const system::Library library =
         openModule(folders, "glibra_openimageio", "glibraModuleVersion", kGlibraModuleVersion,

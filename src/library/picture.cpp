@@ -192,7 +192,8 @@ Result<Picture> pictureIn(const Picture& picture) {
     return picture;
 }
 Result<Picture> pictureIn(const std::filesystem::path& file) {
-    Result<image::Image> read = image::readImage(file, {file.generic_string(), 1, 1});
+    Result<image::Image> read =
+        image::readImage(file, {file.generic_string(), 1, 1}, {.limits = image::kDrawnLimits});
     if (!read) return std::move(read.diagnostics);
     return pictureOf(std::move(*read));
 }

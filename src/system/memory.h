@@ -70,6 +70,20 @@ class MemoryLimit {
     std::uint64_t base_;
 };
 
+/// While it lives, the process has no limit that it may raise again; what it takes meanwhile is not counted:
+/// for code whose beginning must not fail, as that of libraries.
+class LiftedMemoryLimit {
+  public:
+    LiftedMemoryLimit();
+    LiftedMemoryLimit(const LiftedMemoryLimit&) = delete;
+    LiftedMemoryLimit& operator=(const LiftedMemoryLimit&) = delete;
+    ~LiftedMemoryLimit();
+
+  private:
+    std::uint64_t before_ = 0;  ///< the limit; 0: none
+    std::uint64_t taken_ = 0;   ///< memory of the process
+};
+
 /// Ends this process when it has used that much processor time from its start on, in whole seconds, for good.
 void limitProcessorTime(double seconds);
 /// No file of its memory is left when this process crashes.

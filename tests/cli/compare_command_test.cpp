@@ -7,6 +7,7 @@
 
 #include "image/png/png_writer.h"
 #include "image/read.h"
+#include "image/write.h"
 #include "program.h"
 
 namespace glibra::test {
@@ -152,6 +153,29 @@ TEST_F(CompareCommand, FoldersAreComparedPictureByPicture) {
     EXPECT_EQ(compare("one one").status, 0);
     std::filesystem::create_directory(folder / "empty");
     EXPECT_EQ(compare("empty empty").status, 3);
+}
+
+/// The libraries of the image module take more than that before they read anything.
+TEST_F(CompareCommand, LibrariesAreNotPartOfTheLimitOfMemory) {
+    const std::vector<std::byte> pixels(40 * 30 * 3, std::byte{9});
+    const image::Image small{40, 30, 3, image::Component::u8, pixels};
+    ASSERT_TRUE(image::writeImage(small, folder / "a.tif").empty());
+    ASSERT_TRUE(image::writeImage(small, folder / "b.png").empty());
+    for (const char* limit : {"64M", "80M", "100M"}) {
+        const Finished run = compare(std::string("a.tif b.png --memory ") + limit);
+        EXPECT_TRUE(run.status == 0 || run.status == 3) << limit << ": " << run.status << run.err;
+    }
+}
+
+TEST_F(CompareCommand, PicturesAreAsLargeAsThoseThatAreDrawn) {
+    const auto strip = [](int side) {
+        return image::Image{side, 1, 3, image::Component::u8,
+                            std::vector<std::byte>(static_cast<std::size_t>(side) * 3)};
+    };
+    ASSERT_TRUE(image::writeImage(strip(20'000), folder / "a.png").empty());
+    ASSERT_TRUE(image::writeImage(strip(65'537), folder / "b.png").empty());
+    EXPECT_EQ(compare("a.png a.png --all").status, 0);
+    expectContains(compare("b.png b.png --all").err, "the limit is 65536 per side");
 }
 
 TEST_F(CompareCommand, AFigureThatIsAtItsLimitSaysSo) {

@@ -44,6 +44,16 @@ TEST_F(FailedRun, IsAcceptedByNames) {
     EXPECT_EQ(run("test s.toml").status, 0);
 }
 
+/// As a run that was killed leaves it: nobody may take it for one in which all is well.
+TEST_F(FailedRun, IsNotWellIfItHasNotEnded) {
+    const std::string whole = readFile(folder / "glibra-results/results.jsonl");
+    folder.write("glibra-results/results.jsonl", whole.substr(0, whole.find('\n') + 1));
+    const Finished cut = run("review");
+    EXPECT_EQ(cut.status, 3);
+    EXPECT_FALSE(contains(cut.out, "nothing has failed")) << cut.out;
+    EXPECT_TRUE(contains(cut.err, "[result-E03]")) << cut.err;
+}
+
 TEST_F(FailedRun, SaysWhatIsNotAccepted) {
     const Finished none = run("review --accept c");
     EXPECT_EQ(none.status, 1);

@@ -154,6 +154,23 @@ TEST(InspectImage, NumbersThatAreNotFiniteAreCounted) {
     EXPECT_EQ(countNonFinite(testing::noisyImage(4, 4, 4, Component::u16)).nan, 0U);
 }
 
+/// As NumPy and ImageMagick have it: an alpha of 1 is no part of a colour picture.
+TEST(CompareImages, AnOpaqueAlphaIsNotInTheMean) {
+    for (const Component type : {Component::u8, Component::u16, Component::f32}) {
+        const Image colors =
+            withType(Image{1, 2, 3, Component::u8, testing::bytesOf({9, 9, 9, 9, 9, 9})}, type);
+        const Image others =
+            withType(Image{1, 2, 3, Component::u8, testing::bytesOf({9, 9, 9, 9, 60, 9})}, type);
+        const double mean = compare(colors, others).rootMeanSquare;
+        EXPECT_NEAR(mean, std::sqrt(51. * 51 / 6) / 255, 1e-7);
+        EXPECT_DOUBLE_EQ(compare(withComponents(colors, 4), withComponents(others, 4)).rootMeanSquare, mean);
+        EXPECT_DOUBLE_EQ(compare(withComponents(colors, 4), others).rootMeanSquare, mean);
+    }
+    const Image a{1, 1, 4, Component::u8, testing::bytesOf({0, 0, 0, 254})};
+    const Image b{1, 1, 4, Component::u8, testing::bytesOf({6, 0, 0, 254})};
+    EXPECT_DOUBLE_EQ(compare(a, b).rootMeanSquare, 3. / 255);
+}
+
 TEST(ConvertImage, ComponentsAreCopiedAndCompleted) {
     const Image grey{1, 1, 1, Component::u8, testing::bytesOf({9})};
     const Image greyAlpha{1, 1, 2, Component::u8, testing::bytesOf({9, 4})};

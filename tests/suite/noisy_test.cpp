@@ -223,6 +223,28 @@ TEST_F(Noisy, AnIgnoredRectangleExpires) {
     EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::failed);
 }
 
+/// Of pictures of other types, with and without alpha.
+TEST_F(Noisy, WhatIsIgnoredIsSoInEveryTypeOfPicture) {
+    shot.tolerance = image::exactTolerance();
+    shot.statesTolerance = true;
+    for (const image::Component golden : {image::Component::u8, image::Component::u16, image::Component::f32})
+        for (const image::Component got :
+             {image::Component::u8, image::Component::u16, image::Component::f32})
+            for (const int alpha : {255, 0}) {
+                image::Image expected = image::withComponents(withLine(10, 5), 4);
+                for (std::size_t x = 0; x < 32; ++x)
+                    expected.data[(5 * 32 + x) * 4 + 3] = static_cast<std::byte>(alpha);
+                expected = image::withType(expected, golden);
+                const image::Image drawn = image::withType(gradient(), got);
+                shot.ignored = {{0, 5, 32, 1, ""}};
+                const auto seen = withoutIgnored(shot, expected, drawn);
+                ASSERT_TRUE(seen);
+                EXPECT_TRUE(image::compare(expected, *seen).identical);
+                shot.ignored = {{0, 6, 32, 1, ""}};
+                EXPECT_FALSE(image::compare(expected, *withoutIgnored(shot, expected, drawn)).identical);
+            }
+}
+
 TEST_F(Noisy, AMaskLeavesOutWhatIsWhite) {
     shot.tolerance.fraction = 0;
     ASSERT_EQ(accept(gradient()).verdict, Verdict::updated);
@@ -232,6 +254,9 @@ TEST_F(Noisy, AMaskLeavesOutWhatIsWhite) {
             .empty());
     EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::passed);
     EXPECT_EQ(decide(withLine(10, 6)).verdict, Verdict::failed);
+    image::Image red = picture(32, 32, [](int, int y, int k) { return y == 5 && k == 0 ? 255 : 0; });
+    ASSERT_TRUE(image::writeImage(red, shot.mask).empty());
+    EXPECT_EQ(decide(withLine(10, 5)).verdict, Verdict::failed) << "only white leaves out";
     ASSERT_TRUE(image::writeImage(picture(16, 32, [](int, int, int) { return 255; }), shot.mask).empty());
     const ShotResult wrong = decide(withLine(10, 5));
     EXPECT_EQ(wrong.verdict, Verdict::failed);

@@ -100,6 +100,14 @@ TEST_F(GoldensOfNoShot, LinksAreNotFollowed) {
     EXPECT_EQ(found(), "");
 }
 
+TEST_F(GoldensOfNoShot, AValueOfASweepIsNoVariant) {
+    suite.shots.push_back(shotNamed("c@t=0"));
+    put("c@t=0.1.png");
+    put("c@t=0.llvmpipe.png");
+    put("a.also1.png");
+    EXPECT_EQ(found(), "c@t=0.1.png ");
+}
+
 TEST_F(GoldensOfNoShot, RemovingThemLeavesTheOthers) {
     put("z.png");
     put("gone/x.png");

@@ -20,7 +20,7 @@ struct Comparison {
     double largest = 0;           ///< infinite if one value is NaN and the other is not
     int x = 0, y = 0;             ///< place of the first largest difference, from the top left
     int component = 0;            ///< 0..3: red, green, blue, alpha (or grey, alpha)
-    double rootMeanSquare = 0;    ///< over all components of all pixels
+    double rootMeanSquare = 0;    ///< over all components of all pixels, but an alpha of 1
     std::uint64_t nonFinite = 0;  ///< components that are NaN or infinite in either picture
 };
 

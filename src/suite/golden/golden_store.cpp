@@ -336,7 +336,8 @@ Result<image::Image> decode(const Golden& golden) {
     if (golden.isAbsent)
         return diagnose("suite-E34", fmt::format("'{}' {}", golden.file.generic_string(), golden.awaited),
                         place);
-    Result<image::Image> picture = image::decodeImage(golden.bytes, golden.file, place);
+    Result<image::Image> picture =
+        image::decodeImage(golden.bytes, golden.file, place, {.limits = image::kDrawnLimits});
     if (picture)
         if (std::optional<Diagnostic> why = shownOtherwise("golden", golden.file, golden.bytes, place))
             picture = *std::move(why);

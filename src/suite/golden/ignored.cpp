@@ -54,9 +54,10 @@ std::optional<Diagnostic> reachesOut(const IgnoredRegion& region, int width, int
 }
 
 Result<image::Image> readMask(const Shot& shot, int width, int height) {
-    const auto bytes = image::readFile(shot.mask, {shot.mask.filename().generic_string(), shot.maskPlace});
+    const auto bytes = image::readFile(shot.mask, {shot.mask.generic_string(), shot.maskPlace});
     if (!bytes) return bytes.diagnostics;
-    Result<image::Image> mask = image::decodeImage(*bytes, shot.mask, shot.maskPlace);
+    Result<image::Image> mask =
+        image::decodeImage(*bytes, shot.mask, shot.maskPlace, {.limits = image::kDrawnLimits});
     if (mask)
         if (std::optional<Diagnostic> why = shownOtherwise("mask", shot.mask, *bytes, shot.maskPlace))
             return *std::move(why);
@@ -109,7 +110,7 @@ std::string ignoredText(const Shot& shot) {
     for (const IgnoredRegion& each : activeRegions(shot))
         text += fmt::format(" {},{},{},{}", each.x, each.y, each.width, each.height);
     if (shot.mask.empty()) return text;
-    const Result<image::Image> mask = image::readImage(shot.mask);
+    const Result<image::Image> mask = image::readImage(shot.mask, {}, {.limits = image::kDrawnLimits});
     return text + " mask " + (mask ? toText(hashOf(*mask)) : "unreadable");
 }
 
@@ -132,14 +133,18 @@ std::string judgedBy(const Shot& shot) {
 }
 
 Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& golden, const image::Image& got) {
-    if (golden.width != got.width || golden.height != got.height || golden.type != got.type) return got;
-    // A file that was read has an alpha, which a rendering need not have.
-    const image::Image expected = image::withComponents(golden, got.components);
-    image::Image seen = got;
-    const std::size_t pixel = got.rowBytes() / static_cast<std::size_t>(std::max(1, got.width));
+    if (golden.width != got.width || golden.height != got.height) return got;
+    // Either may have an alpha or a finer type, which the other has not.
+    const auto common = [&](const image::Image& picture) {
+        return image::withType(image::withComponents(picture, std::max(golden.components, got.components)),
+                               std::max(golden.type, got.type));
+    };
+    const image::Image expected = common(golden);
+    image::Image seen = common(got);
+    const std::size_t pixel = seen.rowBytes() / static_cast<std::size_t>(std::max(1, got.width));
     const auto hide = [&](int x, int y, int count) {
         const std::size_t at =
-            static_cast<std::size_t>(y) * got.rowBytes() + static_cast<std::size_t>(x) * pixel;
+            static_cast<std::size_t>(y) * seen.rowBytes() + static_cast<std::size_t>(x) * pixel;
         std::memcpy(seen.data.data() + at, expected.data.data() + at,
                     static_cast<std::size_t>(count) * pixel);
     };
@@ -150,11 +155,12 @@ Result<image::Image> withoutIgnored(const Shot& shot, const image::Image& golden
     if (shot.mask.empty()) return seen;
     const Result<image::Image> mask = readMask(shot, got.width, got.height);
     if (!mask) return mask.diagnostics;
-    const image::Image bytes = image::withType(*mask, image::Component::u8);
-    const std::size_t step = static_cast<std::size_t>(bytes.components);
+    const image::Image bytes = image::withComponents(image::withType(*mask, image::Component::u8), 4);
+    const auto isWhite = [](std::byte value) { return value >= std::byte{128}; };
     for (int y = 0; y < got.height; ++y)
         for (int x = 0; x < got.width; ++x)
-            if (bytes.row(y)[static_cast<std::size_t>(x) * step] >= std::byte{128}) hide(x, y, 1);
+            if (std::ranges::all_of(bytes.row(y).subspan(4 * static_cast<std::size_t>(x), 4), isWhite))
+                hide(x, y, 1);
     return seen;
 }
 

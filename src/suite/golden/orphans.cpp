@@ -17,6 +17,7 @@
 #include "suite/file/suite_file.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
+#include "suite/file/shot_name.h"
 #include "suite/golden/picture_store.h"
 #include "system/folder.h"
 
@@ -31,9 +32,7 @@ bool isPicture(const fs::path& file) {
 
 /// The name of the shot of a golden "NAME.png" or "NAME.VARIANT.png" among `shots`, or empty.
 bool belongsTo(const std::set<std::string>& shots, const std::string& stem) {
-    if (shots.contains(stem)) return true;
-    const std::size_t dot = stem.rfind('.');
-    return dot != std::string::npos && shots.contains(stem.substr(0, dot));
+    return shots.contains(stem) || shots.contains(std::string(shotOfVariant(stem)));
 }
 
 /// The shots that are compared with a golden of their own.
@@ -148,7 +147,8 @@ void Orphans::read() const {
             if (const auto bytes = image::readFile(file, {file.generic_string(), {}}))
                 if (const std::optional<Pointer> pointer = parsePointer(*bytes))
                     ofPointer_.emplace(pointer->sha256, file);
-            if (const Result<image::Image> golden = image::readImage(file)) {
+            if (const Result<image::Image> golden =
+                    image::readImage(file, {}, {.limits = image::kDrawnLimits})) {
                 ofPixels_.emplace(keyOf(*golden), file);
                 gists_.emplace_back(file, gistOf(*golden));
             }

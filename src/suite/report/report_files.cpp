@@ -129,7 +129,7 @@ ReportFiles::Copy ReportFiles::addPicture(const fs::path& picture, const ShotRes
     // The page shows what was compared.
     const bool isCopied = isPng && image::shownOtherwise(*bytes).empty();
     if (wantsPixels || !isCopied) {
-        image::ReadOptions options;
+        image::ReadOptions options{.limits = image::kDrawnLimits};
         options.decoder = roots_.decoder;
         Result<image::Image> decoded = image::decodeImage(*bytes, foundAt(picture), {}, options);
         if (!decoded) {

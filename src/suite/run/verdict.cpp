@@ -461,7 +461,8 @@ void ShotJudge::fail(const Attempt& attempt, const Findings& found, ShotResult& 
 bool ShotJudge::showNear(const Shot& shot, const image::Image& got, ShotResult& result) const {
     if (!options_.orphans) return false;
     const std::filesystem::path near = options_.orphans->findNear(got, shot.name);
-    const Result<image::Image> golden = near.empty() ? Result<image::Image>() : image::readImage(near);
+    const Result<image::Image> golden =
+        near.empty() ? Result<image::Image>() : image::readImage(near, {}, {.limits = image::kDrawnLimits});
     if (!golden) return false;
     result.nearTo = near;
     result.judgement = image::judge(*golden, got, shot.tolerance, true);

@@ -379,7 +379,8 @@ std::optional<DifferenceSign> Review::signOf(std::size_t index) const {
     const auto decoded = [&](const fs::path& file) -> std::optional<image::Image> {
         if (file.empty()) return std::nullopt;
         const auto bytes = read(file);
-        return bytes ? image::decodeImage(*bytes, file).value : std::nullopt;
+        return bytes ? image::decodeImage(*bytes, file, {}, {.limits = image::kDrawnLimits}).value
+                     : std::nullopt;
     };
     const auto expected = decoded(shots_[index].expected), got = decoded(shots_[index].got);
     return expected && got ? differenceSign(*expected, *got) : std::nullopt;
@@ -493,7 +494,8 @@ WebReply Review::picture(const WebRequest& request) {
     if (!file || file->empty()) return refuse(404, "there is no such picture");
     const auto bytes = read(*file);
     if (!bytes) return refuse(404, bytes.message());
-    const Result<image::Image> picture = image::decodeImage(*bytes, *file);
+    const Result<image::Image> picture =
+        image::decodeImage(*bytes, *file, {}, {.limits = image::kDrawnLimits});
     if (!picture) return refuse(404, picture.message());
     if (what == "got") fetched_[shot] = hashOf(*bytes);
     const std::vector<std::byte> png = image::encodePng(image::withType(*picture, image::Component::u8));
@@ -517,7 +519,8 @@ std::string Review::acceptOne(std::size_t index, bool force, bool also) {
     const auto bytes = read(result.got);
     if (!bytes) return bytes.message();
     if (hashOf(*bytes) != seen->second) return "its picture has changed since it was shown; look again";
-    const Result<image::Image> decoded = image::decodeImage(*bytes, result.got);
+    const Result<image::Image> decoded =
+        image::decodeImage(*bytes, result.got, {}, {.limits = image::kDrawnLimits});
     if (!decoded) return decoded.message();
     // A picture without alpha was read with one.
     const image::Image picture = image::withComponents(*decoded, known.shot->options.alpha ? 4 : 3);
@@ -620,7 +623,8 @@ bool Review::isGolden(std::size_t index) const {
     const auto bytes = read(result.got);
     if (!bytes) return false;
     const auto store = storeOf(*known.suite);
-    const Result<image::Image> picture = image::decodeImage(*bytes, result.got);
+    const Result<image::Image> picture =
+        image::decodeImage(*bytes, result.got, {}, {.limits = image::kDrawnLimits});
     if (!store || !picture) return false;
     const int components = known.shot->options.alpha ? 4 : 3;
     const Hash wanted = hashOf(image::withComponents(*picture, components));

@@ -110,6 +110,22 @@ void MemoryLimit::setForever(std::uint64_t bytes) const {
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 
+LiftedMemoryLimit::LiftedMemoryLimit() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
+    before_ = limit.rlim_cur;
+    taken_ = dataBytes();
+    limit.rlim_cur = limit.rlim_max;
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+LiftedMemoryLimit::~LiftedMemoryLimit() {
+    rlimit limit{};
+    if (before_ == 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, before_ + std::max(dataBytes(), taken_) - taken_);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
 void limitProcessorTime(double seconds) {
     const auto whole = static_cast<rlim_t>(std::min(std::ceil(seconds), 1e9));
     const rlimit limit{whole, whole};

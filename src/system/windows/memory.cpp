@@ -121,6 +121,16 @@ void MemoryLimit::lower(std::uint64_t bytes) const {
     if (wanted > 0 && (limitNow == 0 || wanted < limitNow)) setLimit(wanted);
 }
 
+LiftedMemoryLimit::LiftedMemoryLimit() : before_(limitNow) {
+    if (before_ == 0) return;
+    taken_ = ownBytes();
+    setLimit(0);
+}
+
+LiftedMemoryLimit::~LiftedMemoryLimit() {
+    if (before_ > 0) setLimit(before_ + std::max(ownBytes(), taken_) - taken_);
+}
+
 /// Nobody can change the limit of a job that has no name and no handle.
 void MemoryLimit::setForever(std::uint64_t bytes) const {
     const std::uint64_t wanted = bytes > 0 ? sum(base_, bytes) : 0;
