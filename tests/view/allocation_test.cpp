@@ -40,8 +40,8 @@ TEST(Allocations, OfAMovingScenesFramesAreNone) {
     const SceneFolder folder(kMovingScene, kMovingFiles);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    session.resize(320, 200);
-    session.setAxes(true);
+    session.look().resize(320, 200);
+    session.look().setAxes(true);
     EXPECT_GT(allocationsOfFrames(session, 1), 0U) << "the first frame allocates";
     ASSERT_TRUE(session.isMoving());
     allocationsOfFrames(session, 4);
@@ -50,9 +50,9 @@ TEST(Allocations, OfAMovingScenesFramesAreNone) {
     EXPECT_EQ(session.framesDrawn(), framesBefore + 100);
 
     session.pickAt(160, 100);
-    ASSERT_TRUE(session.picked());
-    session.drag(view::TransformMode::object, {view::Gesture::rotate, {10, 5}, {320, 200}});
-    ASSERT_FALSE(session.view().objects.empty());
+    ASSERT_TRUE(session.look().picked());
+    session.look().drag(view::TransformMode::object, {view::Gesture::rotate, {10, 5}, {320, 200}});
+    ASSERT_FALSE(session.look().view().objects.empty());
     allocationsOfFrames(session, 4);
     EXPECT_EQ(allocationsOfFrames(session, 100), 0U) << "with a transformed object";
 }

@@ -20,13 +20,11 @@ const std::map<std::string, std::string> kAnimatedFiles{
      "void main() { c = vec4(uR, float(uG) / 4., 0., 1.) * vec4(uTint, 1.); }\n"}};
 
 double valueOf(const Session& session, const char* tag) {
-    return session.knob("", tag)->current[0];
+    return session.values().knob("", tag)->current[0];
 }
 
 void goTo(Session& session, double time) {
-    view::Clock clock = session.clock();
-    clock.setTime(time);
-    session.setClock(clock);
+    session.clock().setTime(time);
 }
 
 class Animated : public ::testing::Test {
@@ -43,7 +41,7 @@ class Animated : public ::testing::Test {
 };
 
 TEST_F(Animated, ValuesGoFromEndToEndAndBack) {
-    session.animate(r, true);
+    session.values().animate(r, true);
     EXPECT_TRUE(session.isMoving()) << "although no shader reads the time";
     session.advance(1);
     EXPECT_DOUBLE_EQ(valueOf(session, "uR"), .5) << "4 seconds from end to end, from where it was";
@@ -59,7 +57,7 @@ TEST_F(Animated, ValuesGoFromEndToEndAndBack) {
 }
 
 TEST_F(Animated, TheValueIsAFunctionOfTheTime) {
-    session.animate(r, true);
+    session.values().animate(r, true);
     const double begin = session.clock().time();
     goTo(session, begin + 5.5);
     const double there = valueOf(session, "uR");
@@ -69,29 +67,26 @@ TEST_F(Animated, TheValueIsAFunctionOfTheTime) {
 }
 
 TEST_F(Animated, ItStopsWithItsValueAndWithTheClock) {
-    session.animate(r, true);
+    session.values().animate(r, true);
     session.advance(1);
-    view::Clock clock = session.clock();
-    clock.play(false);
-    session.setClock(clock);
+    session.clock().play(false);
     session.advance(1);
     EXPECT_DOUBLE_EQ(valueOf(session, "uR"), .5);
     EXPECT_FALSE(session.isMoving());
-    session.animate(r, false);
-    clock.play(true);
-    session.setClock(clock);
+    session.values().animate(r, false);
+    session.clock().play(true);
     session.advance(1);
     EXPECT_DOUBLE_EQ(valueOf(session, "uR"), .5);
     EXPECT_FALSE(session.isMoving());
 }
 
 TEST_F(Animated, UndoTakesAnAnimationAsOneChange) {
-    session.animate(r, true);
+    session.values().animate(r, true);
     for (int i = 0; i < 100; ++i) {
         session.advance(.01);
         history.record(session);
     }
-    session.animate(r, false);
+    session.values().animate(r, false);
     const double stopped = valueOf(session, "uR");
     EXPECT_NE(stopped, .25);
     ASSERT_TRUE(history.undo(session));
@@ -102,12 +97,12 @@ TEST_F(Animated, UndoTakesAnAnimationAsOneChange) {
 }
 
 TEST_F(Animated, UndoEndsARunningAnimation) {
-    session.setValue(knobIndex(session, "uG"), {3});
+    session.values().set(knobIndex(session, "uG"), {3});
     history.record(session);
-    session.animate(r, true);
+    session.values().animate(r, true);
     session.advance(1);
     ASSERT_TRUE(history.undo(session));
-    EXPECT_FALSE(session.isAnimated(r));
+    EXPECT_FALSE(session.values().isAnimated(r));
     EXPECT_EQ(valueOf(session, "uR"), .25);
     EXPECT_EQ(valueOf(session, "uG"), 3) << "the change before stays";
     ASSERT_TRUE(history.undo(session));
@@ -115,9 +110,9 @@ TEST_F(Animated, UndoEndsARunningAnimation) {
 }
 
 TEST_F(Animated, OnlyRangesMoveAndIntegersInWholeSteps) {
-    session.animate(knobIndex(session, "uTint"), true);
-    EXPECT_FALSE(session.isAnimated(knobIndex(session, "uTint")));
-    session.animate(knobIndex(session, "uG"), true);
+    session.values().animate(knobIndex(session, "uTint"), true);
+    EXPECT_FALSE(session.values().isAnimated(knobIndex(session, "uTint")));
+    session.values().animate(knobIndex(session, "uG"), true);
     for (int i = 0; i < 50; ++i) {
         session.advance(.1);
         const double value = valueOf(session, "uG");
@@ -127,12 +122,38 @@ TEST_F(Animated, OnlyRangesMoveAndIntegersInWholeSteps) {
 }
 
 TEST_F(Animated, AReloadGoesOn) {
-    session.animate(r, true);
+    session.values().animate(r, true);
     session.advance(1);
     ASSERT_TRUE(session.reload());
-    EXPECT_TRUE(session.isAnimated(r));
+    EXPECT_TRUE(session.values().isAnimated(r));
     session.advance(1);
     EXPECT_DOUBLE_EQ(valueOf(session, "uR"), .75);
+}
+
+TEST(SceneValues, NeedNoDevice) {
+    view::SceneValues* follows = nullptr;
+    view::Clock clock([&] { follows->followClock(); });
+    int changes = 0;
+    view::SceneValues values(clock, [&](const render::Knob&) { ++changes; });
+    follows = &values;
+    render::Knob knob;
+    knob.tag = "size";
+    knob.widget = render::Widget::slider;
+    knob.maximum = 4;
+    knob.written = knob.initial = knob.current = {1};
+    const scene::Scene scene;
+    values.enter(scene, {knob});
+    EXPECT_EQ(changes, 0);
+    values.animate(0, true);
+    clock.advance(1);
+    EXPECT_EQ(changes, 1);
+    EXPECT_DOUBLE_EQ(values.knobs()[0].current[0], 2);
+    values.leave();
+    values.enter(scene, {knob});
+    EXPECT_DOUBLE_EQ(values.knobs()[0].current[0], 2) << "loaded again";
+    EXPECT_TRUE(values.isAnimated(0));
+    EXPECT_TRUE(values.undoAnimations());
+    EXPECT_FALSE(values.isChanged());
 }
 
 TEST(Samples, SmoothTheScreenAndNothingElse) {
@@ -167,7 +188,7 @@ TEST(Samples, SmoothTheScreenAndNothingElse) {
     ASSERT_NE(session.plainPicture(), nullptr);
     EXPECT_EQ(session.plainPicture()->samples(), 1);
     session.pickAt(32, 32);
-    EXPECT_TRUE(session.picked()) << "picking reads the depth of one sample";
+    EXPECT_TRUE(session.look().picked()) << "picking reads the depth of one sample";
     session.setSamples(0);
     EXPECT_EQ(shades(), (std::set<int>{0, 255}));
 }
@@ -178,19 +199,19 @@ TEST(WholeShape, APerspectiveFitsIntoANarrowPicture) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     const auto isDrawn = [&](int x, int y) { return pixelOf(session, x, y) != pixelOf(session, 0, 0); };
-    session.resize(32, 64);
+    session.look().resize(32, 64);
     session.drawIfNeeded();
     EXPECT_TRUE(isDrawn(16, 32));
     EXPECT_TRUE(isDrawn(0, 32)) << "cropped";
-    session.setWholeShape(1);
+    session.look().setWholeShape(1);
     session.drawIfNeeded();
     EXPECT_TRUE(isDrawn(16, 32));
     EXPECT_FALSE(isDrawn(0, 32)) << "whole";
     EXPECT_TRUE(isDrawn(3, 32));
     EXPECT_FALSE(isDrawn(16, 12)) << "as wide as high, so not over the whole height";
-    EXPECT_NE(session.renderOptions().viewState, session.view()) << "a hardcopy shows the same";
-    session.resize(64, 64);
-    EXPECT_EQ(session.renderOptions().viewState, session.view());
+    EXPECT_NE(session.renderOptions().viewState, session.look().view()) << "a hardcopy shows the same";
+    session.look().resize(64, 64);
+    EXPECT_EQ(session.renderOptions().viewState, session.look().view());
 }
 
 }  // namespace

@@ -67,12 +67,9 @@ TEST_F(ComparisonTest, ShowsBothPicturesAndHowTheyDiffer) {
 }
 
 TEST_F(ComparisonTest, FollowsValuesTimeAndSize) {
-    own.setValue(knobIndex(own, "uR"), {.8});
-    view::Clock clock = own.clock();
-    clock.play(false);
-    clock.setTime(.4);
-    own.setClock(clock);
-    own.resize(30, 20);
+    own.values().set(knobIndex(own, "uR"), {.8});
+    own.clock().pauseAt(.4);
+    own.look().resize(30, 20);
     own.drawIfNeeded();
     ASSERT_TRUE(comparison.follow(own));
     ASSERT_TRUE(comparison.other());
@@ -109,14 +106,15 @@ TEST_F(ComparisonTest, ASceneShownInAnyWayEqualsItsCopy) {
     };
     const std::vector<std::pair<const char*, std::function<void()>>> changes{
         {"samples", [&] { own.setSamples(4); }},
-        {"size", [&] { own.resize(60, 90); }},
-        {"the whole shape", [&] { own.setWholeShape(2); }},
-        {"a value", [&] { own.setValue(knobIndex(own, "uR"), {.9}); }},
-        {"axes", [&] { own.setAxes(true); }},
-        {"wireframe", [&] { own.setWireframe(true); }},
+        {"size", [&] { own.look().resize(60, 90); }},
+        {"the whole shape", [&] { own.look().setWholeShape(2); }},
+        {"a value", [&] { own.values().set(knobIndex(own, "uR"), {.9}); }},
+        {"axes", [&] { own.look().setAxes(true); }},
+        {"wireframe", [&] { own.look().setWireframe(true); }},
         {"the time", [&] { own.advance(.25); }},
-        {"a debug view", [&] { own.setDebugView(view::DebugView::facing); }},
-        {"the view", [&] { own.drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 4}, {60, 90}}); }},
+        {"a debug view", [&] { own.look().setDebugView(view::DebugView::facing); }},
+        {"the view",
+         [&] { own.look().drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 4}, {60, 90}}); }},
     };
     std::vector<std::byte> before = picture();
     for (const auto& [what, change] : changes) {

@@ -28,7 +28,7 @@ std::array<float, 4> numbersAt(const Session& session, int x, int y) {
 
 void openView(Session& session, const SceneFolder& folder, DebugView kind) {
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    session.setDebugView(kind);
+    session.look().setDebugView(kind);
     ASSERT_TRUE(session.drawIfNeeded());
     ASSERT_TRUE(session.diagnostics().empty()) << text(session.diagnostics());
 }
@@ -47,7 +47,7 @@ TEST(DebugView, OverdrawCountsFragmentsThatPassAndLayersAllOfThem) {
         EXPECT_EQ(numbersAt(session, 1, 1)[3], 0) << program;
         const auto two = view::colorOfCount(2);
         EXPECT_EQ(pixelOf(session, 10, 20), (std::array<int, 3>{two[0], two[1], two[2]}));
-        session.setDebugView(DebugView::layers);
+        session.look().setDebugView(DebugView::layers);
         session.drawIfNeeded();
         EXPECT_EQ(numbersAt(session, 10, 20)[0], 3) << program;
         EXPECT_EQ(numbersAt(session, 30, 20)[0], 4) << program;
@@ -206,11 +206,11 @@ TEST(DebugView, IncludesWhatATessellationStageMoves) {
     Session session(context(), {});
     openView(session, folder, DebugView::depth);
     EXPECT_NEAR(numbersAt(session, 11, 30)[0], .375F, 1e-6F);
-    session.setDebugView(DebugView::coordinates);
+    session.look().setDebugView(DebugView::coordinates);
     session.drawIfNeeded();
     EXPECT_NEAR(numbersAt(session, 11, 30)[0], 11.5 / 40, 1e-5);
     EXPECT_NEAR(numbersAt(session, 11, 30)[1], 30.5 / 40, 1e-5);
-    session.setDebugView(DebugView::overdraw);
+    session.look().setDebugView(DebugView::overdraw);
     session.drawIfNeeded();
     EXPECT_EQ(numbersAt(session, 11, 30)[0], 1);
 }
@@ -225,7 +225,7 @@ TEST(DebugView, WarnsOfWhatItCannotShow) {
     const SceneFolder folder(kHead + kTessellated + kPatch, files);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.setDebugView(DebugView::coordinates);
+    session.look().setDebugView(DebugView::coordinates);
     session.drawIfNeeded();
     ASSERT_EQ(session.diagnostics().size(), 1U) << text(session.diagnostics());
     EXPECT_EQ(session.diagnostics()[0].id, "view-W01");
@@ -241,14 +241,14 @@ template <class Test>
 Seen seen(const Session& session, Test isMeant) {
     Seen found;
     const std::vector<std::byte> all = pixelsOf(session);
-    const int rowBytes = 3 * session.width();
+    const int rowBytes = 3 * session.look().width();
     for (int i = 0; i + 2 < static_cast<int>(all.size()); i += 3) {
         const auto at = static_cast<std::size_t>(i);
         if (!isMeant(std::to_integer<int>(all[at]), std::to_integer<int>(all[at + 1]),
                      std::to_integer<int>(all[at + 2])))
             continue;
         ++found.pixels;
-        found.highest = std::max(found.highest, session.height() - 1 - i / rowBytes);
+        found.highest = std::max(found.highest, session.look().height() - 1 - i / rowBytes);
     }
     return found;
 }
@@ -260,8 +260,8 @@ TEST(DebugView, LinesOfNormalsEndWhereTheMatricesPutThem) {
     const SceneFolder folder("WindowSize 200 200\nOrtho -1 1 -1 1 -1 1\nColor 0 0 0\nQuadXZ 0 .5\n");
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.setDebugView(DebugView::normals);
-    session.setNormalLength(.4);
+    session.look().setDebugView(DebugView::normals);
+    session.look().setNormalLength(.4);
     session.drawIfNeeded();
     const Seen lines = seen(session, kYellow);
     EXPECT_GE(lines.pixels, 2 * 40) << "at least at the corners";
@@ -278,8 +278,8 @@ TEST(DebugView, NormalsOfMovedVerticesAreThoseOfTheTrianglesTheyMake) {
          {"a.frag", "#version 330\nout vec4 c;\nvoid main() { c = vec4(0., 0., 0., 1.); }\n"}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.setDebugView(DebugView::normals);
-    session.setNormalLength(.4);
+    session.look().setDebugView(DebugView::normals);
+    session.look().setNormalLength(.4);
     session.drawIfNeeded();
     EXPECT_EQ(seen(session, kYellow).pixels, 0);
     EXPECT_NEAR(seen(session, kCyan).highest, 100 + .4 * 100, 1.5);
@@ -309,13 +309,13 @@ TEST(DebugView, LeavesThePictureUnchangedWhenItIsTurnedOff) {
     session.drawIfNeeded();
     const std::vector<std::byte> before = pixelsOf(session);
     for (int i = 1; i < view::kDebugViewCount; ++i) {
-        session.setDebugView(static_cast<DebugView>(i));
+        session.look().setDebugView(static_cast<DebugView>(i));
         ASSERT_TRUE(session.drawIfNeeded());
         EXPECT_FALSE(pixelsOf(session) == before) << i;
         session.pickAt(20, 20);
-        EXPECT_TRUE(session.picked()) << i;
+        EXPECT_TRUE(session.look().picked()) << i;
     }
-    session.setDebugView(DebugView::picture);
+    session.look().setDebugView(DebugView::picture);
     session.drawIfNeeded();
     EXPECT_TRUE(pixelsOf(session) == before);
     EXPECT_TRUE(session.diagnostics().empty()) << text(session.diagnostics());
@@ -333,11 +333,11 @@ TEST(DebugView, FollowsChangedValuesAndAReloadedScene) {
     Session session(context(), {});
     openView(session, folder, DebugView::facing);
     EXPECT_EQ(numbersAt(session, 20, 20)[0], 1);
-    session.setValue(knobIndex(session, "uTurn"), {-1});
+    session.values().set(knobIndex(session, "uTurn"), {-1});
     session.drawIfNeeded();
     EXPECT_EQ(numbersAt(session, 20, 20)[0], 0);
-    session.setDebugView(DebugView::depth);
-    session.setValue(knobIndex(session, "uMove"), {.5});
+    session.look().setDebugView(DebugView::depth);
+    session.values().set(knobIndex(session, "uMove"), {.5});
     session.drawIfNeeded();
     EXPECT_NEAR(numbersAt(session, 20, 20)[0], .25F, 1e-6F);
     folder.write("scene.glib", kHead + "QuadXY .8 .4\n");

@@ -52,9 +52,10 @@ TEST(FrameLayers, AreReadOneByOne) {
     ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
     const std::vector<FrameItem> items = view::frameItems(session.live().scene(), session.live().plan());
     for (const int layer : {0, 1, 2}) {
-        const view::FrameAnswer answer = view::watchFrame(
-            context(), session.live(), items,
-            {session.width(), session.height(), 0, std::vector<bool>(items.size(), true), 1, 0, layer});
+        const view::FrameAnswer answer =
+            view::watchFrame(context(), session.live(), items,
+                             {session.look().width(), session.look().height(), 0,
+                              std::vector<bool>(items.size(), true), 1, 0, layer});
         EXPECT_EQ(answer.layers, 3);
         ASSERT_TRUE(answer.content) << answer.problem;
         EXPECT_NEAR(answer.content->at(8 * 4 + 4)[0], layer / 2., .01);
@@ -65,9 +66,10 @@ TEST(FrameLayers, AreReadOneByOne) {
         ASSERT_TRUE(answer.mask);
         EXPECT_EQ(answer.mask->passedPixels, covered);
         EXPECT_EQ(answer.mask->hiddenPixels, 0U);
-        const view::FrameAnswer behind = view::watchFrame(
-            context(), session.live(), items,
-            {session.width(), session.height(), 0, std::vector<bool>(items.size(), true), 2, 0, layer});
+        const view::FrameAnswer behind =
+            view::watchFrame(context(), session.live(), items,
+                             {session.look().width(), session.look().height(), 0,
+                              std::vector<bool>(items.size(), true), 2, 0, layer});
         ASSERT_TRUE(behind.mask);
         EXPECT_EQ(behind.mask->passedPixels, 0U);
         EXPECT_EQ(behind.mask->hiddenPixels, covered);
@@ -156,9 +158,10 @@ TEST(FrameLayers, OfACubeAreFaces) {
     ASSERT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
     const std::vector<FrameItem> items = view::frameItems(session.live().scene(), session.live().plan());
     for (const int layer : {2, 3}) {
-        const view::FrameAnswer answer = view::watchFrame(
-            context(), session.live(), items,
-            {session.width(), session.height(), 0, std::vector<bool>(items.size(), true), 1, 0, layer});
+        const view::FrameAnswer answer =
+            view::watchFrame(context(), session.live(), items,
+                             {session.look().width(), session.look().height(), 0,
+                              std::vector<bool>(items.size(), true), 1, 0, layer});
         EXPECT_EQ(answer.layerName, layer == 2 ? "face +y" : "face -y");
         ASSERT_TRUE(answer.mask);
         EXPECT_EQ(answer.mask->passedPixels, layer == 2 ? 0U : 64U);

@@ -60,13 +60,13 @@ class Frame : public testing::Test {
         return 0;
     }
     view::FrameAnswer watch(std::size_t item, std::size_t target = 0) {
-        return view::watchFrame(
-            context(), session.live(), items,
-            {session.width(), session.height(), 0, std::vector<bool>(items.size(), true), item, target});
+        return view::watchFrame(context(), session.live(), items,
+                                {session.look().width(), session.look().height(), 0,
+                                 std::vector<bool>(items.size(), true), item, target});
     }
     view::PixelHistory history(int x, int y) {
-        return view::pixelHistory(context(), session.live(), items, draw(0), session.width(),
-                                  session.height(), 0, {x, y}, 0);
+        return view::pixelHistory(context(), session.live(), items, draw(0), session.look().width(),
+                                  session.look().height(), 0, {x, y}, 0);
     }
 
     const SceneFolder folder{kFrame, kFrameFiles};
@@ -337,7 +337,7 @@ TEST_F(Frame, TriesAnotherStateForADraw) {
     folder.write("a.frag", changed(kFrameFiles.at("a.frag"), "2. *", "3. *"));
     ASSERT_TRUE(session.reload());
     EXPECT_EQ(*far().raster, always);
-    session.setCamera("eye");
+    session.look().setCamera("eye");
     EXPECT_EQ(*far().raster, always);
     folder.write("a.frag", kFrameFiles.at("a.frag"));
     ASSERT_TRUE(session.reload());
@@ -345,10 +345,10 @@ TEST_F(Frame, TriesAnotherStateForADraw) {
     base::RasterState lines = always;
     lines.polygon = base::PolygonMode::line;
     session.tryState(far(), lines);
-    ASSERT_EQ(session.triedStates().size(), 1U);
-    EXPECT_EQ(session.triedStates().begin()->second.ofScene.depthFunction, base::Comparison::lequal);
-    session.tryState(far(), session.triedStates().begin()->second.ofScene);
-    EXPECT_TRUE(session.triedStates().empty());
+    ASSERT_EQ(session.trials().states().size(), 1U);
+    EXPECT_EQ(session.trials().states().begin()->second.ofScene.depthFunction, base::Comparison::lequal);
+    session.tryState(far(), session.trials().states().begin()->second.ofScene);
+    EXPECT_TRUE(session.trials().states().empty());
     session.drawIfNeeded();
     EXPECT_TRUE(pixelsOf(session) == before) << "as in the scene";
 }
@@ -400,7 +400,7 @@ TEST_F(Frame, WhatIsTriedGoesWithItsDrawWhenTheSceneIsEdited) {
     EXPECT_EQ(functions(), (Functions{always, lequal}));
     ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n", "    QuadX\n")));
     EXPECT_EQ(functions(), (Functions{lequal, lequal}));
-    EXPECT_TRUE(session.triedStates().empty());
+    EXPECT_TRUE(session.trials().states().empty());
     ASSERT_TRUE(edit(changed(kFrame, "    QuadXY 1 1\n", "    QuadXY 1 .9\n")));
     EXPECT_EQ(functions(), (Functions{lequal, always, lequal}));
     // The last draw stands on its line now, with the same words and state, but it is another one.

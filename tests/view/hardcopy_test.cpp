@@ -35,7 +35,7 @@ class ChangedScene : public testing::Test {
   protected:
     ChangedScene() : session(context(), {}) {
         EXPECT_TRUE(session.open(GLIBRA_SOURCE_DIR "/glib/patterns/ovalnoise.glib"));
-        session.resize(300, 200);
+        session.look().resize(300, 200);
         session.drawIfNeeded();
         changeOvalNoise(session, 150, 100);
         session.drawIfNeeded();
@@ -147,11 +147,11 @@ TEST_F(ChangedScene, WithoutFfmpegAFilmIsAnErrorWithAHint) {
 }
 
 TEST_F(ChangedScene, LabelsAreInTheFileWhenTheyAreOnTheScreen) {
-    session.setLabels(LabelCorner::bottomLeft);
+    session.look().setLabels(LabelCorner::bottomLeft);
     const view::Hardcopy wanted{folder / "a.png", 600, 600};
     ASSERT_FALSE(hasError(writeAll(session, wanted)));
     const auto labelled = image::readImage(wanted.file);
-    session.setLabels(LabelCorner::none);
+    session.look().setLabels(LabelCorner::none);
     ASSERT_FALSE(hasError(writeAll(session, wanted)));
     const auto plain = image::readImage(wanted.file);
     ASSERT_TRUE(labelled && plain);
@@ -188,7 +188,7 @@ TEST_F(ChangedScene, LabelsHaveTheFormOfGlman) {
 }
 
 TEST_F(ChangedScene, TheCommandOfALabelledHardcopyGivesTheSameBytes) {
-    session.setLabels(LabelCorner::topRight);
+    session.look().setLabels(LabelCorner::topRight);
     const view::Hardcopy hardcopy{folder / "a.png", 640, 480};
     ASSERT_FALSE(hasError(writeAll(session, hardcopy)));
     std::string command = view::renderCommand(session, {folder / "b.png", 640, 480});
@@ -257,8 +257,8 @@ TEST_F(ChangedScene, ARunningHardcopyKeepsTheStateItBeganWith) {
     auto job = view::HardcopyJob::begin(context(), session, {folder / "a.png", 0, 0, 2, 4});
     ASSERT_TRUE(job) << text(job.diagnostics);
     const std::vector<std::byte> before = pixelsOf(session);
-    session.resetValues();
-    session.resetTransforms();
+    session.values().resetAll();
+    session.look().resetTransforms();
     EXPECT_FALSE(hasError(job->step()));
     session.setNeedsFrame();
     session.drawIfNeeded();

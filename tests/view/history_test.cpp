@@ -10,13 +10,13 @@ TEST(History, UndoPassesOverAChangeThatWasTakenBack) {
     view::Session first(context(), {});
     ASSERT_TRUE(first.open(files.scene()));
     view::History history;
-    const auto value = [&] { return first.knobs()[0].current.front(); };
+    const auto value = [&] { return first.values().knobs()[0].current.front(); };
     history.record(first);
-    first.setValue(0, {.502});  // the first click of two
+    first.values().set(0, {.502});  // the first click of two
     history.record(first);
-    first.setValue(0, {.2});
+    first.values().set(0, {.2});
     history.takeBack(first);
-    first.setValue(0, {.7});  // typed
+    first.values().set(0, {.7});  // typed
     history.record(first);
     EXPECT_TRUE(history.undo(first));
     EXPECT_EQ(value(), .2);

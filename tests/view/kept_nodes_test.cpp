@@ -69,16 +69,16 @@ class KeptNodes : public testing::Test {
         EXPECT_TRUE(session.drawIfNeeded());
         Session fresh(context(), {});
         EXPECT_TRUE(fresh.open(folder->scene()));
-        fresh.resize(session.width(), session.height());
-        for (std::size_t i = 0; i < session.knobs().size(); ++i)
-            fresh.setValue(i, session.knobs()[i].current);
-        fresh.setView(session.view());
-        fresh.setClock(session.clock());
+        fresh.look().resize(session.look().width(), session.look().height());
+        for (std::size_t i = 0; i < session.values().knobs().size(); ++i)
+            fresh.values().set(i, session.values().knobs()[i].current);
+        fresh.look().setView(session.look().view());
+        fresh.clock().setState(session.clock().state());
         fresh.drawIfNeeded();
         EXPECT_TRUE(pixelsOf(session) == pixelsOf(fresh));
         return counted(session.live().drawStats(), render::kStillPasses) - before;
     }
-    void set(std::string_view tag, double value) { session.setValue(knobIndex(session, tag), {value}); }
+    void set(std::string_view tag, double value) { session.values().set(knobIndex(session, tag), {value}); }
 
     std::optional<SceneFolder> folder;
     Session session{context(), {}};
@@ -106,31 +106,31 @@ TEST_F(KeptNodes, WhatASliderChangesIsDrawnAgain) {
 
 TEST_F(KeptNodes, TheMouseMovesOnlyWhatIsSeenFromTheEye) {
     open(kShadow);
-    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 4}, {48, 32}});
+    session.look().drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 4}, {48, 32}});
     EXPECT_EQ(passesKept(), 1U) << "the map of the light";
-    session.drag(view::TransformMode::scene, {view::Gesture::pan, {3, 4}, {48, 32}});
+    session.look().drag(view::TransformMode::scene, {view::Gesture::pan, {3, 4}, {48, 32}});
     EXPECT_EQ(passesKept(), 1U);
     session.setNeedsFrame();
     EXPECT_EQ(passesKept(), 2U) << "the same view again";
-    session.resetTransforms();
+    session.look().resetTransforms();
     EXPECT_EQ(passesKept(), 1U);
     session.pickAt(24, 20);
-    ASSERT_TRUE(session.picked());
-    session.drag(view::TransformMode::object, {view::Gesture::rotate, {9, 4}, {48, 32}});
+    ASSERT_TRUE(session.look().picked());
+    session.look().drag(view::TransformMode::object, {view::Gesture::rotate, {9, 4}, {48, 32}});
     EXPECT_EQ(passesKept(), 0U) << "an object may cast a shadow";
-    session.resize(60, 32);
+    session.look().resize(60, 32);
     EXPECT_EQ(passesKept(), 0U);
 }
 
 TEST_F(KeptNodes, NothingIsKeptAfterFramesThatAreNotThePicture) {
     open(kShadow);
-    session.setWireframe(true);
+    session.look().setWireframe(true);
     session.drawIfNeeded();
-    session.setWireframe(false);
+    session.look().setWireframe(false);
     EXPECT_EQ(passesKept(), 0U);
-    session.setDebugView(view::DebugView::depth);
+    session.look().setDebugView(view::DebugView::depth);
     session.drawIfNeeded();
-    session.setDebugView(view::DebugView::picture);
+    session.look().setDebugView(view::DebugView::picture);
     EXPECT_EQ(passesKept(), 0U);
     session.setMeasuresObjects(true);
     session.drawIfNeeded();

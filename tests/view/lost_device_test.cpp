@@ -27,10 +27,10 @@ bool isSaid(const Session& session, std::string_view id) {
 /// A session with a value and a view of its own, which has drawn its picture.
 void open(Session& session, const SceneFolder& folder) {
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    session.setValue(knobIndex(session, "uR"), {.8});
-    ViewState view = session.view();
+    session.values().set(knobIndex(session, "uR"), {.8});
+    ViewState view = session.look().view();
     view.eye[12] = .25;
-    session.setView(view);
+    session.look().setView(view);
     ASSERT_TRUE(session.drawIfNeeded());
 }
 
@@ -44,7 +44,7 @@ TEST(LostSession, ComesBackWithItsValuesAndItsView) {
         EXPECT_FALSE(session.hasScene());
         session.restoreDevice();
         ASSERT_TRUE(session.hasScene());
-        EXPECT_EQ(session.knobs()[knobIndex(session, "uR")].current, std::vector<double>{.8});
+        EXPECT_EQ(session.values().knobs()[knobIndex(session, "uR")].current, std::vector<double>{.8});
         EXPECT_TRUE(session.drawIfNeeded());
         EXPECT_EQ(pixelsOf(session), before);
     }
@@ -61,7 +61,7 @@ TEST(LostSession, KeepsItsValuesWhenItsFileIsMissingForAWhile) {
     EXPECT_FALSE(session.hasScene());
     std::filesystem::rename(folder / "away", folder.scene());
     ASSERT_TRUE(session.reload());
-    EXPECT_EQ(session.knobs()[knobIndex(session, "uR")].current, std::vector<double>{.8});
+    EXPECT_EQ(session.values().knobs()[knobIndex(session, "uR")].current, std::vector<double>{.8});
 }
 
 TEST(LostSession, IsNotDrawnUntilAValueOrItsTextChanges) {
@@ -75,8 +75,8 @@ TEST(LostSession, IsNotDrawnUntilAValueOrItsTextChanges) {
         lost.place = {folder.scene().string(), 6, 1};
         session.stop(lost);
         session.advance(1);
-        session.resize(40, 40);
-        session.resize(32, 32);
+        session.look().resize(40, 40);
+        session.look().resize(32, 32);
         EXPECT_FALSE(session.drawIfNeeded());
         EXPECT_FALSE(session.isMoving());
         EXPECT_EQ(session.picture(), nullptr);
@@ -90,7 +90,7 @@ TEST(LostSession, IsNotDrawnUntilAValueOrItsTextChanges) {
     session.restoreDevice();
     EXPECT_FALSE(session.drawIfNeeded());
     EXPECT_TRUE(isSaid(session, "view-E04"));
-    session.setValue(knobIndex(session, "uG"), {.25});
+    session.values().set(knobIndex(session, "uG"), {.25});
     EXPECT_FALSE(isSaid(session, "view-E04"));
     EXPECT_TRUE(session.drawIfNeeded());
     stop();

@@ -83,7 +83,7 @@ TEST(MessageFixes, CorrectAMisspeltUniformAndAddNoSliderBesideIt) {
         << folder.read("scene.glib");
     ASSERT_TRUE(session.reload());
     EXPECT_TRUE(session.diagnostics().empty()) << text(session.diagnostics());
-    EXPECT_EQ(session.knobs().at(knobIndex(session, "uAmount")).current, std::vector<double>{.8});
+    EXPECT_EQ(session.values().knobs().at(knobIndex(session, "uAmount")).current, std::vector<double>{.8});
 }
 
 TEST(MessageFixes, AddASliderForAUniformThatIsNotSet) {
@@ -106,7 +106,7 @@ TEST(MessageFixes, AddASliderForAUniformThatIsNotSet) {
         ASSERT_TRUE(session.reload());
         EXPECT_TRUE(session.diagnostics().empty())
             << text(session.diagnostics()) << folder.read("scene.glib");
-        EXPECT_NE(session.knob("", "uX"), nullptr) << type;
+        EXPECT_NE(session.values().knob("", "uX"), nullptr) << type;
         EXPECT_NE(folder.read("scene.glib").find("  # a comment"), std::string::npos);
     }
 }

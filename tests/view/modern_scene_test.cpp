@@ -41,10 +41,7 @@ const std::map<std::string, std::string> kSumFiles{
 
 /// The number that has been summed up at that time.
 double sumAt(Session& session, double time) {
-    view::Clock clock = session.clock();
-    clock.play(false);
-    clock.setTime(time);
-    session.setClock(clock);
+    session.clock().pauseAt(time);
     session.setNeedsFrame();
     session.drawIfNeeded();
     const std::vector<double> numbers = session.live().buffers().read({scene::BufferIndex(0)}, 0, 1);
@@ -89,17 +86,17 @@ class SumInAWindow : public testing::Test {
 
 TEST_F(SumInAWindow, StepsGoOnWithTheSlidersAsTheyAre) {
     EXPECT_EQ(sumAt(session, .45), 1) << "4 steps";
-    session.setValue(knobIndex(session, "gain"), {.5});
+    session.values().set(knobIndex(session, "gain"), {.5});
     EXPECT_EQ(sumAt(session, .65), 2) << "a variable that Step reads";
-    session.setValue(knobIndex(session, "uExtra"), {1});
+    session.values().set(knobIndex(session, "uExtra"), {1});
     EXPECT_EQ(sumAt(session, .85), 5) << "a slider of a program that only Step runs";
-    session.setValue(knobIndex(session, "start"), {4});
+    session.values().set(knobIndex(session, "start"), {4});
     EXPECT_EQ(sumAt(session, .85), 4 + 8 * 1.5) << "Once reads it, so everything begins anew";
 }
 
 TEST_F(SumInAWindow, WhatLastsSurvivesAReloadUnlessWhatMakesItHasChanged) {
     sumAt(session, .45);
-    session.setValue(knobIndex(session, "gain"), {.5});
+    session.values().set(knobIndex(session, "gain"), {.5});
     ASSERT_EQ(sumAt(session, .65), 2);
     const auto reloaded = [&] {
         EXPECT_TRUE(session.reload());
@@ -114,7 +111,7 @@ TEST_F(SumInAWindow, WhatLastsSurvivesAReloadUnlessWhatMakesItHasChanged) {
     EXPECT_EQ(reloaded(), 2) << "statements of the frame, and their lines";
     folder.write("add.comp", adds("2. * uGain + uExtra"));
     EXPECT_EQ(reloaded(), 6) << "the shader of Step: 6 steps again";
-    session.setValue(knobIndex(session, "gain"), {.25});
+    session.values().set(knobIndex(session, "gain"), {.25});
     sumAt(session, .75);
     folder.write("scene.glib", sumScene("20"));
     EXPECT_EQ(reloaded(), 13 * .5) << "another rate";
@@ -122,7 +119,7 @@ TEST_F(SumInAWindow, WhatLastsSurvivesAReloadUnlessWhatMakesItHasChanged) {
 
 TEST_F(SumInAWindow, KeysSetVariablesAndRestart) {
     EXPECT_EQ(sumAt(session, .45), 1);
-    const auto gain = [&] { return session.knobs()[knobIndex(session, "gain")].current.front(); };
+    const auto gain = [&] { return session.values().knobs()[knobIndex(session, "gain")].current.front(); };
     EXPECT_TRUE(session.pressKey("g"));
     EXPECT_EQ(gain(), 0) << "the first value, because the slider has none of them";
     EXPECT_TRUE(session.pressKey("G"));
@@ -142,7 +139,7 @@ TEST_F(SumInAWindow, HeldKeysMoveVariablesWithinTheirRanges) {
                                    "Let z <-1 0 1>\nLet speed 2\nKey w held z (z + speed)\n"
                                    "Key s z (z - .75)\n");
     ASSERT_TRUE(session.reload());
-    const auto z = [&] { return session.knobs()[knobIndex(session, "z")].current.front(); };
+    const auto z = [&] { return session.values().knobs()[knobIndex(session, "z")].current.front(); };
     EXPECT_TRUE(session.pressKey("w"));
     EXPECT_EQ(z(), 0) << "a press alone moves nothing, but belongs to the scene";
     session.holdKey("W", .125);
@@ -202,9 +199,9 @@ TEST(ModernScene, ReportsAKeyThatKeyboardsDoNotHave) {
     ASSERT_TRUE(hasError(session.diagnostics()));
     EXPECT_EQ(session.diagnostics().front().place.line, 2);
     EXPECT_TRUE(session.pressKey("5"));
-    EXPECT_EQ(session.knobs()[0].current.front(), 0);
+    EXPECT_EQ(session.values().knobs()[0].current.front(), 0);
     EXPECT_TRUE(session.pressKey("space"));
-    EXPECT_EQ(session.knobs()[0].current.front(), 2);
+    EXPECT_EQ(session.values().knobs()[0].current.front(), 2);
 }
 
 const std::string kEye = "LookAt 0 0 5  0 0 0  0 1 0  Perspective 60 .1 100\n";
@@ -224,8 +221,8 @@ std::vector<std::byte> pictureBy(const std::string& scene, const std::string& ca
     Session session(context(), {});
     EXPECT_TRUE(session.open(folder.scene()));
     EXPECT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
-    session.setCamera(camera);
-    EXPECT_EQ(session.camera(), camera);
+    session.look().setCamera(camera);
+    EXPECT_EQ(session.look().camera(), camera);
     session.drawIfNeeded();
     return pixelsOf(session);
 }
@@ -245,26 +242,26 @@ TEST(ModernScene, KeepsTheCameraThroughAReloadAndReturnsToItsOwn) {
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
     const auto own = pixelsOf(session);
-    session.nextCamera();
-    session.nextCamera();
-    session.nextCamera();
-    EXPECT_EQ(session.camera(), "other") << "eye, mirrored, other";
+    session.look().nextCamera();
+    session.look().nextCamera();
+    session.look().nextCamera();
+    EXPECT_EQ(session.look().camera(), "other") << "eye, mirrored, other";
     session.drawIfNeeded();
     const auto other = pixelsOf(session);
     EXPECT_EQ(session.onlyOnScreen(), "the camera 'other'");
     ASSERT_TRUE(session.reload());
     session.drawIfNeeded();
     EXPECT_TRUE(pixelsOf(session) == other);
-    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 0}, {32, 32}});
+    session.look().drag(view::TransformMode::eye, {view::Gesture::rotate, {9, 0}, {32, 32}});
     session.drawIfNeeded();
     EXPECT_FALSE(pixelsOf(session) == other) << "the mouse moves the camera";
-    session.resetTransforms();
-    session.nextCamera();
-    EXPECT_EQ(session.camera(), "");
+    session.look().resetTransforms();
+    session.look().nextCamera();
+    EXPECT_EQ(session.look().camera(), "");
     session.drawIfNeeded();
     EXPECT_TRUE(pixelsOf(session) == own);
-    session.setCamera("nobody");
-    EXPECT_EQ(session.camera(), "");
+    session.look().setCamera("nobody");
+    EXPECT_EQ(session.look().camera(), "");
 }
 
 TEST(ModernScene, ReadsTheMouse) {
@@ -360,7 +357,7 @@ TEST(ModernScene, TexturesOfTheWindowsSizeFollowIt) {
     ASSERT_TRUE(session.open(scene)) << text(session.diagnostics());
     session.drawIfNeeded();
     for (const auto& [width, height] : {std::pair(300, 700), std::pair(900, 200), std::pair(200, 150)}) {
-        session.resize(width, height);
+        session.look().resize(width, height);
         session.drawIfNeeded();
         render::Stats stats;
         RenderOptions options;

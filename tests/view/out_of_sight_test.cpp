@@ -58,16 +58,16 @@ TEST(OutOfSight, ComesBackWhenTheViewTurnsToIt) {
     const SceneFolder folder(kRow);
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.resize(96, 64);
+    session.look().resize(96, 64);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> distance(-30, 30);
     std::set<std::uint64_t> counts;
     for (int i = 0; i < 60; ++i) {
-        session.drag(view::TransformMode::eye,
-                     {view::Gesture::rotate, {distance(random), distance(random)}, {96, 64}});
-        session.drag(view::TransformMode::scene,
-                     {view::Gesture::pan, {distance(random), distance(random)}, {96, 64}});
-        session.setWireframe(i % 3 == 0);
+        session.look().drag(view::TransformMode::eye,
+                            {view::Gesture::rotate, {distance(random), distance(random)}, {96, 64}});
+        session.look().drag(view::TransformMode::scene,
+                            {view::Gesture::pan, {distance(random), distance(random)}, {96, 64}});
+        session.look().setWireframe(i % 3 == 0);
         const FrameNumbers all = frameOf(session, true);
         const FrameNumbers seen = frameOf(session, false);
         EXPECT_TRUE(seen.pixels == all.pixels) << i;
@@ -120,8 +120,8 @@ TEST(OutOfSight, NormalsThatReachIntoThePictureAreShown) {
     const SceneFolder folder("WindowSize 64 64\nOrtho -1 1 -1 1 -10 10\nRotate 90 0 1 0\nQuadXY -1.01 1\n");
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    session.setDebugView(view::DebugView::normals);
-    session.setNormalLength(1);
+    session.look().setDebugView(view::DebugView::normals);
+    session.look().setNormalLength(1);
     session.drawIfNeeded();
     const std::vector<std::byte> shown = pixelsOf(session);
     EXPECT_TRUE(
@@ -135,12 +135,12 @@ TEST(OutOfSight, APickedObjectIsTheSameWhateverIsLeftOutBeforeIt) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.pickAt(32, 32);
-    ASSERT_TRUE(session.picked());
-    EXPECT_EQ(session.picked()->draw.line, 7);
-    EXPECT_EQ(session.picked()->ordinal, 1);
+    ASSERT_TRUE(session.look().picked());
+    EXPECT_EQ(session.look().picked()->draw.line, 7);
+    EXPECT_EQ(session.look().picked()->ordinal, 1);
     ASSERT_TRUE(session.reload());
-    ASSERT_TRUE(session.picked());
-    EXPECT_EQ(session.picked()->draw.line, 7);
+    ASSERT_TRUE(session.look().picked());
+    EXPECT_EQ(session.look().picked()->draw.line, 7);
 }
 
 }  // namespace

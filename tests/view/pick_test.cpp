@@ -7,7 +7,7 @@ using view::Session;
 
 int lineAt(Session& session, int x, int y) {
     session.pickAt(x, y);
-    return session.picked() ? session.picked()->draw.line : 0;
+    return session.look().picked() ? session.look().picked()->draw.line : 0;
 }
 
 TEST(Picking, FindsTheNearestObjectWhateverTheOrder) {
@@ -21,7 +21,7 @@ TEST(Picking, FindsTheNearestObjectWhateverTheOrder) {
     EXPECT_EQ(lineAt(session, 35, 10), 9);
     EXPECT_EQ(lineAt(session, 25, 10), 4);
     EXPECT_EQ(lineAt(session, 2, 10), 0);
-    EXPECT_FALSE(session.picked());
+    EXPECT_FALSE(session.look().picked());
     EXPECT_EQ(lineAt(session, -5, 10), 0);
 }
 
@@ -63,11 +63,11 @@ TEST(Picking, GivesThePointUnderTheMouse) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.pickAt(20, 20);
-    ASSERT_TRUE(session.picked());
-    EXPECT_NEAR(session.picked()->eye.z, -3, 1e-3);
-    EXPECT_NEAR(session.picked()->point.z, 0, 1e-3);
+    ASSERT_TRUE(session.look().picked());
+    EXPECT_NEAR(session.look().picked()->eye.z, -3, 1e-3);
+    EXPECT_NEAR(session.look().picked()->point.z, 0, 1e-3);
     const double pixel = 2 * 3 * std::tan(30 * 3.14159265 / 180) / 40;
-    EXPECT_NEAR(session.picked()->point.x, pixel / 2, 1e-3);
+    EXPECT_NEAR(session.look().picked()->point.x, pixel / 2, 1e-3);
 }
 
 TEST(Picking, GivesThePointInReversedDepth) {
@@ -77,11 +77,11 @@ TEST(Picking, GivesThePointInReversedDepth) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.pickAt(20, 20);
-    ASSERT_TRUE(session.picked());
-    EXPECT_NEAR(session.picked()->eye.z, -90000, 1);
-    EXPECT_NEAR(session.picked()->point.z, 0, 1);
+    ASSERT_TRUE(session.look().picked());
+    EXPECT_NEAR(session.look().picked()->eye.z, -90000, 1);
+    EXPECT_NEAR(session.look().picked()->point.z, 0, 1);
     session.pickAt(1, 1);
-    EXPECT_FALSE(session.picked());
+    EXPECT_FALSE(session.look().picked());
 }
 
 TEST(Picking, TheObjectTransformMovesThePickedOneOnly) {
@@ -90,10 +90,10 @@ TEST(Picking, TheObjectTransformMovesThePickedOneOnly) {
         ".3\n");
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.drag(view::TransformMode::object, {view::Gesture::pan, {-10, 0}, {40, 20}});
-    EXPECT_TRUE(session.view() == ViewState{}) << "nothing is picked";
+    session.look().drag(view::TransformMode::object, {view::Gesture::pan, {-10, 0}, {40, 20}});
+    EXPECT_TRUE(session.look().view() == ViewState{}) << "nothing is picked";
     EXPECT_EQ(lineAt(session, 20, 10), 4);
-    session.drag(view::TransformMode::object, {view::Gesture::pan, {-10, 0}, {40, 20}});
+    session.look().drag(view::TransformMode::object, {view::Gesture::pan, {-10, 0}, {40, 20}});
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 10, 10), (std::array<int, 3>{255, 0, 0}));
     EXPECT_EQ(pixelOf(session, 20, 10), (std::array<int, 3>{18, 27, 33}));
@@ -105,10 +105,10 @@ TEST(Picking, KnowsTheMiddleAndTheSizeOfTheObject) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.pickAt(27, 25);
-    ASSERT_TRUE(session.picked());
-    EXPECT_EQ(session.picked()->centre, glm::dvec3(0));
-    EXPECT_EQ(session.picked()->half, glm::dvec3(.5, 1, .25));
-    EXPECT_NE(session.picked()->point, glm::dvec3(0));
+    ASSERT_TRUE(session.look().picked());
+    EXPECT_EQ(session.look().picked()->centre, glm::dvec3(0));
+    EXPECT_EQ(session.look().picked()->half, glm::dvec3(.5, 1, .25));
+    EXPECT_NE(session.look().picked()->point, glm::dvec3(0));
 }
 
 TEST(Picking, TakesThePointWhereAProgramMovesTheVertices) {
@@ -121,9 +121,9 @@ TEST(Picking, TakesThePointWhereAProgramMovesTheVertices) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.pickAt(25, 25);
-    ASSERT_TRUE(session.picked());
-    EXPECT_EQ(session.picked()->centre, session.picked()->point);
-    EXPECT_EQ(session.picked()->half, glm::dvec3(0));
+    ASSERT_TRUE(session.look().picked());
+    EXPECT_EQ(session.look().picked()->centre, session.look().picked()->point);
+    EXPECT_EQ(session.look().picked()->half, glm::dvec3(0));
 }
 
 }  // namespace

@@ -129,9 +129,7 @@ TEST(PixelProbe, ListsUniformsAndNamesOfOldShadersAsTheirAuthorsWriteThem) {
           "gl_TexCoord[0].s, uList[2] + Timer); }\n"}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
-    view::Clock clock = session.clock();
-    clock.setTime(2.5);
-    session.setClock(clock);
+    session.clock().setTime(2.5);
     const ProbedPixel probed = session.probe(30, 20);
     ASSERT_TRUE(probed.isDrawn);
     expectNear(numbers(probed, "uTint"), {.25, .5, .75}, 1e-6);
@@ -223,7 +221,7 @@ TEST(PixelProbe, GivesInputsThatComeFromATextureWhichThePictureDoesNotRead) {
 TEST(PixelProbe, GivesTheEyeSpaceOfTheTemplateTeapot) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(GLIBRA_SOURCE_DIR "/glib/start/teapot.glib")) << text(session.diagnostics());
-    session.resize(300, 200);
+    session.look().resize(300, 200);
     session.drawIfNeeded();
     const ProbedPixel probed = session.probe(150, 110);
     ASSERT_EQ(probed.program, "Glaze") << text(session.diagnostics());

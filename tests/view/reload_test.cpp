@@ -20,7 +20,7 @@ TEST(Reload, ShowsAnEditedShaderWithTheValuesAsTheyWere) {
                              {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.setValue(knobIndex(session, "uR"), {.8});
+    session.values().set(knobIndex(session, "uR"), {.8});
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 102, 0}));
     folder.write("a.frag", knobFragment("uG, uR, 1."));
@@ -34,7 +34,7 @@ TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
                              {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.setValue(knobIndex(session, "uR"), {.8});
+    session.values().set(knobIndex(session, "uR"), {.8});
     for (int i = 0; i < 3; ++i) {
         folder.write("a.frag", knobFragment("uR, oops, 0."));
         ASSERT_TRUE(session.reload());
@@ -45,7 +45,7 @@ TEST(Reload, KeepsTheLastGoodProgramAndReportsTheError) {
         EXPECT_EQ(session.diagnostics().front().place.line, 3) << text(session.diagnostics());
         EXPECT_NE(session.diagnostics().front().text.find("oops"), std::string::npos);
     }
-    session.setValue(knobIndex(session, "uG"), {1});
+    session.values().set(knobIndex(session, "uG"), {1});
     session.drawIfNeeded();
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{204, 255, 0})) << "its values can still be changed";
     folder.write("a.frag", knobFragment("0., uG, 1."));
@@ -79,15 +79,15 @@ TEST(Reload, OfASceneKeepsValuesWhoseSpecificationIsUnchanged) {
                              {{"a.vert", kPlainVertex}, {"a.frag", knobFragment("uR, uG, 0.")}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    session.setValue(knobIndex(session, "uR"), {.8});
-    session.setValue(knobIndex(session, "uG"), {1});
+    session.values().set(knobIndex(session, "uR"), {.8});
+    session.values().set(knobIndex(session, "uG"), {1});
     folder.write(
         "scene.glib",
         "# moved down\nWindowSize 16 16\nOrtho -1 1 -1 1\nVertex a.vert\nFragment a.frag\nProgram P uR <0 .2 "
         "1> uG <0 .6 1>\nQuadXY 0 1\n");
     ASSERT_TRUE(session.reload());
-    EXPECT_EQ(session.knob("", "uR")->current.front(), .8);
-    EXPECT_EQ(session.knob("", "uG")->current.front(), .6);
+    EXPECT_EQ(session.values().knob("", "uR")->current.front(), .8);
+    EXPECT_EQ(session.values().knob("", "uG")->current.front(), .6);
 }
 
 /// A scene of programs, each with a uniform uR at .25, in that order.
@@ -105,22 +105,22 @@ TEST(Reload, ValuesGoWithTheirProgramsWhenOthersAreInsertedRemovedOrRenamed) {
          {"a.frag", "#version 330\nuniform float uR; out vec4 c;\nvoid main() { c = vec4(uR); }\n"}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    ASSERT_EQ(session.knobs().size(), 3U);
-    session.setValue(0, {.5});
-    session.setValue(1, {.6});
-    session.setValue(2, {.7});
-    session.animate(1, true);
+    ASSERT_EQ(session.values().knobs().size(), 3U);
+    session.values().set(0, {.5});
+    session.values().set(1, {.6});
+    session.values().set(2, {.7});
+    session.values().animate(1, true);
     const auto valuesWith = [&](const std::vector<std::string>& names) {
         folder.write("scene.glib", programsScene(names));
         EXPECT_TRUE(session.reload());
         std::vector<double> values;
-        for (std::size_t i = 0; i < session.knobs().size(); ++i)
-            values.push_back(session.restingValue(i).front());
+        for (std::size_t i = 0; i < session.values().knobs().size(); ++i)
+            values.push_back(session.values().resting(i).front());
         return values;
     };
     using Values = std::vector<double>;
     EXPECT_EQ(valuesWith({"New", "A", "B", "A"}), (Values{.25, .5, .6, .7}));
-    EXPECT_TRUE(session.isAnimated(2)) << "an animation goes with its program";
+    EXPECT_TRUE(session.values().isAnimated(2)) << "an animation goes with its program";
     EXPECT_EQ(valuesWith({"New", "A", "Renamed", "A"}), (Values{.25, .5, .6, .7}));
     EXPECT_EQ(valuesWith({"A", "Renamed", "A"}), (Values{.5, .6, .7}));
     EXPECT_EQ(valuesWith({"A", "A"}), (Values{.5, .7}));
@@ -233,7 +233,7 @@ TEST(Reload, ASceneThatIsGoneLeavesWhatIsShown) {
     session.drawIfNeeded();
     std::filesystem::remove(folder.scene());
     EXPECT_FALSE(session.reload());
-    session.resize(20, 20);
+    session.look().resize(20, 20);
     EXPECT_TRUE(session.drawIfNeeded());
     EXPECT_EQ(pixelOf(session, 8, 8), (Color{51, 102, 0}));
     folder.write("scene.glib", kReloadedScene);
@@ -249,11 +249,11 @@ TEST(Reload, TransformsOfObjectsFollowTheirStatement) {
     Matrix moved = kIdentity;
     moved[12] = 1;
     view.objects = {{4, moved}};
-    session.setView(view);
+    session.look().setView(view);
     folder.write("scene.glib", "WindowSize 16 16\n\n\nOrtho -1 1 -1 1\nColor 1 0 0\nQuadXY 0 1\n");
     ASSERT_TRUE(session.reload());
-    ASSERT_EQ(session.view().objects.size(), 1U);
-    EXPECT_EQ(session.view().objects.front().line, 6);
+    ASSERT_EQ(session.look().view().objects.size(), 1U);
+    EXPECT_EQ(session.look().view().objects.front().line, 6);
 }
 
 }  // namespace

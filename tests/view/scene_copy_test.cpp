@@ -35,7 +35,7 @@ std::string contentOf(const fs::path& file) {
 /// Opens and draws.
 void openAndDraw(Session& session, const fs::path& scene) {
     ASSERT_TRUE(session.open(scene)) << text(session.diagnostics());
-    session.resize(120, 90);
+    session.look().resize(120, 90);
     session.drawIfNeeded();
     EXPECT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
 }
@@ -121,8 +121,8 @@ TEST(Examples, AreNotWrittenTo) {
     const std::string before = contentOf(scene);
     Session session(context(), {});
     ASSERT_TRUE(session.open(scene));
-    session.setValue(knobIndex(session, "uAd"), {.4});
-    const Diagnostics problems = view::saveValues(session.path(), session.knobs());
+    session.values().set(knobIndex(session, "uAd"), {.4});
+    const Diagnostics problems = view::saveValues(session.path(), session.values().knobs());
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems.front().id, "view-E03");
     EXPECT_EQ(contentOf(scene), before);
@@ -168,8 +168,9 @@ TEST(ChosenFiles, AreUsedAndSavedIntoTheScene) {
     ASSERT_EQ(missing().size(), 1U);
     EXPECT_EQ(missing().front().line, 6);
     EXPECT_EQ(session.chooseFile(missing().front(), "/none/b \xC3\xBC.obj"), "");
-    session.setValue(knobIndex(session, "uR"), {.5});
-    const Diagnostics problems = view::saveValues(session.path(), session.knobs(), session.chosenFiles());
+    session.values().set(knobIndex(session, "uR"), {.5});
+    const Diagnostics problems =
+        view::saveValues(session.path(), session.values().knobs(), session.chosenFiles());
     ASSERT_TRUE(problems.empty()) << text(problems);
     EXPECT_EQ(folder.read("scene.glib"),
               "WindowSize 32 32\nOrtho -1 1 -1 1\r\nVertex a.vert\nFragment a.frag\nProgram Flat uR <0 0.5 "

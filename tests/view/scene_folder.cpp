@@ -50,36 +50,35 @@ std::vector<std::byte> pixelsOf(const view::Session& session) {
 
 Color pixelOf(const view::Session& session, int x, int y) {
     const std::vector<std::byte> all = pixelsOf(session);
-    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(session.width()) +
-                                static_cast<std::size_t>(x));
+    const std::size_t at =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(session.look().width()) +
+             static_cast<std::size_t>(x));
     if (at + 2 >= all.size()) return {-1, -1, -1};
     return {std::to_integer<int>(all[at]), std::to_integer<int>(all[at + 1]),
             std::to_integer<int>(all[at + 2])};
 }
 
 std::size_t knobIndex(const view::Session& session, std::string_view tag) {
-    for (std::size_t i = 0; i < session.knobs().size(); ++i)
-        if (session.knobs()[i].tag == tag) return i;
+    for (std::size_t i = 0; i < session.values().knobs().size(); ++i)
+        if (session.values().knobs()[i].tag == tag) return i;
     ADD_FAILURE() << "no knob " << tag;
     return 0;
 }
 
 void changeOvalNoise(view::Session& session, int x, int y) {
-    session.setValue(knobIndex(session, "uAd"), {.31});
-    session.setValue(knobIndex(session, "uDotColor"), {.2, .7, .1});
-    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {37, 21}, {300, 200}});
-    session.drag(view::TransformMode::scene, {view::Gesture::pan, {13, -5}, {300, 200}});
+    session.values().set(knobIndex(session, "uAd"), {.31});
+    session.values().set(knobIndex(session, "uDotColor"), {.2, .7, .1});
+    session.look().drag(view::TransformMode::eye, {view::Gesture::rotate, {37, 21}, {300, 200}});
+    session.look().drag(view::TransformMode::scene, {view::Gesture::pan, {13, -5}, {300, 200}});
     session.pickAt(x, y);
-    ASSERT_TRUE(session.picked());
-    session.drag(view::TransformMode::object, {view::Gesture::scale, {3, 9}, {300, 200}});
-    ViewState view = session.view();
+    ASSERT_TRUE(session.look().picked());
+    session.look().drag(view::TransformMode::object, {view::Gesture::scale, {3, 9}, {300, 200}});
+    ViewState view = session.look().view();
     view.projection = ProjectionMode::orthographic;
     view.background = {.1, .2, .3, 1};
-    session.setView(view);
-    session.setAxes(true);
-    view::Clock clock = session.clock();
-    clock.setTime(1.375);
-    session.setClock(clock);
+    session.look().setView(view);
+    session.look().setAxes(true);
+    session.clock().setTime(1.375);
 }
 
 std::string text(const Diagnostics& diagnostics) {

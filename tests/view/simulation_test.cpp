@@ -25,9 +25,7 @@ std::vector<std::byte> rendered(double time, const std::filesystem::path& scene 
 }
 
 std::vector<std::byte> shown(view::Session& session, double time) {
-    view::Clock clock = session.clock();
-    clock.setTime(time);
-    session.setClock(clock);
+    session.clock().setTime(time);
     session.setNeedsFrame();
     session.drawIfNeeded();
     return pixelsOf(session);
@@ -36,7 +34,7 @@ std::vector<std::byte> shown(view::Session& session, double time) {
 TEST(SimulationInAWindow, ShowsTheStepsOfItsTime) {
     view::Session session(context(), {});
     ASSERT_TRUE(session.open(kLife)) << text(session.diagnostics());
-    session.resize(kSide, kSide);
+    session.look().resize(kSide, kSide);
     EXPECT_TRUE(session.live().isAnimated());
     const auto start = shown(session, 0);
     const auto later = shown(session, 1.25);
@@ -66,7 +64,7 @@ TEST(SimulationInAWindow, WhatLastsFollowsTheSizeOfTheWindow) {
     ASSERT_TRUE(session.open(folder.scene())) << text(session.diagnostics());
     shown(session, 1);
     for (const int height : {kSide, 120, 48}) {
-        session.resize(kSide, height);
+        session.look().resize(kSide, height);
         const auto now = shown(session, 1.25);
         EXPECT_FALSE(hasError(session.diagnostics())) << text(session.diagnostics());
         EXPECT_TRUE(now == rendered(1.25, folder.scene(), height)) << height;
@@ -76,10 +74,10 @@ TEST(SimulationInAWindow, WhatLastsFollowsTheSizeOfTheWindow) {
 TEST(SimulationInAWindow, ASliderForTheSizeOfWhatLastsBeginsAnew) {
     view::Session session(context(), {});
     ASSERT_TRUE(session.open(kLife)) << text(session.diagnostics());
-    session.resize(kSide, kSide);
+    session.look().resize(kSide, kSide);
     shown(session, 1);
     for (const double side : {400., 40.}) {
-        session.setValue(knobIndex(session, "side"), {side});
+        session.values().set(knobIndex(session, "side"), {side});
         const auto now = shown(session, 1.25);
         EXPECT_TRUE(now == rendered(1.25, kLife, kSide, {"side=" + std::to_string(static_cast<int>(side))}))
             << side;

@@ -28,7 +28,7 @@ TEST(SuiteShot, GivesThePixelsOfTheScreen) {
     const SceneFolder folder("");
     Session session(context(), {});
     ASSERT_TRUE(session.open(GLIBRA_SOURCE_DIR "/glib/patterns/ovalnoise.glib"));
-    session.resize(300, 200);
+    session.look().resize(300, 200);
     changeOvalNoise(session, 150, 110);
     session.drawIfNeeded();
     const Diagnostics problems = view::appendShot(folder / "s.toml", "turned", session);
@@ -50,13 +50,11 @@ TEST(SuiteShot, KnowsWhichProgramAValueBelongsTo) {
     const SceneFolder folder(kTwoPrograms, {{"a.vert", kPlainVertex}, {"a.frag", kFragment}});
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
-    view::Clock clock = session.clock();
-    clock.setTime(3);
-    session.setClock(clock);
+    session.clock().setTime(3);
     EXPECT_EQ(view::shotText(session, "still", ".").find("time"), std::string::npos) << "nothing reads it";
-    session.setValue(2, {.75});
-    ASSERT_EQ(session.knobs().at(2).tag, "uR");
-    session.setValue(knobIndex(session, "uB"), {1});
+    session.values().set(2, {.75});
+    ASSERT_EQ(session.values().knobs().at(2).tag, "uR");
+    session.values().set(knobIndex(session, "uB"), {1});
     session.drawIfNeeded();
     ASSERT_TRUE(view::appendShot(folder / "s.toml", "two", session).empty());
     EXPECT_NE(folder.read("s.toml").find("\"5:uB\" = true, \"7:uR\" = \"0.75\""), std::string::npos)
@@ -91,15 +89,15 @@ TEST(SuiteShot, NamesWhatItLeavesOutOfTheScreen) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     EXPECT_EQ(view::shotText(session, "ball", ".").find('#'), std::string::npos);
-    session.setWireframe(true);
-    session.setDebugView(view::DebugView::depth);
+    session.look().setWireframe(true);
+    session.look().setDebugView(view::DebugView::depth);
     session.drawIfNeeded();
     EXPECT_EQ(session.onlyOnScreen(), "wireframe and the debug view 'depth'");
     ASSERT_TRUE(view::appendShot(folder / "s.toml", "ball", session).empty());
     EXPECT_NE(folder.read("s.toml").find("without wireframe and the debug view 'depth'"), std::string::npos)
         << folder.read("s.toml");
-    session.setWireframe(false);
-    session.setDebugView(view::DebugView::picture);
+    session.look().setWireframe(false);
+    session.look().setDebugView(view::DebugView::picture);
     session.drawIfNeeded();
     Diagnostics said;
     EXPECT_TRUE(shotPicture(folder / "s.toml", said) == pixelsOf(session)) << text(said);

@@ -23,7 +23,7 @@ Color shownMatrix(const std::string& name, const ViewState& view,
         matrixFiles(name));
     Session session(context(), {});
     EXPECT_TRUE(session.open(folder.scene()));
-    session.setView(view);
+    session.look().setView(view);
     session.drawIfNeeded();
     EXPECT_EQ(text(session.diagnostics()), "");
     return pixelOf(session, 8, 8);
@@ -87,7 +87,7 @@ TEST(Transforms, PanningKeepsTheOriginUnderTheMouse) {
         ASSERT_TRUE(session.open(folder.scene()));
         session.drawIfNeeded();
         EXPECT_EQ(pixelOf(session, 100, 50), (Color{255, 255, 255}));
-        session.drag(mode, {view::Gesture::pan, {60, 30}, {200, 100}});
+        session.look().drag(mode, {view::Gesture::pan, {60, 30}, {200, 100}});
         session.drawIfNeeded();
         EXPECT_EQ(pixelOf(session, 160, 20), (Color{255, 255, 255}));
         EXPECT_NE(pixelOf(session, 100, 50), (Color{255, 255, 255}));
@@ -101,7 +101,7 @@ TEST(Transforms, RotatingKeepsTheOriginInPlaceAndTurnsTheFrontWithTheMouse) {
     Session session(context(), {});
     ASSERT_TRUE(session.open(folder.scene()));
     session.drawIfNeeded();
-    session.drag(view::TransformMode::eye, {view::Gesture::rotate, {50, 0}, {100, 100}});
+    session.look().drag(view::TransformMode::eye, {view::Gesture::rotate, {50, 0}, {100, 100}});
     session.drawIfNeeded();
     // After a quarter turn the ball in front of the origin is to its right: 1 unit from it, 6 from the eye.
     const int x = 50 + static_cast<int>(50 / std::tan(25 * 3.14159265 / 180) / 6);
@@ -117,11 +117,11 @@ TEST(Projection, OrthographicShowsTheOriginAsLargeAsThePerspectiveDoes) {
     const std::vector<std::byte> perspective = pixelsOf(session);
     ViewState view;
     view.projection = ProjectionMode::orthographic;
-    session.setView(view);
+    session.look().setView(view);
     session.drawIfNeeded();
     EXPECT_EQ(pixelsOf(session), perspective);
     view.eye = translation(0, 0, 3);
-    session.setView(view);
+    session.look().setView(view);
     session.drawIfNeeded();
     EXPECT_EQ(pixelsOf(session), perspective) << "distance does not matter to an orthographic picture";
 }
@@ -134,9 +134,31 @@ TEST(Projection, PerspectiveShowsTheMiddleOfABoxAsLargeAsTheBoxDoes) {
     const std::vector<std::byte> flat = pixelsOf(session);
     ViewState view;
     view.projection = ProjectionMode::perspective;
-    session.setView(view);
+    session.look().setView(view);
     session.drawIfNeeded();
     EXPECT_EQ(pixelsOf(session), flat);
+}
+
+TEST(Look, ReportsWhatChangesThePicture) {
+    int changes = 0;
+    view::Look look([&] { ++changes; });
+    look.setAxes(true);
+    look.setAxes(true);
+    EXPECT_EQ(changes, 1);
+    look.setNormalLength(.5);
+    EXPECT_EQ(changes, 1) << "no normals are shown";
+    look.setDebugView(view::DebugView::normals);
+    look.setNormalLength(.3);
+    EXPECT_EQ(changes, 3);
+    look.resize(look.width(), look.height());
+    look.setCamera("side");
+    EXPECT_EQ(changes, 3) << "there is no scene, and it is as large as before";
+    look.setTransform(view::TransformMode::eye, render::asNumbers(glm::dmat4(2)));
+    EXPECT_EQ(changes, 4);
+    EXPECT_NE(look.view(), ViewState());
+    look.resetTransforms();
+    EXPECT_EQ(changes, 5);
+    EXPECT_EQ(look.view(), ViewState());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class ValueKeeperTest : public testing::Test {
         ValueKeeper other(folder);
         EXPECT_TRUE(second.open(files.scene()));
         other.restore(second);
-        return second.knobs().at(knobIndex(second, "uR")).current.front();
+        return second.values().knobs().at(knobIndex(second, "uR")).current.front();
     }
     SceneFolder files;
     fs::path folder;
@@ -39,20 +39,20 @@ class ValueKeeperTest : public testing::Test {
 
 TEST_F(ValueKeeperTest, ValuesAreWrittenWithinASecondAndComeBack) {
     EXPECT_LT(keeper.keep(first, 10), 0) << "nothing has changed";
-    first.setValue(0, {.7});
+    first.values().set(0, {.7});
     EXPECT_GT(keeper.keep(first, 11), 0);
-    first.setValue(0, {.75});
+    first.values().set(0, {.75});
     double due = keeper.keep(first, 11.1);
     EXPECT_GT(due, 0);
     EXPECT_LT(due, 1) << "also while a slider goes on moving";
     due = keeper.keep(first, 11.1 + due);
     EXPECT_LT(due, 0);
     EXPECT_EQ(again(), .75);
-    EXPECT_TRUE(second.isChanged());
+    EXPECT_TRUE(second.values().isChanged());
 }
 
 TEST_F(ValueKeeperTest, AtTheEndTheyAreWrittenAtOnceAndOnlyOnce) {
-    first.setValue(0, {.7});
+    first.values().set(0, {.7});
     keeper.keepNow(first);
     EXPECT_EQ(again(), .7);
     fs::remove_all(folder);
@@ -61,26 +61,26 @@ TEST_F(ValueKeeperTest, AtTheEndTheyAreWrittenAtOnceAndOnlyOnce) {
 }
 
 TEST_F(ValueKeeperTest, ValuesAsInTheSceneLeaveNothing) {
-    first.setValue(0, {.7});
+    first.values().set(0, {.7});
     keeper.keepNow(first);
-    first.resetValues();
+    first.values().resetAll();
     keeper.keepNow(first);
     EXPECT_EQ(again(), .2);
-    first.setValue(0, {.7});
+    first.values().set(0, {.7});
     keeper.keepNow(first);
     keeper.forget(first);
     EXPECT_EQ(again(), .2);
 }
 
 TEST_F(ValueKeeperTest, AValueForWhichTheSceneSaysAnotherOneDoesNotComeBack) {
-    first.setValue(0, {.7});
+    first.values().set(0, {.7});
     keeper.keepNow(first);
     files.write("scene.glib", sceneWith("<0. .4 1.>"));
     EXPECT_EQ(again(), .4);
 }
 
 TEST_F(ValueKeeperTest, ASceneThatIsBrokenForAWhileLosesNothing) {
-    first.setValue(0, {.7});
+    first.values().set(0, {.7});
     keeper.keepNow(first);
     const std::string whole = files.read("a.frag");
     files.write("a.frag", "broken");
@@ -89,21 +89,21 @@ TEST_F(ValueKeeperTest, ASceneThatIsBrokenForAWhileLosesNothing) {
     other.restore(second);
     files.write("a.frag", whole);
     second.reload();
-    EXPECT_EQ(second.knobs().at(knobIndex(second, "uR")).current.front(), .7);
+    EXPECT_EQ(second.values().knobs().at(knobIndex(second, "uR")).current.front(), .7);
     other.keepNow(second);
     EXPECT_EQ(again(), .7);
 }
 
 TEST_F(ValueKeeperTest, AnAnimatedValueIsKeptAsItWasBefore) {
-    first.setValue(0, {.7});
-    first.animate(0, true);
+    first.values().set(0, {.7});
+    first.values().animate(0, true);
     first.advance(.5);
     keeper.keepNow(first);
     EXPECT_EQ(again(), .7);
 }
 
 TEST_F(ValueKeeperTest, ADamagedFileGivesNoValues) {
-    first.setValue(0, {.7});
+    first.values().set(0, {.7});
     keeper.keepNow(first);
     for (const auto& each : fs::directory_iterator(folder)) fs::resize_file(each.path(), 20);
     EXPECT_EQ(again(), .2);

@@ -208,7 +208,7 @@ Thumbnail makeThumbnail(gpu::Context& context, const fs::path& folder, const fs:
     Session session(context, options);
     std::vector<fs::path> files{scene};
     if (session.open(scene)) {
-        session.resize(kThumbnailWidth, kThumbnailHeight);
+        session.look().resize(kThumbnailWidth, kThumbnailHeight);
         session.drawIfNeeded();
         files = session.live().files();
     }

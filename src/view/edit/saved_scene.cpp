@@ -241,10 +241,6 @@ std::string withFiles(std::string_view text, std::span<const ChosenFile> files) 
     return result;
 }
 
-bool hasChangedValues(std::span<const render::Knob> knobs) {
-    return std::ranges::any_of(knobs, &render::Knob::isChanged);
-}
-
 Diagnostics saveValues(const std::filesystem::path& scene, std::span<const render::Knob> knobs,
                        std::span<const ChosenFile> files, EditedFile* edited) {
     if (isExample(scene))

@@ -44,9 +44,6 @@ std::string withFiles(std::string_view text, std::span<const ChosenFile> files);
 Diagnostics saveValues(const std::filesystem::path& scene, std::span<const render::Knob> knobs,
                        std::span<const ChosenFile> files = {}, EditedFile* edited = nullptr);
 
-/// True if a value differs from that of the file.
-bool hasChangedValues(std::span<const render::Knob> knobs);
-
 // Copies a scene to another place, with the files that it would not find there.
 
 /// A file of a scene that goes along with a copy of the scene.

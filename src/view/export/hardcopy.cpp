@@ -157,7 +157,7 @@ Result<HardcopyJob> HardcopyJob::begin(gpu::Context& context, const Session& ses
     state->wanted = wanted;
     state->options = session.renderOptions(wanted.width, wanted.height);
     if (wanted.samples > 1) state->options.samples = wanted.samples;
-    state->labelled = session.labelled();
+    state->labelled = session.look().labelled();
     if (!state->labelled.empty()) state->corner = std::exchange(state->options.labels, LabelCorner::none);
     state->options.floatPixels = image::holdsFloats(wanted.file);
     state->writing.comment = renderCommand(session, wanted);

@@ -48,15 +48,12 @@ std::string withSolution(std::string_view text, const fs::path& solution) {
 
 /// The session shows the moment, paused. Returns the first value that the scene does not have.
 std::string show(Session& session, const suite::Moment& moment) {
-    session.resetValues();
+    session.values().resetAll();
     std::string problem;
     for (const std::string& each : moment.shot.options.set)
-        if (const Diagnostics wrong = session.setByText(each); !wrong.empty() && problem.empty())
+        if (const Diagnostics wrong = session.values().setByText(each); !wrong.empty() && problem.empty())
             problem = wrong.front().text;
-    Clock clock;
-    clock.play(false);
-    clock.setTime(moment.shot.options.time);
-    session.setClock(clock);
+    session.clock().pauseAt(moment.shot.options.time);
     return problem;
 }
 
@@ -91,8 +88,7 @@ bool Comparison::follow(const Session& own) {
 }
 
 std::string Comparison::problem() const {
-    const auto error = std::ranges::find(other_.diagnostics(), Severity::error, &Diagnostic::severity);
-    return error == other_.diagnostics().end() ? std::string() : toString(*error);
+    return errorOf(other_);
 }
 
 std::optional<Comparison::Score> Comparison::score() {
@@ -184,7 +180,7 @@ void SolutionCheck::begin(const Session& shown) {
         own_.setTexts(shown.texts());
         if (!own_.reload()) return refuse("the scene cannot be read");
     }
-    own_.resize(solution_.width(), solution_.height());
+    own_.look().resize(solution_.look().width(), solution_.look().height());
     state_ = State::drawing;
 }
 

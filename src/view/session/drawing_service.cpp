@@ -41,7 +41,7 @@ namespace glibra::view {
 void eachMember(auto& packed, base::Is<DrawnState> auto& of) {
     packed(of.scene, of.loading, of.options.texts, of.options.sceneText, of.knobs, of.view, of.camera,
            of.time);
-    packed(of.axes, of.wireframe, of.mouseX, of.mouseY, of.isMouseDown, of.watchesLoops);
+    packed(of.axes, of.wireframe, of.mouse.x, of.mouse.y, of.mouse.isDown, of.watchesLoops);
     packed(of.width, of.height, of.samples);
 }
 
@@ -135,7 +135,7 @@ class Drawing {
         }
         for (const render::Knob& each : order.knobs) set(each);
         live_->setCamera(order.camera);
-        live_->setMouse(order.mouseX, order.mouseY, order.isMouseDown);
+        live_->setMouse(order.mouse.x, order.mouse.y, order.mouse.isDown);
         live_->drawer().setWireframe(order.wireframe);
         if (std::exchange(samples_, order.samples) != order.samples) target_.reset();
         if (Diagnostics problems = fit(target_, context_.capabilities(), live_->scene(), order.width,

@@ -87,8 +87,11 @@ struct DrawnState {
     std::string camera;
     double time = 0;
     bool axes = false, wireframe = false;
-    double mouseX = .5, mouseY = .5;
-    bool isMouseDown = false;
+    struct Mouse {
+        double x = .5, y = .5;
+        bool isDown = false;
+        friend bool operator==(const Mouse&, const Mouse&) = default;
+    } mouse;
     bool watchesLoops = false;  ///< LiveScene::watchLoops() comes first
     int width = 1, height = 1, samples = 1;
 };

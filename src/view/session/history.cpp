@@ -16,23 +16,22 @@
 namespace glibra::view {
 
 History::State History::stateOf(const Session& session) {
-    State state;
-    for (std::size_t i = 0; i < session.knobs().size(); ++i)
-        state.values.push_back({session.knobs()[i].program, session.knobs()[i].tag, session.restingValue(i)});
-    state.view = session.view();
+    State state{{}, session.look().view()};
+    const std::vector<render::Knob>& knobs = session.values().knobs();
+    for (std::size_t i = 0; i < knobs.size(); ++i)
+        state.values.push_back({knobs[i].program, knobs[i].tag, session.values().resting(i)});
     return state;
 }
 
 bool History::isCurrent(const Session& session) const {
-    if (states_.empty() || states_[at_].view != session.view()) return false;
+    if (states_.empty() || states_[at_].view != session.look().view()) return false;
     const std::vector<Value>& values = states_[at_].values;
-    if (values.size() != session.knobs().size()) return false;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const render::Knob& knob = session.knobs()[i];
-        if (values[i].program != knob.program || values[i].tag != knob.tag ||
-            values[i].values != session.restingValue(i))
+    const std::vector<render::Knob>& knobs = session.values().knobs();
+    if (values.size() != knobs.size()) return false;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (values[i].program != knobs[i].program || values[i].tag != knobs[i].tag ||
+            values[i].values != session.values().resting(i))
             return false;
-    }
     return true;
 }
 
@@ -46,17 +45,17 @@ void History::record(const Session& session) {
 }
 
 void History::restore(Session& session) const {
-    const State& state = states_[at_];
-    for (const Value& each : state.values)
-        for (std::size_t i = 0; i < session.knobs().size(); ++i)
-            if (session.knobs()[i].program == each.program && session.knobs()[i].tag == each.tag)
-                session.setValue(i, each.values);
-    session.setView(state.view);
+    const std::vector<render::Knob>& knobs = session.values().knobs();
+    for (const Value& each : states_[at_].values)
+        for (std::size_t i = 0; i < knobs.size(); ++i)
+            if (knobs[i].program == each.program && knobs[i].tag == each.tag)
+                session.values().set(i, each.values);
+    session.look().setView(states_[at_].view);
 }
 
 bool History::undo(Session& session) {
     record(session);
-    if (session.undoAnimations()) return true;
+    if (session.values().undoAnimations()) return true;
     if (at_ == 0) return false;
     --at_;
     restore(session);
@@ -64,7 +63,7 @@ bool History::undo(Session& session) {
 }
 
 bool History::redo(Session& session) {
-    session.undoAnimations();
+    session.values().undoAnimations();
     if (at_ + 1 >= states_.size()) return false;
     ++at_;
     restore(session);
@@ -98,10 +97,10 @@ const char* wordIn(Enum value, const auto& words) {
     return words.at(static_cast<std::size_t>(value));
 }
 
-Json knobsJson(const Session& session) {
+Json knobsJson(const SceneValues& values) {
     Json knobs = Json::array();
-    for (std::size_t i = 0; i < session.knobs().size(); ++i) {
-        const render::Knob& each = session.knobs()[i];
+    for (std::size_t i = 0; i < values.knobs().size(); ++i) {
+        const render::Knob& each = values.knobs()[i];
         knobs.push_back({{"program", each.title},
                          {"tag", each.tag},
                          {"widget", wordIn(each.widget, kWidgets)},
@@ -109,7 +108,7 @@ Json knobsJson(const Session& session) {
                          {"maximum", each.maximum},
                          {"initial", each.initial},
                          {"current", each.current},
-                         {"animated", session.isAnimated(i)}});
+                         {"animated", values.isAnimated(i)}});
     }
     return knobs;
 }
@@ -160,6 +159,7 @@ nlohmann::ordered_json stateOf(const Session& session) {
                             {"file", each.place.file},
                             {"line", each.place.line},
                             {"column", each.place.column}});
+    const Look& look = session.look();
     Json json{{"scene", session.path().generic_string()},
               {"framesDrawn", session.framesDrawn()},
               {"time", session.clock().time()},
@@ -167,15 +167,15 @@ nlohmann::ordered_json stateOf(const Session& session) {
               {"speed", session.clock().speed()},
               {"moving", session.isMoving()},
               {"animated", session.usesTime()},
-              {"axes", session.axes()},
-              {"wireframe", session.wireframe()},
-              {"debugView", nameOf(session.debugView())},
-              {"width", session.width()},
-              {"height", session.height()},
+              {"axes", look.axes()},
+              {"wireframe", look.wireframe()},
+              {"debugView", nameOf(look.debugView())},
+              {"width", look.width()},
+              {"height", look.height()},
               {"samples", session.picture() ? session.picture()->samples() : 0},
-              {"view", viewJson(session.view())},
-              {"camera", session.camera()},
-              {"knobs", knobsJson(session)},
+              {"view", viewJson(look.view())},
+              {"camera", look.camera()},
+              {"knobs", knobsJson(session.values())},
               {"messages", messages}};
     if (session.hasScene()) {
         Json steps = Json::array();
@@ -183,7 +183,7 @@ nlohmann::ordered_json stateOf(const Session& session) {
             steps.push_back({{"line", each.place.line}, {"rate", each.rate}, {"steps", each.steps}});
         json["steps"] = steps;
     }
-    if (const auto& picked = session.picked())
+    if (const auto& picked = look.picked())
         json["picked"] = {{"line", picked->draw.line},
                           {"word", picked->word},
                           {"eye", {picked->eye.x, picked->eye.y, picked->eye.z}},
@@ -194,16 +194,17 @@ nlohmann::ordered_json stateOf(const Session& session) {
 }
 
 bool ValueKeeper::isSeen(const Session& session) const {
-    if (seen_.size() != session.knobs().size() || scene_ != session.path()) return false;
+    if (seen_.size() != session.values().knobs().size() || scene_ != session.path()) return false;
     for (std::size_t i = 0; i < seen_.size(); ++i)
-        if (seen_[i] != session.restingValue(i)) return false;
+        if (seen_[i] != session.values().resting(i)) return false;
     return true;
 }
 
 void ValueKeeper::see(const Session& session) {
     scene_ = session.path();
     seen_.clear();
-    for (std::size_t i = 0; i < session.knobs().size(); ++i) seen_.push_back(session.restingValue(i));
+    for (std::size_t i = 0; i < session.values().knobs().size(); ++i)
+        seen_.push_back(session.values().resting(i));
 }
 
 bool ValueKeeper::restore(Session& session) {
@@ -212,7 +213,7 @@ bool ValueKeeper::restore(Session& session) {
     if (!folder_.empty() && session.hasScene()) {
         const fs::path file = fileOf(folder_, session.path());
         if (const auto bytes = image::readFile(file, {file.generic_string(), {}}, kLargestKept))
-            isRestored = session.setKeptValues(render::KeptValues::ofText(base::asText(*bytes)));
+            isRestored = session.values().setKept(render::KeptValues::ofText(base::asText(*bytes)));
     }
     see(session);
     return isRestored;
@@ -236,7 +237,7 @@ void ValueKeeper::keepNow(const Session& session) {
     see(session);
     changedAt_ = -1;
     const fs::path file = fileOf(folder_, session.path());
-    const std::string text = session.keptValues().text();
+    const std::string text = session.values().kept().text();
     std::error_code failure;
     if (text.empty()) {
         fs::remove(file, failure);

@@ -5,28 +5,10 @@
 #include <utility>
 
 #include "base/files.h"
+#include "glib/text.h"
 #include "image/file.h"
 
 namespace glibra::view {
-namespace {
-
-/// The transforms of objects after a reload: each goes with the same command at the same place in the order
-/// of draws.
-std::vector<ViewState::Object> moved(const std::vector<ViewState::Object>& objects, const scene::Scene& from,
-                                     const scene::Scene& to) {
-    const std::vector<const scene::Draw*> before = windowDraws(from);
-    const std::vector<const scene::Draw*> after = windowDraws(to);
-    std::vector<ViewState::Object> result;
-    for (const ViewState::Object& each : objects)
-        for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
-            if (before[i]->id == each.draw() && before[i]->word == after[i]->word) {
-                result.push_back({after[i]->id, each.matrix});
-                break;
-            }
-    return result;
-}
-
-}  // namespace
 
 Session::Session(gpu::Context& context, RenderOptions options)
     : context_(context), options_(std::move(options)) {}
@@ -72,14 +54,11 @@ bool Session::open(const std::filesystem::path& path) {
     drawsItself_ = false;
     chosenFiles_.clear();
     isVerbose_ = false;
-    kept_.forget();
-    view_ = {};
-    camera_.clear();
-    clock_ = {};
-    animations_.clear();
+    values_.clear();
+    clearPick();
+    look_.begin(loading.scene->scene());
+    clock_.setState({});
     trials_.clear();
-    width_ = loading.scene->scene().width;
-    height_ = loading.scene->scene().height;
     before_.reset();
     showsBefore_ = false;
     isOfFiles_ = true;
@@ -92,7 +71,13 @@ bool Session::reload() {
     render::LiveScene::Loading loading = render::LiveScene::load(context_, path_, loadOptions(), live_.get());
     if (!loading.scene) {
         diagnostics_ = std::move(loading.diagnostics);
-        if (loading.isPreviousLost) dropScene();
+        if (!loading.isPreviousLost) return false;
+        debugRenderer_.reset();
+        values_.clear();
+        look_.leave();
+        clearPick();
+        isWaiting_ = false;
+        live_.reset();
         return false;
     }
     if (isOfFiles_) keepBefore();
@@ -101,18 +86,9 @@ bool Session::reload() {
     return true;
 }
 
-void Session::dropScene() {
-    debugRenderer_.reset();
-    knobs_.clear();
-    animations_.clear();
-    clearPick();
-    isWaiting_ = false;
-    live_.reset();
-}
-
 void Session::releaseDevice() {
-    if (live_) kept_.keep(live_->scene(), knobs_);
-    isReleased_ = isReleased_ || live_;
+    values_.leave();
+    look_.leave();
     debugRenderer_.reset();
     objectTimer_.reset();
     live_.reset();
@@ -145,66 +121,80 @@ void Session::stop(const base::DeviceLost& lost) {
 }
 
 void Session::take(render::LiveScene::Loading loading, bool sameScene) {
-    if (live_) kept_.keep(live_->scene(), knobs_);
-    if (sameScene && live_) {
-        view_.objects = moved(view_.objects, live_->scene(), loading.scene->scene());
-    } else if (!sameScene || !isReleased_) {
-        kept_.forget();
-    }
-    isReleased_ = isStopped_ = isWaiting_ = showsBefore_ = watchesLoops_ = false;
+    values_.leave();
+    look_.leave(sameScene ? &loading.scene->scene() : nullptr);
+    isStopped_ = isWaiting_ = showsBefore_ = watchesLoops_ = false;
     isUnwatched_ = true;
     // What was slow before an edit is tried by the other process first.
     if (!sameScene || slowFrames_ < kMostSlowFrames) slowFrames_ = 0;
     openLoops_.reset();
-    if (picked_) {
-        const std::vector<const scene::Draw*> draws = windowDraws(loading.scene->scene());
-        const auto ordinal = static_cast<std::size_t>(picked_->ordinal);
-        if (sameScene && ordinal < draws.size() && draws[ordinal]->word == picked_->word)
-            picked_->draw = draws[ordinal]->id;
-        else
-            clearPick();
-    }
     debugRenderer_.reset();
     if (objectTimer_) objectTimer_->forget();
     live_ = std::move(loading.scene);
     diagnostics_ = std::move(loading.diagnostics);
-    const std::vector<render::Knob> before = std::exchange(knobs_, live_->knobs());
-    kept_.restore(live_->scene(), knobs_);
-    for (Animation& each : animations_) {  // they go with their program, wherever it stands now
-        const auto old = std::find_if(before.begin(), before.end(),
-                                      [&](const render::Knob& knob) { return each.isOf(knob); });
-        if (old == before.end()) continue;
-        const auto now = std::find_if(knobs_.begin(), knobs_.end(), [&](const render::Knob& knob) {
-            return knob.title == old->title && knob.tag == old->tag;
-        });
-        const bool isRenamed = std::ranges::any_of(knobs_, [&](const render::Knob& knob) {
-            return each.isOf(knob) &&
-                   std::ranges::find(before, knob.title, &render::Knob::title) == before.end();
-        });
-        if (now != knobs_.end())
-            each.program = now->program;
-        else if (!isRenamed)
-            each.tag.clear();  // it ends
+    values_.enter(live_->scene(), live_->knobs());
+    if (!trials_.empty()) {
+        trials_.follow(live_->scene(), [this](const std::filesystem::path& file) { return readText(file); });
+        live_->tryStates(trials_.states());
     }
-    std::erase_if(animations_, [&](const Animation& each) {
-        return std::none_of(knobs_.begin(), knobs_.end(), [&](const render::Knob& knob) {
-            return each.isOf(knob) && knob.widget == render::Widget::slider &&
-                   knob.current.size() == each.phases.size();
-        });
-    });
-    for (std::size_t i = 0; i < knobs_.size(); ++i)
-        if (knobs_[i].isChanged()) applyValue(i);
-    followTrials();
-    live_->drawer().setWireframe(wireframe_);
     live_->setMouse(mouse_.x, mouse_.y, mouse_.isDown);
-    setCamera(camera_);
+    look_.enter(*live_);
     isStale_ = true;
     ++timesLoaded_;
 }
 
+/// A value has changed.
+void Session::apply(const render::Knob& knob) {
+    live_->setValue(knob);
+    isStopped_ = watchesLoops_ = false;
+    isUnwatched_ = true;
+    openLoops_.reset();
+    std::erase_if(diagnostics_, [](const Diagnostic& each) {
+        return each.id == "draw-W08" || each.id == "view-E04" || each.id == "view-E05";
+    });
+    append(diagnostics_, live_->longLoops());
+    isStale_ = true;
+}
+
+bool Session::pressKey(std::string_view key) {
+    if (!live_) return false;
+    bool isBound = false;
+    const std::vector<scene::KeyBinding> bindings = live_->scene().keys;
+    for (const scene::KeyBinding& each : bindings) {
+        if (!glib::sameWord(each.key, key)) continue;
+        isBound = true;
+        if (each.restarts) restart();
+        if (!each.isHeld) values_.press(each);
+    }
+    return isBound;
+}
+
+void Session::holdKey(std::string_view key, double seconds) {
+    if (!live_) return;
+    const std::vector<scene::KeyBinding> bindings = live_->scene().keys;
+    for (const scene::KeyBinding& each : bindings)
+        if (each.isHeld && glib::sameWord(each.key, key)) values_.hold(each, seconds);
+}
+
+void Session::setMouse(double x, double y, bool isDown) {
+    const DrawnState::Mouse mouse{x, y, isDown};
+    if (mouse == mouse_) return;
+    mouse_ = mouse;
+    if (!live_) return;
+    live_->setMouse(x, y, isDown);
+    isStale_ = isStale_ || live_->readsMouse();
+}
+
+void Session::showLike(const Session& other) {
+    setSamples(other.samples_);
+    clock_.setTime(other.pictureTime_);
+    values_.setLike(other.values_);
+    look_.setLike(other.look_, path_ == other.path_);
+    setMouse(other.mouse_.x, other.mouse_.y, other.mouse_.isDown);
+}
+
 void Session::restart() {
     clock_.setTime(0);
-    moveAnimations();
     if (live_) live_->restart();
     isStale_ = true;
 }
@@ -215,23 +205,17 @@ void Session::nextStep() {
     for (const render::Simulation::Progress& each : live_->steps())
         next =
             std::min(next, (static_cast<double>(render::stepsAt(clock_.time(), each.rate)) + 1) / each.rate);
-    Clock clock = clock_;
-    clock.play(false);
-    clock.setTime(next);
-    setClock(clock);
+    clock_.pauseAt(next);
 }
 
-void Session::setClock(const Clock& clock) {
-    const bool isOtherTime = clock.time() != clock_.time();
-    isStale_ = isStale_ || (isOtherTime && live_ && live_->isAnimated());
-    clock_ = clock;
-    if (isOtherTime) moveAnimations();
+/// The clock shows another time.
+void Session::followClock() {
+    isStale_ = isStale_ || (live_ && live_->isAnimated());
+    values_.followClock();
 }
 
 void Session::advance(double seconds) {
-    if (isStopped_ || !usesTime() || !clock_.advance(seconds)) return;
-    if (live_->isAnimated()) isStale_ = true;
-    moveAnimations();
+    if (!isStopped_ && usesTime()) clock_.advance(seconds);
 }
 
 bool Session::isMoving() const {
@@ -241,32 +225,29 @@ bool Session::isMoving() const {
 RenderOptions Session::renderOptions(int width, int height) const {
     RenderOptions options = options_;
     options.texts.clear();
-    options.width = width > 0 ? width : width_;
-    options.height = height > 0 ? height : height_;
+    options.width = width > 0 ? width : look_.width();
+    options.height = height > 0 ? height : look_.height();
     options.time = clock_.time();
-    options.axes = axes_;
-    options.labels = labels_;
+    options.axes = look_.axes();
+    options.labels = look_.labels();
     if (!chosenFiles_.empty()) options.sceneText = textWithFiles();
-    options.viewState = shownView();
-    for (const render::Knob& each : knobs_)
-        if (each.isChanged()) options.set.push_back(setArgument(live_->scene(), each, knobs_));
+    options.viewState = look_.shownView();
+    for (const render::Knob& each : values_.knobs())
+        if (each.isChanged()) options.set.push_back(setArgument(live_->scene(), each, values_.knobs()));
     return options;
 }
 
 std::string Session::onlyOnScreen() const {
     std::string words;
     const auto add = [&](const std::string& word) { words += (words.empty() ? "" : " and ") + word; };
-    if (wireframe_) add("wireframe");
+    if (look_.wireframe()) add("wireframe");
     if (!trials_.states().empty()) add("states of draws that are tried");
-    if (debugView_ != DebugView::picture) add("the debug view '" + std::string(nameOf(debugView_)) + "'");
-    if (!camera_.empty()) add("the camera '" + camera_ + "'");
-    if (live_ && live_->readsMouse() && mouse_ != Mouse{}) add("the mouse");
+    if (look_.debugView() != DebugView::picture)
+        add("the debug view '" + std::string(nameOf(look_.debugView())) + "'");
+    if (!look_.camera().empty()) add("the camera '" + look_.camera() + "'");
+    if (live_ && live_->readsMouse() && mouse_ != DrawnState::Mouse{}) add("the mouse");
     if (!options_.texts.empty()) add("text that is not saved");
     return words;
-}
-
-bool Session::isChanged() const {
-    return view_ != ViewState{} || hasChangedValues(knobs_);
 }
 
 }  // namespace glibra::view

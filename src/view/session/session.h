@@ -1,6 +1,7 @@
 #pragma once
-// What a window shows and a user changes: a scene, its values, the view and the time. It does not depend on a
-// window or widgets, so that all of it can be driven and tested without a display.
+// A scene on a device, which is loaded, loaded again and drawn, with what a user changes: its values, how it
+// is looked at, and the time. It does not depend on a window or widgets, so that all of it can be driven and
+// tested without a display.
 
 #include <glibra/render.h>
 
@@ -18,73 +19,19 @@
 #include "gpu/context/context.h"
 #include "gpu/object/framebuffer.h"
 #include "gpu/object/texture.h"
-#include "render/live/knobs.h"
 #include "render/live/live_scene.h"
 #include "view/debug_view/debug_renderer.h"
 #include "view/debug_view/pixel_probe.h"
 #include "view/edit/saved_scene.h"
-#include "view/scene/transforms.h"
 #include "view/scene/window_target.h"
 #include "view/session/drawing_service.h"
+#include "view/session/look.h"
 #include "view/session/object_timer.h"
+#include "view/session/scene_values.h"
 
 namespace glibra::view {
 
-// The time that a scene sees: it plays, pauses, steps and runs at any speed. The class never reads a real
-// clock; its owner reports how much real time has passed.
-
-// Values that move between the ends of their ranges. They are functions of the scene's time, so that the same
-// time shows the same picture again.
-
-/// One animated knob with a range: all its components.
-struct Animation {
-    scene::ProgramIndex program{};
-    std::string tag;
-    double begin = 0;            ///< seconds of the scene's time
-    std::vector<double> phases;  ///< of the components at `begin`, 0..2: up at 0..1, down at 1..2
-    std::vector<double> before;  ///< the values that undo returns to
-
-    [[nodiscard]] bool isOf(const render::Knob& knob) const {
-        return knob.program == program && knob.tag == tag;
-    }
-};
-
-constexpr double kAnimationSeconds = 4;  ///< from one end to the other
-
-/// Begins at the knob's current values, upwards.
-Animation animationOf(const render::Knob& knob, double time);
-/// The values of the animated knob at that time: from end to end and back, evenly on the slider's scale.
-std::vector<double> valuesAt(const Animation& animation, const render::Knob& knob, double time);
-
-class Clock {
-  public:
-    /// Seconds since the scene was loaded, as shaders see them.
-    [[nodiscard]] double time() const { return time_; }
-    [[nodiscard]] bool isPlaying() const { return playing_; }
-    [[nodiscard]] double speed() const { return speed_; }
-
-    void play(bool on) { playing_ = on; }
-    /// Scene seconds per real second, clamped to -1000..1000. A negative speed runs backwards; a value that
-    /// is not finite is ignored.
-    void setSpeed(double speed);
-    /// Times below 0 become 0; a value that is not finite is ignored.
-    void setTime(double seconds);
-    /// Pauses, and moves the time by `frames` frames of 1/30 second each, times the speed. `frames` may be
-    /// negative.
-    void step(int frames);
-    /// Reports that `seconds` of real time have passed. Returns true if the scene's time has changed.
-    bool advance(double seconds);
-
-    static constexpr double kFrameSeconds = 1.0 / 30;
-
-  private:
-    double time_ = 0;
-    double speed_ = 1;
-    bool playing_ = true;
-};
-
-// The draws that have another state than the scene says, to try that. They are found again after an edit.
-
+/// The draws that have another state than the scene says, to try that. They are found again after an edit.
 class Trials {
   public:
     /// The text of a file of the scene, as it was read last.
@@ -168,59 +115,19 @@ class Session {
     /// current values.
     [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
-    [[nodiscard]] const std::vector<render::Knob>& knobs() const { return knobs_; }
-    /// Null if there is none. `program` is the title of the knob's program; if it is empty, the first knob
-    /// with the tag is returned.
-    [[nodiscard]] const render::Knob* knob(std::string_view program, std::string_view tag) const;
-    /// Sets any finite values, also beyond the knob's limits. If there are fewer values than components, the
-    /// other components stay.
-    void setValue(std::size_t knob, std::vector<double> values);
-    void resetValue(std::size_t knob);
-    void resetValues();
-    /// Begins or ends an animation of a knob with a range between its ends. It follows the clock, which
-    /// begins to play. At the end the knob keeps the value that it has.
-    void animate(std::size_t knob, bool on);
-    [[nodiscard]] bool isAnimated(std::size_t knob) const;
-    /// Ends all animations and returns their knobs to the values from before. Returns false if there is none.
-    bool undoAnimations();
-    /// The knob's values, or those from before its animation.
-    [[nodiscard]] const std::vector<double>& restingValue(std::size_t knob) const;
-    /// The values that differ from the file's, those of animations as they were before.
-    [[nodiscard]] render::KeptValues keptValues() const;
-    /// Sets them, as far as the scene says the same about them as then. Returns true if a value has changed.
-    bool setKeptValues(render::KeptValues kept);
-    /// Sets a value given as "NAME=VALUE", as on the command line. Returns what is wrong with it.
-    Diagnostics setByText(const std::string& argument);
+    /// Its time, its values, and how it is looked at. What changes there makes the picture out of date, and a
+    /// value that is set ends a stop().
+    [[nodiscard]] const Clock& clock() const { return clock_; }
+    Clock& clock() { return clock_; }
+    [[nodiscard]] const SceneValues& values() const { return values_; }
+    SceneValues& values() { return values_; }
+    [[nodiscard]] const Look& look() const { return look_; }
+    Look& look() { return look_; }
 
-    [[nodiscard]] const ViewState& view() const { return view_; }
-    void setView(ViewState view);
-    /// Resets scene, eye, object and texture transforms; values, projection and background stay.
-    void resetTransforms();
-    /// Applies a drag of the mouse in that mode. TransformMode::object does nothing if no object is picked.
-    void drag(TransformMode mode, const Drag& drag);
-    [[nodiscard]] Matrix transform(TransformMode mode) const;
-    void setTransform(TransformMode mode, const Matrix& matrix);
-    /// The next projection in a round: as in the scene, orthographic if the scene draws in perspective,
-    /// perspective if it draws in an orthographic box.
-    void nextProjection();
-    [[nodiscard]] bool axes() const { return axes_; }
-    void setAxes(bool on);
-    /// The corner that shows the values; it affects hardcopies and suite shots, not picture().
-    [[nodiscard]] LabelCorner labels() const { return labels_; }
-    /// `only`: those that begin so (labelBegin); empty: all. The rest is not known to renderOptions().
-    void setLabels(LabelCorner corner, std::vector<std::string> only = {}) {
-        labels_ = corner;
-        labelled_ = std::move(only);
-    }
-    [[nodiscard]] const std::vector<std::string>& labelled() const { return labelled_; }
-    [[nodiscard]] bool wireframe() const { return wireframe_; }
-    void setWireframe(bool on);
     /// Whether every frame measures how long its objects take. Frames are then drawn whole, without what is
     /// kept from the frame before.
     [[nodiscard]] bool measuresObjects() const { return measuresObjects_; }
     void setMeasuresObjects(bool on);
-    /// False if the driver cannot measure it.
-    [[nodiscard]] bool canMeasureObjects() const { return context_.capabilities().timerBits > 0; }
     /// The result, of frames that the device has done; nothing without one since it was turned on, and in
     /// debug views. See ObjectTimer.
     [[nodiscard]] std::optional<double> objectMilliseconds() const {
@@ -228,21 +135,8 @@ class Session {
     }
     /// Every texture keeps its content after a frame, for the inspector. See LiveScene::keepTextures.
     void keepTextures();
-    /// What is shown in place of the picture. It affects neither `glibra render` nor hardcopies.
-    [[nodiscard]] DebugView debugView() const { return debugView_; }
-    void setDebugView(DebugView kind);
-    /// Length of normals as a fraction of half the picture's height, 0.005 to 1.
-    [[nodiscard]] double normalLength() const { return normalLength_; }
-    void setNormalLength(double length);
     /// The numbers behind the debug view of the last frame, bottom row first; empty if it shows none.
     [[nodiscard]] const TexelImage& debugNumbers() const;
-
-    /// The camera that the picture is seen from; empty: as in the scene. See LiveScene::setCamera.
-    [[nodiscard]] const std::string& camera() const { return camera_; }
-    /// A name that the scene does not declare means: as in the scene.
-    void setCamera(const std::string& name);
-    /// The next camera of the scene, by name; after the last one, as in the scene.
-    void nextCamera();
 
     /// Where the mouse is in the picture, 0..1 from the lower left corner, and whether its left button is
     /// down.
@@ -259,31 +153,20 @@ class Session {
     /// Pauses, and moves the time to the next step of the scene's Step blocks.
     void nextStep();
 
-    [[nodiscard]] const Clock& clock() const { return clock_; }
-    void setClock(const Clock& clock);
     /// Reports that `seconds` of real time have passed. The time of a scene that does not use it stands
     /// still.
     void advance(double seconds);
     /// True if the picture depends on the time.
-    [[nodiscard]] bool usesTime() const { return live_ && (live_->isAnimated() || !animations_.empty()); }
+    [[nodiscard]] bool usesTime() const { return live_ && (live_->isAnimated() || values_.isAnyAnimated()); }
     /// True if the picture changes by itself: time advances and a program reads it.
     [[nodiscard]] bool isMoving() const;
 
-    /// Sets the size of the picture in pixels. At first it is the scene's WindowSize.
-    void resize(int width, int height);
-    [[nodiscard]] int width() const { return width_; }
-    [[nodiscard]] int height() const { return height_; }
     /// Sets the samples per pixel on the screen, limited to what the driver has; 0 or 1: one. Hardcopies and
     /// renderOptions() keep theirs.
     void setSamples(int samples);
-    /// Takes over all that the last picture of `other` depends on besides its scene: size, samples, time,
-    /// view, camera, mouse, what is shown, and the values of what has the same name here. The transforms of
-    /// objects are named by lines; they stay out unless both show the same file.
+    /// Takes over all that the last picture of `other` depends on besides its scene: samples, time, mouse,
+    /// Look::setLike and SceneValues::setLike.
     void showLike(const Session& other);
-    /// Sets the shape that a perspective shows whole: width / height; 0: a perspective keeps its vertical
-    /// angle. In pictures that are narrower, the scene then becomes smaller, and nothing of it is cropped.
-    void setWholeShape(double aspect);
-
     /// Marks the picture as out of date, after something else was drawn into it.
     void setNeedsFrame() { isStale_ = true; }
     /// Draws a frame if the picture is out of date. Returns true if it drew one.
@@ -307,7 +190,7 @@ class Session {
     /// The draws that are drawn with another state than the scene says (LiveScene::tryStates), until the
     /// scene says another one for them, or another scene is opened. They are found again after an edit, and a
     /// draw that takes the place of another does not inherit its state.
-    [[nodiscard]] const render::TriedStates& triedStates() const { return trials_.states(); }
+    [[nodiscard]] const Trials& trials() const { return trials_; }
     void tryState(const scene::Draw& draw, const base::RasterState& state);
     /// The text of a file of the scene, with what was typed in it; empty if it cannot be read.
     [[nodiscard]] std::string readText(const std::filesystem::path& file) const;
@@ -328,70 +211,49 @@ class Session {
         return showsBefore_ ? pictureBefore() : picture();
     }
 
-    /// Picks the object at that pixel (x to the right, y downwards); the background picks none. While another
-    /// process draws the picture, the pick waits for it.
+    /// Picks the object at that pixel (x to the right, y downwards) for the look; the background picks none.
+    /// While another process draws the picture, the pick waits for it.
     void pickAt(int x, int y);
     void clearPick();
-    [[nodiscard]] const std::optional<Picked>& picked() const { return picked_; }
 
     /// The options with which `glibra render` gives this picture in that size (0: the current size).
     [[nodiscard]] RenderOptions renderOptions(int width = 0, int height = 0) const;
     /// What the window shows but `glibra render` and suites cannot: "wireframe", "wireframe and the debug
     /// view 'depth'". Empty if it shows the plain picture.
     [[nodiscard]] std::string onlyOnScreen() const;
-    /// True if a value or the view differs from what the file says.
-    [[nodiscard]] bool isChanged() const;
 
   private:
-    void followTrials();
+    void followClock();
+    void apply(const render::Knob& knob);
     void take(render::LiveScene::Loading loading, bool sameScene);
-    void dropScene();
     Diagnostics drawShown();
-    [[nodiscard]] ViewState shownView() const;
-    [[nodiscard]] double shrinking() const;
     enum class Elsewhere { no, waits, tried, shown };
     Elsewhere drawElsewhere();
-    [[nodiscard]] DrawnState drawnState() const;
+    [[nodiscard]] DrawnState beginDrawnState();
     const std::vector<Place>& openLoops();
     bool showReceived(const DrawingOrder& order);
     void stopOpenLoops(DrawingProcess::State why);
     void keepBefore();
     bool makeTarget(std::optional<gpu::Target>& target, int samples);
     void pickWaiting();
-    void moveAnimations();
-    void applyValue(std::size_t knob);
     [[nodiscard]] std::optional<std::string> textWithFiles() const;
     [[nodiscard]] RenderOptions loadOptions() const;
-    [[nodiscard]] Surroundings surroundings(TransformMode mode) const;
-    [[nodiscard]] const scene::Draw* pickedDraw() const;
 
     gpu::Context& context_;
     RenderOptions options_;
     std::filesystem::path path_;
     std::unique_ptr<render::LiveScene> live_;
     Diagnostics diagnostics_;
-    std::vector<render::Knob> knobs_;
-    render::KeptValues kept_;
-    ViewState view_;
-    Clock clock_;
-    std::string camera_;
-    struct Mouse {
-        double x = .5, y = .5;
-        bool isDown = false;
-        friend bool operator==(const Mouse&, const Mouse&) = default;
-    } mouse_;
-    bool axes_ = false, wireframe_ = false, isVerbose_ = false, measuresObjects_ = false;
-    LabelCorner labels_ = LabelCorner::none;
-    std::vector<std::string> labelled_;
+    Clock clock_{[this] { followClock(); }};
+    SceneValues values_{clock_, [this](const render::Knob& knob) { apply(knob); }};
+    Look look_{[this] { isStale_ = true; }};
+    DrawnState::Mouse mouse_;
+    bool isVerbose_ = false, measuresObjects_ = false;
     std::vector<ChosenFile> chosenFiles_;
-    std::optional<ObjectTimer> objectTimer_;  ///< made for the context
-    DebugView debugView_ = DebugView::picture;
-    double normalLength_ = kUsualNormalLength;
+    std::optional<ObjectTimer> objectTimer_;      ///< made for the context
     std::optional<DebugRenderer> debugRenderer_;  ///< made for live_
-    int width_ = 600, height_ = 600;
     int samples_ = 1;
-    double pictureTime_ = 0;  ///< of the last picture, which another process may have drawn
-    double wholeShape_ = 0, drawnShrinking_ = 1;
+    double pictureTime_ = 0;                ///< of the last picture, which another process may have drawn
     std::optional<gpu::Texture> received_;  ///< the picture of process_; target_ refers to it
     std::optional<gpu::Target> target_;
     std::optional<gpu::Target> plain_;  ///< plainPicture() of frame number `plainFrame_`
@@ -400,7 +262,6 @@ class Session {
     double beforeTime_ = 0;              ///< of that picture
     bool showsBefore_ = false;
     bool isOfFiles_ = true;  ///< the scene was loaded without texts that are not saved
-    std::vector<Animation> animations_;
     Trials trials_;
     DrawingProcess process_;
     std::optional<std::vector<Place>> openLoops_;  ///< with the current values, if they are known
@@ -416,9 +277,7 @@ class Session {
     bool isUnwatched_ = true;    ///< watchLoops() has not been called since
     bool watchesLoops_ = false;  ///< the next frame is drawn for it
     bool isStopped_ = false;
-    bool isReleased_ = false;  ///< kept_ has the values of a scene that is on no device
     std::uint64_t framesDrawn_ = 0, timesLoaded_ = 0;
-    std::optional<Picked> picked_;
     std::optional<std::array<int, 2>> pickLater_;  ///< a pixel that waits for its picture
 };
 

@@ -1,19 +1,33 @@
-// The picture of a session: its size, when it is drawn, and what is found in it.
+// The picture of a session: when it is drawn, and what tools find in it.
 
 #include <fmt/format.h>
+#include <glad/gl.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
+#include "base/files.h"
+#include "image/file.h"
+#include "view/edit/source_lines.h"
 #include "view/scene/window_target.h"
 #include "view/session/session.h"
 
 namespace glibra::view {
 namespace {
 
+/// The number that DrawId::file has for the file now; `known` if it draws nothing.
+int fileNumber(const scene::Scene& scene, const std::filesystem::path& file, int known) {
+    for (const scene::Pass& pass : scene.frame.passes)
+        for (const auto& step : pass.steps)
+            if (const auto* draw = std::get_if<scene::Draw>(&step);
+                draw != nullptr && draw->place.file == file)
+                return draw->id.file;
+    return known;
+}
+
 constexpr std::size_t kMostDiagnostics = 200;
-constexpr int kLargestSide = 16384;
 
 /// A note about the same place replaces the earlier one, whose numbers were for another picture size.
 void addOnce(Diagnostics& diagnostics, Diagnostic added) {
@@ -54,38 +68,9 @@ void Session::keepTextures() {
     for (Diagnostic& each : diagnostics) addOnce(diagnostics_, std::move(each));
 }
 
-void Session::setAxes(bool on) {
-    if (std::exchange(axes_, on) != on) isStale_ = true;
-}
-
-void Session::setWireframe(bool on) {
-    if (std::exchange(wireframe_, on) != on) isStale_ = true;
-    if (live_) live_->drawer().setWireframe(on);
-}
-
-void Session::setDebugView(DebugView kind) {
-    if (std::exchange(debugView_, kind) != kind) isStale_ = true;
-}
-
-void Session::setNormalLength(double length) {
-    constexpr double kShortest = .005;
-    if (!(length > 0)) return;
-    length = std::clamp(length, kShortest, 1.0);
-    isStale_ = isStale_ || (length != normalLength_ && debugView_ == DebugView::normals);
-    normalLength_ = length;
-}
-
 const TexelImage& Session::debugNumbers() const {
     static const TexelImage kNoNumbers;
-    return debugRenderer_ && debugView_ != DebugView::picture ? debugRenderer_->numbers() : kNoNumbers;
-}
-
-void Session::resize(int width, int height) {
-    width = std::clamp(width, 1, kLargestSide);
-    height = std::clamp(height, 1, kLargestSide);
-    isStale_ = isStale_ || width != width_ || height != height_;
-    width_ = width;
-    height_ = height;
+    return debugRenderer_ && look_.debugView() != DebugView::picture ? debugRenderer_->numbers() : kNoNumbers;
 }
 
 void Session::setSamples(int samples) {
@@ -96,48 +81,41 @@ void Session::setSamples(int samples) {
     isStale_ = true;
 }
 
-void Session::setWholeShape(double aspect) {
-    wholeShape_ = aspect;
-    // How far the eye is moved back, on which this depends too, is known only after a frame.
-    isStale_ = isStale_ || shrinking() != drawnShrinking_;
-}
-
 Diagnostics Session::drawShown() {
-    drawnShrinking_ = shrinking();
-    // Frames of a moving scene allocate no memory, so the view is copied only if it differs.
-    std::optional<ViewState> smaller;
-    const ViewState& shown = drawnShrinking_ == 1 ? view_ : smaller.emplace(shownView());
+    const ViewState& shown = look_.beginFrame();
     Diagnostics diagnostics;
-    if (debugView_ == DebugView::picture) {
-        if (!measuresObjects_) return live_->draw(*target_, shown, clock_.time(), axes_);
-        live_->moveTo(width_, height_, clock_.time(), diagnostics);  // before the drawer is used
+    if (look_.debugView() == DebugView::picture) {
+        if (!measuresObjects_) return live_->draw(*target_, shown, clock_.time(), look_.axes());
+        // Before the drawer is used.
+        live_->moveTo(look_.width(), look_.height(), clock_.time(), diagnostics);
         if (!objectTimer_) objectTimer_.emplace(context_.capabilities());
         if (!isMoving()) objectTimer_->forget();  // single frames have nothing in common
         objectTimer_->begin(live_->drawer(), live_->plan());
-        append(diagnostics, live_->draw(*target_, shown, clock_.time(), axes_));
+        append(diagnostics, live_->draw(*target_, shown, clock_.time(), look_.axes()));
         objectTimer_->end(live_->drawer());
         // No later frame would tell it; where frames move, nothing waits.
         if (!isMoving()) objectTimer_->finish();
         return diagnostics;
     }
     objectTimer_.reset();
-    if (live_->moveTo(width_, height_, clock_.time(), diagnostics)) debugRenderer_.reset();
+    if (live_->moveTo(look_.width(), look_.height(), clock_.time(), diagnostics)) debugRenderer_.reset();
     if (!debugRenderer_) debugRenderer_.emplace(context_, *live_);
     append(diagnostics,
-           debugRenderer_->draw(*target_, shown, {debugView_, normalLength_, clock_.time(), axes_}));
+           debugRenderer_->draw(*target_, shown,
+                                {look_.debugView(), look_.normalLength(), clock_.time(), look_.axes()}));
     return diagnostics;
 }
 
 /// Returns false if there is no memory for it.
 bool Session::makeTarget(std::optional<gpu::Target>& target, int samples) {
-    append(diagnostics_, fit(target, context_.capabilities(), live_->scene(), width_, height_,
+    append(diagnostics_, fit(target, context_.capabilities(), live_->scene(), look_.width(), look_.height(),
                              gpu::TexelFormat::rgba8, samples));
     return target.has_value();
 }
 
 bool Session::watchLoops() {
     const bool isFree = live_ && target_ && !isStale_ && !isStopped_ && !measuresObjects_ &&
-                        animations_.empty() && debugView_ == DebugView::picture;
+                        !values_.isAnyAnimated() && look_.debugView() == DebugView::picture;
     if (!isFree || !std::exchange(isUnwatched_, false) || !live_->hasLoopsToWatch()) return false;
     watchesLoops_ = isStale_ = true;
     return true;
@@ -156,7 +134,7 @@ bool Session::drawIfNeeded() {
     received_.reset();
     if (std::exchange(watchesLoops_, false)) live_->watchLoops();
     // Debug views show numbers, which must not be mixed.
-    const bool isMixed = debugView_ == DebugView::picture || debugView_ == DebugView::normals;
+    const bool isMixed = look_.debugView() == DebugView::picture || look_.debugView() == DebugView::normals;
     if (!makeTarget(target_, isMixed ? samples_ : 1)) {
         isStale_ = false;
         return false;
@@ -172,10 +150,11 @@ bool Session::drawIfNeeded() {
 const gpu::Target* Session::plainPicture() {
     if (!live_ || !target_ || (target_->samples() == 1 && !received_)) return picture();
     if (isWaiting_ || isStopped_) return nullptr;
-    if (plain_ && plainFrame_ == framesDrawn_ && plain_->width() == width_ && plain_->height() == height_)
+    if (plain_ && plainFrame_ == framesDrawn_ && plain_->width() == look_.width() &&
+        plain_->height() == look_.height())
         return &*plain_;
     if (!makeTarget(plain_, 1)) return nullptr;
-    for (Diagnostic& each : live_->draw(*plain_, shownView(), clock_.time(), axes_))
+    for (Diagnostic& each : live_->draw(*plain_, look_.shownView(), clock_.time(), look_.axes()))
         addOnce(diagnostics_, std::move(each));
     plainFrame_ = framesDrawn_;
     return &*plain_;
@@ -190,10 +169,10 @@ void Session::pickAt(int x, int y) {
         return;
     }
     if (const gpu::Target* plain = plainPicture(); live_ && plain)
-        picked_ = pick(*live_, *plain, clock_.time(), x, y);
+        look_.setPicked(pick(*live_, *plain, clock_.time(), x, y));
     plainFrame_ = 0;
     // Picking draws the pixel without the debug view.
-    if (debugView_ != DebugView::picture) isStale_ = true;
+    if (look_.debugView() != DebugView::picture) isStale_ = true;
 }
 
 /// Picks what was pointed at while another process drew the picture.
@@ -202,12 +181,11 @@ void Session::pickWaiting() {
 }
 
 ProbedPixel Session::probe(int x, int y) {
-    drawIfNeeded();
-    if (!live_ || !target_ || isWaiting_ || isStopped_) {
+    if (!canLookInto()) {
         ProbedPixel none;
         none.x = x;
         none.y = y;
-        none.height = height_;
+        none.height = look_.height();
         return none;
     }
     ProbedPixel pixel =
@@ -218,7 +196,110 @@ ProbedPixel Session::probe(int x, int y) {
 
 void Session::clearPick() {
     pickLater_.reset();
-    picked_.reset();
+    look_.setPicked({});
+}
+
+// What tools ask a session about the frame that was drawn last.
+
+bool Session::canLookInto() {
+    drawIfNeeded();
+    return live_ && target_ && !isWaiting_ && !isStopped_;
+}
+
+ProbedPixel Session::probeDraw(scene::StepIndex step, const TargetPixel& at) {
+    if (!canLookInto() || step.pass >= live_->scene().frame.passes.size()) return {};
+    ProbedPixel pixel =
+        view::probeDraw(context_, *live_, step, target_->width(), target_->height(), clock_.time(), at);
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    return pixel;
+}
+
+std::string Session::readText(const std::filesystem::path& file) const {
+    if (const auto typed = options_.texts.find(file); typed != options_.texts.end()) return typed->second;
+    const auto bytes = image::readFile(file, {file.generic_string(), {}});
+    return bytes ? std::string(base::asText(*bytes)) : std::string();
+}
+
+void Session::tryState(const scene::Draw& draw, const base::RasterState& state) {
+    if (!live_) return;
+    trials_.set(draw, state, [this](const std::filesystem::path& file) { return readText(file); });
+    live_->tryStates(trials_.states());
+    if (debugRenderer_) debugRenderer_->forgetPlan();
+    isStale_ = true;
+}
+
+std::string Session::numbersOfPass(std::size_t pass, DebugView kind, TexelImage& numbers, int layer) {
+    if (!canLookInto() || pass >= live_->scene().frame.passes.size()) return "no frame has been drawn";
+    // Not that of the picture, whose numbers stay.
+    DebugRenderer renderer(context_, *live_);
+    std::string problem = renderer.drawPass(
+        pass, target_->width(), target_->height(),
+        {.kind = kind, .normalLength = look_.normalLength(), .time = clock_.time(), .layer = layer});
+    numbers = renderer.numbers();
+    return problem;
+}
+
+void Session::keepBefore() {
+    if (!target_ || !live_ || framesDrawn_ == 0) return;
+    const int width = target_->width(), height = target_->height();
+    fit(before_, context_.capabilities(), live_->scene(), width, height);
+    if (!before_) return;
+    target_->readable().bindForReading();
+    before_->bind();
+    glDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    beforeTime_ = pictureTime_;
+}
+
+void Session::showBefore(bool on) {
+    showsBefore_ = on && before_;
+    if (showsBefore_ && usesTime() && live_->scene().steps.empty()) clock_.pauseAt(beforeTime_);
+}
+
+void Trials::list() {
+    states_.clear();
+    for (const Trial& each : trials_)
+        if (each.now.line > 0) states_.emplace(each.now, each.state);
+}
+
+/// From now on draws are followed from where they are now. Those that are gone do not come back.
+void Trials::keepTexts(const TextOf& textOf) {
+    std::erase_if(trials_, [](const Trial& each) { return each.now.line == 0; });
+    texts_.clear();
+    for (Trial& each : trials_) {
+        each.then = each.now;
+        if (!texts_.contains(each.file)) texts_.emplace(each.file, textOf(each.file));
+    }
+}
+
+void Trials::set(const scene::Draw& draw, const base::RasterState& state, const TextOf& textOf) {
+    const auto known = std::ranges::find(trials_, draw.id, &Trial::now);
+    // A trial has ended if the scene gives its draw another state than it did.
+    const bool isTried = known != trials_.end() && known->state.wanted == *draw.raster;
+    const base::RasterState ofScene = isTried ? known->state.ofScene : *draw.raster;
+    if (known != trials_.end()) trials_.erase(known);
+    if (state != ofScene)
+        trials_.push_back({draw.place.file, draw.id, draw.id, render::TriedState{draw.word, ofScene, state}});
+    keepTexts(textOf);
+    list();
+}
+
+void Trials::follow(const scene::Scene& scene, const TextOf& textOf) {
+    std::map<std::filesystem::path, std::string> now;
+    bool isAnyGone = false;
+    for (Trial& each : trials_) {
+        if (!now.contains(each.file)) now.emplace(each.file, textOf(each.file));
+        each.now = each.then;
+        each.now.line = movedLine(texts_[each.file], now[each.file], each.then.line);
+        each.now.file = fileNumber(scene, each.file, each.then.file);
+        isAnyGone = isAnyGone || each.now.line == 0;
+    }
+    // While a line is edited, it may not be a statement for a while.
+    if (!isAnyGone) {
+        texts_ = std::move(now);
+        for (Trial& each : trials_) each.then = each.now;
+    }
+    list();
 }
 
 void Session::setTexts(std::map<std::filesystem::path, std::string> texts) {
@@ -236,25 +317,21 @@ const std::vector<Place>& Session::openLoops() {
     return *openLoops_;
 }
 
-DrawnState Session::drawnState() const {
-    DrawnState state;
-    state.scene = path_;
-    state.loading = timesLoaded_;
-    state.options = loadOptions();
-    state.knobs = knobs_;
-    state.view = shownView();
-    state.camera = camera_;
-    state.time = clock_.time();
-    state.axes = axes_;
-    state.wireframe = wireframe_;
-    state.mouseX = mouse_.x;
-    state.mouseY = mouse_.y;
-    state.isMouseDown = mouse_.isDown;
-    state.width = width_;
-    state.height = height_;
-    state.samples = samples_;
-    state.watchesLoops = watchesLoops_;
-    return state;
+DrawnState Session::beginDrawnState() {
+    return {.scene = path_,
+            .loading = timesLoaded_,
+            .options = loadOptions(),
+            .knobs = values_.knobs(),
+            .view = look_.beginFrame(),
+            .camera = look_.camera(),
+            .time = clock_.time(),
+            .axes = look_.axes(),
+            .wireframe = look_.wireframe(),
+            .mouse = mouse_,
+            .watchesLoops = watchesLoops_,
+            .width = look_.width(),
+            .height = look_.height(),
+            .samples = samples_};
 }
 
 /// Makes the received picture what picture() gives.
@@ -306,24 +383,23 @@ Session::Elsewhere Session::drawElsewhere() {
     const bool isOpen = isContained_ && !openLoops().empty();
     if (!isOpen && (!isContained_ || slowFrames_ < kMostSlowFrames)) return Elsewhere::no;
     Diagnostics found;
-    const ViewState view = shownView();
-    if (live_->look(width_, height_, view, clock_.time(), found)) debugRenderer_.reset();
+    const ViewState view = look_.shownView();
+    if (live_->look(look_.width(), look_.height(), view, clock_.time(), found)) debugRenderer_.reset();
     append(diagnostics_, std::move(found));
     const bool isSoftware = context_.capabilities().isSoftware;
     const scene::Scene& scene = live_->scene();
-    const bool isShown = isSoftware && !drawsItself_ && debugView_ == DebugView::picture &&
+    const bool isShown = isSoftware && !drawsItself_ && look_.debugView() == DebugView::picture &&
                          !measuresObjects_ && scene.once.empty() && scene.steps.empty();
     if (!isOpen && !isShown) return Elsewhere::no;
-    DrawnState state = drawnState();
+    DrawnState state = beginDrawnState();
     if (!isSoftware) {
         // A driver ends a draw that takes too long by itself. New shaders and values are tried here first.
         state.view = {};
-        state.time = state.mouseX = state.mouseY = 0;
-        state.isMouseDown = false;
+        state.time = 0;
+        state.mouse = {0, 0, false};
         state.width = state.height = 64;
         state.samples = 1;
     }
-    drawnShrinking_ = shrinking();
     const DrawingOrder order{orderText(state), state.width,   state.height,
                              state.time,       state.loading, watchesLoops_};
     if (!isShown && order.text == tried_) return Elsewhere::tried;

@@ -68,8 +68,8 @@ Dropped takeDroppedFile(Tabs& tabs, const fs::path& file) {
 }
 
 void addValues(std::vector<UnsavedValues>& values, const Session& session) {
-    if (session.hasScene() && hasChangedValues(session.knobs()))
-        values.push_back({session.path(), session.knobs(), session.chosenFiles()});
+    if (session.hasScene() && session.values().isChanged())
+        values.push_back({session.path(), session.values().knobs(), session.chosenFiles()});
 }
 
 std::optional<Question> asked(Question question) {
@@ -169,8 +169,9 @@ void Window::closeNow(std::size_t tab) {
     if (tab >= tabs_.count()) return;
     constexpr std::size_t kMostClosed = 50;
     if (const Session& session = tabs_.at(tab).session; session.hasScene()) {
-        ClosedTab closed{session.path(),  tab, session.knobs(), session.view(), session.clock(),
-                         session.camera()};
+        ClosedTab closed{session.path(),           tab,
+                         session.values().knobs(), session.look().view(),
+                         session.clock().state(),  session.look().camera()};
         std::erase_if(closed.knobs, [](const render::Knob& each) { return !each.isChanged(); });
         closed_.push_back(std::move(closed));
         tabs_.at(tab).values.forget(session);
@@ -191,13 +192,13 @@ void Window::reopenTab() {
     openScene(closed.scene, true);
     if (session().path() != closed.scene || !session().hasScene()) return;
     for (const render::Knob& each : closed.knobs)
-        for (std::size_t i = 0; i < session().knobs().size(); ++i)
-            if (const render::Knob& known = session().knobs()[i];
+        for (std::size_t i = 0; i < ui().values.knobs().size(); ++i)
+            if (const render::Knob& known = ui().values.knobs()[i];
                 known.title == each.title && known.tag == each.tag)
-                session().setValue(i, each.current);
-    session().setView(closed.view);
-    session().setClock(closed.clock);
-    session().setCamera(closed.camera);
+                ui().values.set(i, each.current);
+    ui().look.setView(closed.view);
+    session().clock().setState(closed.clock);
+    ui().look.setCamera(closed.camera);
     tabs_.move(tabs_.shownIndex(), closed.index);
     keepTabs();
 }
@@ -395,13 +396,11 @@ void Window::openInitialScenes() {
     updateForShownScene();
     toolWindow(ui(), "examples").isOpen = isEmpty && !session().hasScene() && shared_.settings.recent.empty();
     if (!session().hasScene()) return;
-    for (const std::string& each : arguments_.set) append(setProblems_, session().setByText(each));
-    Clock clock = session().clock();
-    clock.setTime(arguments_.options.time);
-    clock.play(!arguments_.paused);
-    session().setClock(clock);
-    session().setAxes(arguments_.options.axes);
-    session().setView(arguments_.options.viewState);
+    for (const std::string& each : arguments_.set) append(setProblems_, ui().values.setByText(each));
+    session().clock().setTime(arguments_.options.time);
+    session().clock().play(!arguments_.paused);
+    ui().look.setAxes(arguments_.options.axes);
+    ui().look.setView(arguments_.options.viewState);
     ui().history.clear();
     ui().history.record(session());
 }

@@ -154,7 +154,7 @@ struct ClosedTab {
     std::size_t index = 0;
     std::vector<render::Knob> knobs;  ///< that were changed
     ViewState view;
-    Clock clock;
+    Clock::State clock;
     std::string camera;
 };
 

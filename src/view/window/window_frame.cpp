@@ -131,10 +131,10 @@ void Window::drawFrame() {
         return;
     }
     const float perUnit = static_cast<float>(width) / static_cast<float>(windowWidth);
-    ui.session.resize(static_cast<int>(ui.frame.picture[2] * perUnit),
-                      static_cast<int>(ui.frame.picture[3] * perUnit));
+    ui.look.resize(static_cast<int>(ui.frame.picture[2] * perUnit),
+                   static_cast<int>(ui.frame.picture[3] * perUnit));
     ui.session.setSamples(samplesOfFrame());
-    ui.session.setWholeShape(shared_.settings.pictureShape == PictureShape::fill ? shapeOf(ui) : 0);
+    ui.look.setWholeShape(shared_.settings.pictureShape == PictureShape::fill ? shapeOf(ui) : 0);
     const RealClock::time_point start = RealClock::now();
     const std::uint64_t framesBefore = ui.session.framesDrawn();
     if (!isPassedOver()) ui.session.drawIfNeeded();

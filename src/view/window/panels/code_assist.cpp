@@ -25,7 +25,7 @@ CodeContext contextOf(const Ui& ui, const EditedFile& file) {
     CodeContext context;
     context.language = glib::sameWord(file.path().extension().generic_string(), ".glib") ? CodeLanguage::glib
                                                                                          : CodeLanguage::glsl;
-    for (const render::Knob& each : ui.session.knobs()) {
+    for (const render::Knob& each : ui.values.knobs()) {
         std::string value;
         for (const double number : each.current)
             value += fmt::format("{}{:.6g}", value.empty() ? "" : " ", number);

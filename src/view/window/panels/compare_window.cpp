@@ -67,7 +67,7 @@ void sideBySide(Ui& ui, CompareWindow& window) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float lines = (window.check ? 4 : 3) * ImGui::GetTextLineHeightWithSpacing();
-    const float shape = static_cast<float>(ui.session.width()) / static_cast<float>(ui.session.height());
+    const float shape = static_cast<float>(ui.look.width()) / static_cast<float>(ui.look.height());
     const float width = std::max(16.F, std::min((room.x - gap) / 2, (room.y - lines) * shape));
     const ImVec2 size(width, width / shape);
     picture(ui, "yours", "compare/own", window.own, size);

@@ -163,8 +163,7 @@ void fileMenu(Ui& ui, FileMenu& menu) {
     ImGui::Separator();
     const bool hasScene = ui.session.hasScene();
     const bool isShipped = hasScene && isExample(ui.session.path());
-    const bool hasChanges =
-        hasScene && (hasChangedValues(ui.session.knobs()) || !ui.session.chosenFiles().empty());
+    const bool hasChanges = hasScene && (ui.values.isChanged() || !ui.session.chosenFiles().empty());
     if (item(ui, "Save values", nullptr, "file/save", hasChanges && !isShipped)) saveScene(ui);
     if (item(ui, isShipped ? "Save a copy..." : "Save as...", "Ctrl+Shift+S", "file/saveAs", hasScene))
         saveSceneAs(ui);

@@ -27,8 +27,8 @@ void captureChosen(Ui& ui, FrameWindow& window, const FrameItem& item) {
                                        ui.session.isMoving() ? std::uint64_t{0} : ui.session.framesDrawn());
     if (of == window.meshFor || !ui.session.canLookInto()) return;
     window.meshFor = of;
-    window.mesh = captureMesh(ui.context, ui.session.live(), item.step, ui.session.width(),
-                              ui.session.height(), ui.session.clock().time());
+    window.mesh = captureMesh(ui.context, ui.session.live(), item.step, ui.look.width(), ui.look.height(),
+                              ui.session.clock().time());
     window.meshStage = std::min(window.meshStage, window.mesh.empty() ? 0 : window.mesh.size() - 1);
     window.firstRow = 0;
 }

@@ -24,7 +24,7 @@ std::vector<StateLine> linesOf(const Ui& ui, const FrameItem& item) {
     if (draw == nullptr) return {};
     const scene::NodeList& frame = live.scene().frame;
     const scene::Pass& pass = frame.passes.at(item.step.pass);
-    const gpu::TextureSize size = sizeOf(live, pass, ui.session.width(), ui.session.height());
+    const gpu::TextureSize size = sizeOf(live, pass, ui.look.width(), ui.look.height());
     render::ViewMatrices view = render::isMoved(frame, pass) ? live.view() : live.view().unmoved();
     if (render::isMoved(frame, pass) && pass.shift != glm::dmat4(1)) view = live.view().shifted(pass.shift);
     return stateOf(live.scene(), live.plan(), *draw, view, static_cast<double>(size.width) / size.height);
@@ -158,7 +158,7 @@ nlohmann::ordered_json frameJson(const Ui& ui, const FrameWindow& window) {
                                    {"hovered", window.view.hovered},
                                    {"range", {window.view.display.low, window.view.display.high}}};
     nlohmann::ordered_json tried = nlohmann::ordered_json::array();
-    for (const auto& [draw, state] : ui.session.triedStates())
+    for (const auto& [draw, state] : ui.session.trials().states())
         tried.push_back(stateStatement(state.ofScene, state.wanted));
     made["tried"] = tried;
     made["layer"] = window.layer;
@@ -185,8 +185,8 @@ void frameTrial(Ui& ui, const FrameWindow& window) {
         item == nullptr ? nullptr : plannedDraw(ui.session.live().plan(), *item);
     if (planned == nullptr) return ImGui::TextDisabled("Choose a draw to try another state for it.");
     const scene::Draw& draw = ui.session.live().plan().drawOf(*planned);
-    const auto known = ui.session.triedStates().find(draw.id);
-    const bool isTried = known != ui.session.triedStates().end() && known->second.wanted == *draw.raster;
+    const auto known = ui.session.trials().states().find(draw.id);
+    const bool isTried = known != ui.session.trials().states().end() && known->second.wanted == *draw.raster;
     const base::RasterState& ofScene = isTried ? known->second.ofScene : *draw.raster;
     base::RasterState wanted = *draw.raster;
     bool isChosen = false;

@@ -142,7 +142,7 @@ void watch(Ui& ui, FrameWindow& window) {
     }
     const std::string scene = fmt::format("{} {}", session.path().generic_string(), session.timesLoaded());
     const std::string frame =
-        fmt::format("{} {} {} {}", scene, session.framesDrawn(), session.width(), session.height());
+        fmt::format("{} {} {} {}", scene, session.framesDrawn(), ui.look.width(), ui.look.height());
     const bool isOther = !window.listedFor.starts_with(scene);
     if (!isOther && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     const bool isNew = isOther || (window.listedFor != frame && !session.isMoving());
@@ -162,7 +162,7 @@ void watch(Ui& ui, FrameWindow& window) {
     window.watchedFor = wanted;
     window.time = session.clock().time();
     window.answer = watchFrame(ui.context, session.live(), window.items,
-                               {session.width(), session.height(), window.time, missing, window.index(),
+                               {ui.look.width(), ui.look.height(), window.time, missing, window.index(),
                                 window.target, window.layer});
     for (std::size_t i = 0; i < missing.size(); ++i) window.asked[i] = window.asked[i] || missing[i];
     if (!missing.empty()) window.isDrawn = window.answer.isExecuted;

@@ -65,7 +65,7 @@ constexpr std::array kPresets{Preset{"as on the screen", 0, 0, 1}, Preset{"twice
 std::pair<int, int> sizeOf(const Ui& ui, const HardcopyEntries& entries, std::size_t index) {
     const Preset& preset = kPresets.at(index);
     if (preset.width > 0) return {preset.width, preset.height};
-    if (preset.times > 0) return {ui.session.width() * preset.times, ui.session.height() * preset.times};
+    if (preset.times > 0) return {ui.look.width() * preset.times, ui.look.height() * preset.times};
     if (preset.times < 0) return {entries.width, entries.height};
     const scene::Scene& scene = ui.session.live().scene();
     return {scene.width, scene.height};
@@ -485,8 +485,8 @@ void suitePanel(Ui& ui, SuiteEntries& entries) {
     ImGui::EndDisabled();
     mark(ui, "suite/add");
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("Add the current values, time, view and size (%d x %d) as a shot",
-                          ui.session.width(), ui.session.height());
+        ImGui::SetTooltip("Add the current values, time, view and size (%d x %d) as a shot", ui.look.width(),
+                          ui.look.height());
     continueRowForButton("Copy as TOML");
     if (button(ui, "Copy as TOML", "suite/copy"))
         ImGui::SetClipboardText(shotText(ui.session, entries.name.data(),

@@ -44,7 +44,7 @@ void updateTexture(const gpu::Capabilities& capabilities, const render::LabelBlo
 /// Finds the values to label; none in `only`: all. Returns false if there are none.
 bool hasLabels(const Ui& ui, std::vector<std::string>& only) {
     if (ui.settings.labelChoice == LabelChoice::all) return true;
-    const std::vector<render::Knob>& knobs = ui.session.knobs();
+    const std::vector<render::Knob>& knobs = ui.values.knobs();
     for (const render::Knob& each : knobs)
         if (ui.settings.labelChoice == LabelChoice::changed ? each.isChanged()
                                                             : ui.labelled.contains(labelKey(each)))
@@ -56,13 +56,13 @@ bool hasLabels(const Ui& ui, std::vector<std::string>& only) {
 void labelOverlay(Ui& ui, LabelOverlay& overlay) {
     std::vector<std::string> only;
     const bool isShown = ui.shared.showLabels && ui.session.hasScene() && hasLabels(ui, only);
-    ui.session.setLabels(isShown ? ui.settings.labelCorner : LabelCorner::none, only);
+    ui.look.setLabels(isShown ? ui.settings.labelCorner : LabelCorner::none, only);
     if (!isShown) {
         overlay = {};
         return;
     }
     const render::LabelBlock block = render::labelBlock(
-        ui.session.width(), ui.session.height(), ui.session.live().labels(only), ui.settings.labelCorner);
+        ui.look.width(), ui.look.height(), ui.session.live().labels(only), ui.settings.labelCorner);
     if (block.lines.empty()) return;
     updateTexture(ui.context.capabilities(), block, overlay);
     if (!overlay.texture) return;
@@ -125,7 +125,7 @@ void label(const Ui& ui, ImDrawList& list, const ImVec2& at, const std::string& 
 
 /// Draws the 3D cursor: lines along the axes of the picked object, through its middle and past its ends.
 void cursor(const Ui& ui, ImDrawList& list) {
-    const Picked& picked = *ui.session.picked();
+    const Picked& picked = *ui.look.picked();
     const scene::Draw* draw = nullptr;
     for (const scene::Draw* each : windowDraws(ui.session.live().scene()))
         if (each->id == picked.draw) draw = each;
@@ -173,7 +173,7 @@ void cursor(const Ui& ui, ImDrawList& list) {
 /// The GPU time of the objects of a frame, at the upper right corner.
 void frameRate(const Ui& ui, ImDrawList& list) {
     const std::optional<double> milliseconds = ui.session.objectMilliseconds();
-    const bool isMeasured = ui.session.canMeasureObjects();
+    const bool isMeasured = ui.context.capabilities().timerBits > 0;
     if (!milliseconds && isMeasured) return;
     constexpr double kMillisecondsInSecond = 1000;
     // Nothing may be drawn in less time than the clock measures.
@@ -200,7 +200,7 @@ void dragAlongWay(Ui& ui, MouseUse& use) {
         at = {x, y};
         if (right == 0 && down == 0) return;
         use.length += std::hypot(right, down);
-        ui.session.drag(ui.mode, dragOf(ui, gesture, right, down));
+        ui.look.drag(ui.mode, dragOf(ui, gesture, right, down));
     };
     for (const MousePoint& each : ui.frame.way)
         dragTo(static_cast<float>(each.x), static_cast<float>(each.y));
@@ -224,8 +224,7 @@ void pictureInput(Ui& ui, MouseUse& use) {
                 begins = true;
             }
         if (const double notches = use.wheel.take(io.MouseWheel, ImGui::GetTime()); notches != 0)
-            ui.session.drag(ui.mode,
-                            dragOf(ui, Gesture::scale, 0, static_cast<float>(-notches) * kWheelPixels));
+            ui.look.drag(ui.mode, dragOf(ui, Gesture::scale, 0, static_cast<float>(-notches) * kWheelPixels));
     }
     if (use.button < 0) return;
     if (ImGui::IsMouseDown(use.button)) {
@@ -233,7 +232,7 @@ void pictureInput(Ui& ui, MouseUse& use) {
         return;
     }
     if (use.button == ImGuiMouseButton_Left && use.length < kClickPixels) {
-        const double perUnit = ui.session.width() / static_cast<double>(ui.frame.picture[2]);
+        const double perUnit = ui.look.width() / static_cast<double>(ui.frame.picture[2]);
         const int x = static_cast<int>((io.MousePos.x - ui.frame.picture[0]) * perUnit);
         const int y = static_cast<int>((io.MousePos.y - ui.frame.picture[1]) * perUnit);
         if (toolWindow(ui, "probe").isOpen)
@@ -250,7 +249,7 @@ void pictureOverlay(Ui& ui, LabelOverlay& labels) {
                       {ui.frame.picture[0] + ui.frame.picture[2], ui.frame.picture[1] + ui.frame.picture[3]});
     if (ui.session.hasScene()) {
         labelOverlay(ui, labels);
-        if (ui.session.picked() && ui.session.picture()) cursor(ui, list);
+        if (ui.look.picked() && ui.session.picture()) cursor(ui, list);
         if (ui.session.measuresObjects()) frameRate(ui, list);
     } else {
         const char* text = "Drop a .glib file here, press Ctrl+O to open one, or X for examples";

@@ -78,7 +78,7 @@ void table(Ui& ui, const char* title, const std::vector<ProbedValue>& values, bo
 }
 
 void ringProbed(const Ui& ui, const ProbedPixel& pixel) {
-    const float perPixel = ui.frame.picture[2] / static_cast<float>(std::max(1, ui.session.width()));
+    const float perPixel = ui.frame.picture[2] / static_cast<float>(std::max(1, ui.look.width()));
     const ImVec2 at(ui.frame.picture[0] + (static_cast<float>(pixel.x) + .5F) * perPixel,
                     ui.frame.picture[1] + (static_cast<float>(pixel.y) + .5F) * perPixel);
     ring(ui, *ImGui::GetBackgroundDrawList(), at, 6 * ui.shared.scale);
@@ -218,8 +218,8 @@ void examine(Ui& ui, FrameWindow& window, std::size_t index) {
     if (of == window.pixelFor || (ui.session.isMoving() && window.pixelFor.ends_with(what))) return;
     if (!ui.session.canLookInto()) return;
     window.pixelFor = of;
-    window.history = pixelHistory(ui.context, ui.session.live(), window.items, index, ui.session.width(),
-                                  ui.session.height(), ui.session.clock().time(), pixel, output);
+    window.history = pixelHistory(ui.context, ui.session.live(), window.items, index, ui.look.width(),
+                                  ui.look.height(), ui.session.clock().time(), pixel, output);
 }
 
 std::string colorText(const PixelState& state) {

@@ -38,7 +38,7 @@ Result<std::string> textToSave(const Ui& ui) {
     if (!bytes) return bytes.diagnostics;
     return withValues(
         withFiles({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, ui.session.chosenFiles()),
-        ui.session.knobs());
+        ui.values.knobs());
 }
 
 /// Returns the problem; empty on success.
@@ -216,7 +216,7 @@ fs::path ownFolder(const Ui& ui) {
 void saveScene(Ui& ui) {
     if (!ui.session.hasScene()) return;
     if (isExample(ui.session.path())) return saveSceneAs(ui);
-    const Diagnostics problems = saveValues(ui.session.path(), ui.session.knobs(), ui.session.chosenFiles(),
+    const Diagnostics problems = saveValues(ui.session.path(), ui.values.knobs(), ui.session.chosenFiles(),
                                             knownSource(ui, ui.session.path()));
     if (!problems.empty()) {
         ui.notice = problems.front();

@@ -19,19 +19,18 @@
 namespace glibra::view {
 namespace {
 
-/// The number of steps of each Step block. Returns true if the user wants the next step.
-bool stepControls(Ui& ui) {
+/// The number of steps of each Step block, and a button for the next step.
+void stepControls(Ui& ui) {
     const std::vector<render::Simulation::Progress> progress = ui.session.live().steps();
-    if (progress.empty()) return false;
+    if (progress.empty()) return;
     continueRowForIcon();
-    const bool isWanted = iconButton(Icon::step, "step", "Pause, and go to the next step (B)");
+    if (iconButton(Icon::step, "step", "Pause, and go to the next step (B)")) ui.session.nextStep();
     mark(ui, "time/step");
     for (const render::Simulation::Progress& each : progress) {
         ImGui::Text("Step %g (line %d): %lld steps", each.rate, each.place.line,
                     static_cast<long long>(each.steps));
         mark(ui, "time/steps/{}", each.place.line);
     }
-    return isWanted;
 }
 
 /// There is nothing to play. What Once has made can be made anew.
@@ -46,7 +45,7 @@ void withoutTime(Ui& ui) {
 void timePanel(Ui& ui) {
     if (!section(ui, "Time", "time", ui.session.usesTime())) return;
     if (!ui.session.usesTime()) return withoutTime(ui);
-    Clock clock = ui.session.clock();
+    Clock& clock = ui.session.clock();
     const bool isPlaying = clock.isPlaying();
     if (iconButton(isPlaying ? Icon::pause : Icon::play, "play", isPlaying ? "Pause (Space)" : "Play (Space)",
                    isPlaying))
@@ -59,47 +58,34 @@ void timePanel(Ui& ui) {
     if (iconButton(Icon::forward, "forward", "Next frame (.)")) clock.step(1);
     mark(ui, "time/forward");
     continueRowForIcon();
-    const bool restarts =
-        iconButton(Icon::restart, "restart", "Set the time to 0 seconds; what lasts begins anew");
-    if (restarts) clock.setTime(0);
+    if (iconButton(Icon::restart, "restart", "Set the time to 0 seconds; what lasts begins anew"))
+        ui.session.restart();
     mark(ui, "time/restart");
-    const bool steps = stepControls(ui);
+    stepControls(ui);
 
     constexpr double kShownSeconds = 10;  // the slider ends at a multiple of this
     double time = clock.time();
     const double end = std::max(kShownSeconds, std::ceil(time / kShownSeconds) * kShownSeconds);
     fieldLabel("Seconds");
-    if (labelledSlider(ui, "##seconds", "time/scrub", {0, end}, time, " s")) {
-        clock.play(false);
-        clock.setTime(time);
-    }
+    if (labelledSlider(ui, "##seconds", "time/scrub", {0, end}, time, " s")) clock.pauseAt(time);
     double speed = clock.speed();
     constexpr double kFastest = 4;
     fieldLabel("Speed");
     if (labelledSlider(ui, "##speed", "time/speed", {-kFastest, kFastest}, speed, " x"))
         clock.setSpeed(speed);
-    ui.session.setClock(clock);
-    if (restarts) ui.session.restart();
-    if (steps) ui.session.nextStep();
 }
 
-/// Changes the time of a scene that uses it.
-template <class Change>
-void changeClock(Ui& ui, const Change& change) {
-    if (!ui.session.usesTime()) return;
-    Clock clock = ui.session.clock();
-    change(clock);
-    ui.session.setClock(clock);
+void playOrPause(Ui& ui, Panel& /*panel*/) {
+    if (ui.session.usesTime()) ui.session.clock().play(!ui.session.clock().isPlaying());
 }
 
 template <int frames>
 void stepFrames(Ui& ui, Panel& /*panel*/) {
-    changeClock(ui, [](Clock& clock) { clock.step(frames); });
+    if (ui.session.usesTime()) ui.session.clock().step(frames);
 }
 
 constexpr auto kTimeKeys = std::to_array<Shortcut>({
-    {KeyGroup::time, GLFW_KEY_SPACE, false, "Space", "play or pause",
-     [](Ui& ui, Panel&) { changeClock(ui, [](Clock& clock) { clock.play(!clock.isPlaying()); }); }},
+    {KeyGroup::time, GLFW_KEY_SPACE, false, "Space", "play or pause", playOrPause},
     {KeyGroup::time, GLFW_KEY_PERIOD, false, ".", "next frame", stepFrames<1>},
     {KeyGroup::time, GLFW_KEY_COMMA, false, ",", "previous frame", stepFrames<-1>},
     {KeyGroup::time, GLFW_KEY_B, false, "B", "pause, and go to the next step",

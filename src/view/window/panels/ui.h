@@ -225,6 +225,8 @@ struct Ui {
 
     gpu::Context& context;
     Session& session;
+    SceneValues& values = session.values();
+    Look& look = session.look();
     Shared& shared;  ///< by all tabs
     Settings& settings;
     Requests requests;

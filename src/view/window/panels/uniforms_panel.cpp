@@ -39,48 +39,46 @@ const char* numberFormat(double value) {
 
 /// A knob as a row shows it: of its program, or for all programs that share it.
 struct Row {
+    const render::Knob& knob;
     std::size_t index = 0;
     bool isShared = false;
+    [[nodiscard]] const char* owner() const { return isShared ? "shared" : knob.title.c_str(); }
 };
 
 /// A component of a knob.
 struct Part {
     Row row;
     std::size_t component = 0;
-    [[nodiscard]] std::size_t index() const { return row.index; }
+    [[nodiscard]] const render::Knob& knob() const { return row.knob; }
+    [[nodiscard]] double value() const { return row.knob.current[component]; }
 };
 
-const char* ownerOf(const render::Knob& knob, const Row& row) {
-    return row.isShared ? "shared" : knob.title.c_str();
-}
-
 /// The widget's name for `--state` and Sliders::typing.
-std::string widgetName(const render::Knob& knob, const Row& row) {
-    return fmt::format("uniform/{}/{}", ownerOf(knob, row), knob.tag);
+std::string widgetName(const Row& row) {
+    return fmt::format("uniform/{}/{}", row.owner(), row.knob.tag);
 }
-std::string widgetName(const Ui& ui, const Part& part) {
-    const render::Knob& knob = ui.session.knobs()[part.index()];
-    const std::string name = widgetName(knob, part.row);
-    return knob.current.size() == 1 ? name : fmt::format("{}/{}", name, part.component);
+std::string widgetName(const Part& part) {
+    const std::string name = widgetName(part.row);
+    return part.knob().current.size() == 1 ? name : fmt::format("{}/{}", name, part.component);
 }
 
 void markPart(Ui& ui, const Part& part) {
     tabStop(ui);
-    if (ui.shared.marksWidgets) markPlace(ui, widgetName(ui, part));
+    if (ui.shared.marksWidgets) markPlace(ui, widgetName(part));
 }
 
-void setPart(Ui& ui, const Part& part, double value) {
-    std::vector<double> values = ui.session.knobs()[part.index()].current;
-    values[part.component] = value;
-    ui.session.setValue(part.index(), std::move(values));
+void setPart(SceneValues& values, const Part& part, double value) {
+    std::vector<double> changed = part.knob().current;
+    changed[part.component] = value;
+    values.set(part.row.index, std::move(changed));
 }
 
 /// A text field in place of the slider, for any value, also beyond the range.
 void valueEntry(Ui& ui, const Part& part) {
-    double value = ui.session.knobs()[part.index()].current[part.component];
+    double value = part.value();
     const bool isTyped = sliderEntry(ui, "##slider", value);
     markPart(ui, part);
-    if (isTyped) setPart(ui, part, value);
+    if (isTyped) setPart(ui.values, part, value);
 }
 
 /// ImGui's integers have 32 bits.
@@ -90,49 +88,48 @@ int shownInteger(double value) {
 
 /// A menu of the words of a choice.
 void wordMenu(Ui& ui, const Part& part) {
-    const render::Knob& knob = ui.session.knobs()[part.index()];
-    int word = shownInteger(knob.current[part.component]);
+    int word = shownInteger(part.value());
     std::string items;  // ended by zero bytes
-    for (const std::string& each : knob.words) items += each + '\0';
+    for (const std::string& each : part.knob().words) items += each + '\0';
     const bool isChanged = ImGui::Combo("##slider", &word, items.c_str());
     markPart(ui, part);
-    if (isChanged) setPart(ui, part, word);
+    if (isChanged) setPart(ui.values, part, word);
 }
 
 /// Returns true if the user wants the menu of the value.
 bool slider(Ui& ui, const Part& part) {
-    const render::Knob& knob = ui.session.knobs()[part.index()];
+    const render::Knob& knob = part.knob();
     if (!knob.words.empty()) {
         wordMenu(ui, part);
         return false;
     }
-    if (!ui.sliders.typing.empty() && ui.sliders.typing == widgetName(ui, part)) {
+    if (!ui.sliders.typing.empty() && ui.sliders.typing == widgetName(part)) {
         valueEntry(ui, part);
         return false;
     }
-    double value = knob.current[part.component];
+    double value = part.value();
     const SliderUse use = valueSlider(ui, "##slider", scaleOf(knob), value);
     markPart(ui, part);
     const bool isSecondClick = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (use.isActivated && !isSecondClick) ui.sliders.valuesBeforeClick = knob.current;
-    if (use.isActivated || use.isChanged) ui.session.animate(part.index(), false);
+    if (use.isActivated || use.isChanged) ui.values.animate(part.row.index, false);
     if (use.isTyped) {
-        ui.sliders.typing = widgetName(ui, part);
+        ui.sliders.typing = widgetName(part);
         ui.sliders.typingBegins = true;
         // The first click of the two has moved the slider.
         if (isSecondClick) {
-            ui.session.setValue(part.index(), ui.sliders.valuesBeforeClick);
+            ui.values.set(part.row.index, ui.sliders.valuesBeforeClick);
             ui.history.takeBack(ui.session);
         }
     } else if (use.isChanged) {
-        setPart(ui, part, value);
+        setPart(ui.values, part, value);
     }
     return use.wantsMenu;
 }
 
 void number(Ui& ui, const Part& part) {
-    const render::Knob& knob = ui.session.knobs()[part.index()];
-    double value = knob.current[part.component];
+    const render::Knob& knob = part.knob();
+    double value = part.value();
     const auto speed = static_cast<float>(
         knob.isInteger() ? .1 : std::max(.002, std::abs(knob.initial[part.component]) * .005));
     bool changed = false;
@@ -149,14 +146,14 @@ void number(Ui& ui, const Part& part) {
     markPart(ui, part);
     if (changed && ImGui::IsMouseDown(ImGuiMouseButton_Left))
         value = withoutLeftover(value, static_cast<double>(speed));
-    if (changed) setPart(ui, part, value);
+    if (changed) setPart(ui.values, part, value);
 }
 
 /// The components of a vector side by side; columns of a matrix and elements of an array in rows. Returns
 /// true if the user wants the menu of the value.
 bool components(Ui& ui, const Row& row) {
     bool wantsMenu = false;
-    const render::Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = row.knob;
     const std::size_t count = knob.current.size();
     const std::size_t inRow =
         std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, knob.type.rows)), 1, kMostInRow);
@@ -178,42 +175,36 @@ bool components(Ui& ui, const Row& row) {
 }
 
 void booleanRow(Ui& ui, const Row& row) {
-    const render::Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = row.knob;
     bool on = knob.current.front() != 0;
     if (checkBox("##on", &on))
-        ui.session.setValue(row.index, std::vector<double>(knob.current.size(), on ? 1.0 : 0.0));
-    mark(ui, "uniform/{}/{}", ownerOf(knob, row), knob.tag);
+        ui.values.set(row.index, std::vector<double>(knob.current.size(), on ? 1.0 : 0.0));
+    mark(ui, "uniform/{}/{}", row.owner(), knob.tag);
 }
 
 void color(Ui& ui, const Row& row) {
-    const render::Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = row.knob;
     std::array<float, 4> rgba{0, 0, 0, 1};
     const std::size_t count = std::min<std::size_t>(rgba.size(), knob.current.size());
     std::copy_n(knob.current.begin(), count, rgba.begin());
-    const bool changed = colorField(ui, widgetName(knob, row), rgba, count == 4);
-    if (!changed) return;
+    if (!colorField(ui, widgetName(row), rgba, count == 4)) return;
     std::vector<double> values(count);
     // The widget shows three digits, so the value is rounded to them.
     std::transform(rgba.begin(), rgba.begin() + static_cast<std::ptrdiff_t>(count), values.begin(),
                    [](float each) { return std::round(static_cast<double>(each) * 1000) / 1000; });
-    ui.session.setValue(row.index, std::move(values));
+    ui.values.set(row.index, std::move(values));
 }
 
-/// Animations move between the ends of a range.
-bool canMove(const render::Knob& knob) {
-    return knob.widget == render::Widget::slider && knob.words.empty();
-}
-
-void contextMenu(Ui& ui, std::size_t index) {
-    const render::Knob& knob = ui.session.knobs()[index];
+void contextMenu(Ui& ui, const Row& row) {
+    const render::Knob& knob = row.knob;
     if (!ImGui::BeginPopup("menu")) return;
     ImGui::TextDisabled("%s", knob.declaration.c_str());
-    if (canMove(knob)) {
-        const bool isMoving = ui.session.isAnimated(index);
-        if (ImGui::MenuItem("Animate", nullptr, isMoving)) ui.session.animate(index, !isMoving);
+    if (canAnimate(knob)) {
+        const bool isMoving = ui.values.isAnimated(row.index);
+        if (ImGui::MenuItem("Animate", nullptr, isMoving)) ui.values.animate(row.index, !isMoving);
         mark(ui, "menu/animate");
     }
-    if (ImGui::MenuItem("Reset", nullptr, false, knob.isChanged())) ui.session.resetValue(index);
+    if (ImGui::MenuItem("Reset", nullptr, false, knob.isChanged())) ui.values.reset(row.index);
     mark(ui, "menu/reset");
     bool isLabelled = ui.labelled.contains(labelKey(knob));
     if (ImGui::MenuItem("Label on the picture", nullptr, &isLabelled)) {
@@ -228,48 +219,47 @@ void contextMenu(Ui& ui, std::size_t index) {
     if (ImGui::MenuItem("Copy for the Program line")) ImGui::SetClipboardText(pairText(knob).c_str());
     if (ImGui::MenuItem("Copy as argument (--set)"))
         ImGui::SetClipboardText(
-            ("--set " + setArgument(ui.session.live().scene(), knob, ui.session.knobs())).c_str());
+            ("--set " + setArgument(ui.session.live().scene(), knob, ui.values.knobs())).c_str());
     ImGui::EndPopup();
 }
 
 /// The buttons after the value: animate, and back to the scene's value.
 void knobButtons(Ui& ui, const Row& row) {
-    const std::size_t index = row.index;
-    const render::Knob& knob = ui.session.knobs()[index];
+    const render::Knob& knob = row.knob;
     const float side = ImGui::GetFrameHeight();
-    if (canMove(knob)) {
-        const bool isMoving = ui.session.isAnimated(index);
+    if (canAnimate(knob)) {
+        const bool isMoving = ui.values.isAnimated(row.index);
         const bool isPressed = iconButton(
             isMoving ? Icon::pause : Icon::play, "animate",
             isMoving ? "Stop at this value" : "Animate: move between the ends of the range", isMoving);
-        if (ui.shared.marksWidgets) markPlace(ui, fmt::format("animate/{}/{}", ownerOf(knob, row), knob.tag));
-        if (isPressed) ui.session.animate(index, !isMoving);
+        if (ui.shared.marksWidgets) markPlace(ui, fmt::format("animate/{}/{}", row.owner(), knob.tag));
+        if (isPressed) ui.values.animate(row.index, !isMoving);
     } else {
         ImGui::Dummy({side, side});
     }
     if (!knob.isChanged()) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     const bool isPressed = iconButton(Icon::undo, "reset", "Back to the value of the scene");
-    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("reset/{}/{}", ownerOf(knob, row), knob.tag));
-    if (isPressed) ui.session.resetValue(index);
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("reset/{}/{}", row.owner(), knob.tag));
+    if (isPressed) ui.values.reset(row.index);
 }
 
 /// The name, with an ellipsis in its middle if it is too long, and the menu. Returns true if the user wants
 /// it.
 bool knobName(Ui& ui, const Row& row) {
-    const render::Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = row.knob;
     const float width = ImGui::GetContentRegionAvail().x;
     const bool fits = ImGui::CalcTextSize(knob.tag.c_str()).x <= width;
     ImGui::AlignTextToFramePadding();
     ImGui::Selectable(fits ? knob.tag.c_str() : shortened(knob.tag, width).c_str(), false,
                       ImGuiSelectableFlags_AllowItemOverlap);
-    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("label/{}/{}", ownerOf(knob, row), knob.tag));
+    if (ui.shared.marksWidgets) markPlace(ui, fmt::format("label/{}/{}", row.owner(), knob.tag));
     const bool wantsMenu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     if (!ImGui::IsItemHovered()) return wantsMenu;
     ui.frame.hoverText = knob.declaration;
     std::string owners;
     if (row.isShared)
-        for (const render::Knob& each : ui.session.knobs())
+        for (const render::Knob& each : ui.values.knobs())
             if (each.tag == knob.tag && each.initial == knob.initial) owners += " " + each.title;
     ImGui::SetTooltip("%s\n%s:%d\n%s%s%sRight click: animate, reset, label or copy", knob.declaration.c_str(),
                       knob.place.file.c_str(), knob.place.line, owners.empty() ? "" : "in", owners.c_str(),
@@ -278,7 +268,7 @@ bool knobName(Ui& ui, const Row& row) {
 }
 
 void rowOf(Ui& ui, const Row& row) {
-    const render::Knob& knob = ui.session.knobs()[row.index];
+    const render::Knob& knob = row.knob;
     ImGui::PushID(static_cast<int>(row.index));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -305,28 +295,23 @@ void rowOf(Ui& ui, const Row& row) {
         }))
         wantsMenu = true;
     if (wantsMenu) ImGui::OpenPopup("menu");
-    contextMenu(ui, row.index);
+    contextMenu(ui, row);
     ImGui::TableNextColumn();
     knobButtons(ui, row);
     ImGui::PopID();
 }
 
-/// The row of a knob, by its index in Session::knobs().
-void knobRow(Ui& ui, std::size_t index) {
-    rowOf(ui, {index, false});
-}
-
 /// One row for knobs that programs share, at least one: that of the first. What is done to it is done to all.
 void sharedRow(Ui& ui, const std::vector<std::size_t>& members) {
     const std::size_t first = members.front();
-    const std::vector<double> before = ui.session.knobs()[first].current;
-    const bool wasAnimated = ui.session.isAnimated(first);
-    rowOf(ui, {first, true});
-    const bool isAnimated = ui.session.isAnimated(first);
-    const std::vector<double> now = ui.session.knobs()[first].current;
+    const render::Knob& knob = ui.values.knobs()[first];
+    const std::vector<double> before = knob.current;
+    const bool wasAnimated = ui.values.isAnimated(first);
+    rowOf(ui, {knob, first, true});
+    const bool isAnimated = ui.values.isAnimated(first);
     for (const std::size_t each : std::span(members).subspan(1)) {
-        if (now != before) ui.session.setValue(each, now);
-        if (isAnimated != wasAnimated) ui.session.animate(each, isAnimated);
+        if (knob.current != before) ui.values.set(each, knob.current);
+        if (isAnimated != wasAnimated) ui.values.animate(each, isAnimated);
     }
 }
 
@@ -346,13 +331,13 @@ bool beginRows(float widest) {
 /// Rows of the knobs for which `isShown` is true.
 template <class IsShown>
 void rows(Ui& ui, const IsShown& isShown) {
-    const std::vector<render::Knob>& knobs = ui.session.knobs();
+    const std::vector<render::Knob>& knobs = ui.values.knobs();
     float widest = 0;
     for (std::size_t i = 0; i < knobs.size(); ++i)
         if (isShown(i)) widest = std::max(widest, ImGui::CalcTextSize(knobs[i].tag.c_str()).x);
     if (widest == 0 || !beginRows(widest)) return;
     for (std::size_t i = 0; i < knobs.size(); ++i)
-        if (isShown(i)) knobRow(ui, i);
+        if (isShown(i)) rowOf(ui, {knobs[i], i, false});
     ImGui::EndTable();
 }
 
@@ -389,7 +374,7 @@ class ValuesPanel final : public Panel {
   public:
     void show(Ui& ui) override {
         if (!section(ui, "Values", "uniforms", true)) return;
-        const std::vector<render::Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.values.knobs();
         if (knobs.empty()) return withoutValues(ui);
         if (std::exchange(loaded_, ui.session.timesLoaded()) != ui.session.timesLoaded()) {
             shared_ = sharedKnobs(knobs);
@@ -397,7 +382,7 @@ class ValuesPanel final : public Panel {
             for (const auto& group : shared_)
                 for (const std::size_t each : group) isShared_[each] = true;
         }
-        if (button(ui, "Reset all", "uniforms/reset")) ui.session.resetValues();
+        if (button(ui, "Reset all", "uniforms/reset")) ui.values.resetAll();
         continueRowForButton("Copy values");
         if (button(ui, "Copy values", "uniforms/copyValues",
                    "Copy the changed values as arguments for `glibra render`: --set NAME=VALUE ..."))
@@ -414,7 +399,7 @@ class ValuesPanel final : public Panel {
   private:
     void filterEntry(Ui& ui) {
         constexpr std::size_t kMany = 12;
-        if (ui.session.knobs().size() < kMany) {
+        if (ui.values.knobs().size() < kMany) {
             filter_[0] = 0;
             return;
         }
@@ -431,7 +416,7 @@ class ValuesPanel final : public Panel {
     }
 
     void allGroups(Ui& ui) {
-        const std::vector<render::Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.values.knobs();
         std::optional<scene::ProgramIndex> drawn;
         bool isSharedDrawn = shared_.empty();
         bool isAny = false;
@@ -446,7 +431,7 @@ class ValuesPanel final : public Panel {
     }
 
     bool sharedGroup(Ui& ui) {
-        const std::vector<render::Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.values.knobs();
         float widest = 0;
         for (const auto& each : shared_)
             if (isFound(knobs[each.front()]))
@@ -465,7 +450,7 @@ class ValuesPanel final : public Panel {
     /// The values of the program that are its own, and below a fold those that others have, too. Returns
     /// false if the filter finds none of them.
     bool programGroup(Ui& ui, const render::Knob& first) {
-        const std::vector<render::Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.values.knobs();
         const scene::ProgramIndex program = first.program;
         std::size_t sharedCount = 0, count = 0;
         for (std::size_t i = 0; i < knobs.size(); ++i) {
@@ -496,7 +481,7 @@ class ValuesPanel final : public Panel {
     }
 
     void sharedFold(Ui& ui, const render::Knob& first, std::size_t count) {
-        const std::vector<render::Knob>& knobs = ui.session.knobs();
+        const std::vector<render::Knob>& knobs = ui.values.knobs();
         const std::string title = base::counted(count, "shared value") + " alone###alone";
         const bool isUnfolded = ImGui::TreeNodeEx(
             title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
@@ -522,7 +507,7 @@ void toggleLabels(Ui& ui, LabelChoice choice) {
 
 constexpr auto kValueKeys = std::to_array<Shortcut>({
     {KeyGroup::values, GLFW_KEY_R, true, "Ctrl+R", "reset all values",
-     [](Ui& ui, Panel&) { ui.session.resetValues(); }},
+     [](Ui& ui, Panel&) { ui.values.resetAll(); }},
     {KeyGroup::values, GLFW_KEY_L, false, "L", "show values over the picture",
      [](Ui& ui, Panel&) { ui.shared.showLabels = !ui.shared.showLabels; }},
     // Without keys: for the list of commands.

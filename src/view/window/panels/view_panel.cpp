@@ -128,7 +128,7 @@ void debugViewUnderMouse(Ui& ui, std::string& text) {
     if (mouse.x < ui.frame.picture[0] || mouse.y < ui.frame.picture[1] || x >= numbers.width || y < 0) return;
     const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(numbers.width) +
                                 static_cast<std::size_t>(x));
-    text = wordsOf(ui.session.debugView(), numbers.rgba.data() + at);
+    text = wordsOf(ui.look.debugView(), numbers.rgba.data() + at);
     ImGui::SetTooltip("%s", text.c_str());
     // Its window gets the size of the text one frame later.
     if (text != before) ui.frame.isFollowed = true;
@@ -139,7 +139,7 @@ class DebugViewPanel final : public Panel {
     void show(Ui& ui) override { debugViewUnderMouse(ui, text_); }
     void drawOver(Ui& ui) override {
         legend_.clear();
-        const DebugView kind = ui.session.debugView();
+        const DebugView kind = ui.look.debugView();
         if (!ui.session.hasScene() || kind == DebugView::picture) return;
         if (std::exchange(drawn_, ui.session.framesDrawn()) != ui.session.framesDrawn())
             range_ = rangeOf(kind, ui.session.debugNumbers());
@@ -157,10 +157,9 @@ class DebugViewPanel final : public Panel {
 };
 
 void showNextDebugView(Ui& ui, Panel& /*panel*/) {
-    Session& session = ui.session;
-    session.setDebugView(
-        static_cast<DebugView>((static_cast<int>(session.debugView()) + 1) % kDebugViewCount));
-    ui.notice = "Show: " + std::string(nameOf(session.debugView()));
+    ui.look.setDebugView(
+        static_cast<DebugView>((static_cast<int>(ui.look.debugView()) + 1) % kDebugViewCount));
+    ui.notice = "Show: " + std::string(nameOf(ui.look.debugView()));
 }
 
 constexpr auto kDebugViewKeys = std::to_array<Shortcut>(
@@ -170,14 +169,13 @@ constexpr auto kDebugViewKeys = std::to_array<Shortcut>(
 /// The choice of a debug view ("Show") and its legend, and the switch of the probe: a part of the section
 /// View.
 void debugViewControls(Ui& ui) {
-    const DebugView now = ui.session.debugView();
+    const DebugView now = ui.look.debugView();
     fieldLabel("Show");
-    const bool isOpen = beginCombo(ui, "##show", std::string(nameOf(now)).c_str(), "view/show");
-    if (isOpen) {
+    if (beginCombo(ui, "##show", std::string(nameOf(now)).c_str(), "view/show")) {
         for (int i = 0; i < kDebugViewCount; ++i) {
             const auto kind = static_cast<DebugView>(i);
             const std::string name(nameOf(kind));
-            if (choice(ui, name.c_str(), kind == now, "view/show/{}", name)) ui.session.setDebugView(kind);
+            if (choice(ui, name.c_str(), kind == now, "view/show/{}", name)) ui.look.setDebugView(kind);
             tooltip(helpOf(kind));
         }
         ImGui::EndCombo();
@@ -185,10 +183,10 @@ void debugViewControls(Ui& ui) {
         wrappedTooltip(helpOf(now), ImGui::GetFontSize() * 24);
     }
     if (now == DebugView::normals) {
-        double length = ui.session.normalLength();
+        double length = ui.look.normalLength();
         fieldLabel("Length");
         if (labelledSlider(ui, "##length", "view/normalLength", {.005, 1, false, true}, length))
-            ui.session.setNormalLength(length);
+            ui.look.setNormalLength(length);
     }
     if (now != DebugView::picture && isFillAlone(ui.session.live().scene())) {
         ImGui::TextWrapped("Only a Fill draws into the window. Frame shows this for every pass.");
@@ -249,21 +247,21 @@ bool dragNumbers(Ui& ui, const char* label, double* values, int count, float spe
 
 void numbers(Ui& ui) {
     if (ui.mode == TransformMode::object) {
-        const auto& picked = ui.session.picked();
+        const auto& picked = ui.look.picked();
         if (!picked) {
             ImGui::TextDisabled("Click an object in the picture first.");
             return;
         }
         ImGui::Text("%s, line %d", picked->word.c_str(), picked->draw.line);
     }
-    Similarity now = similarityOf(render::asMatrix(ui.session.transform(ui.mode)));
+    Similarity now = similarityOf(render::asMatrix(ui.look.transform(ui.mode)));
     bool changed = dragNumbers(ui, "Translate", &now.translation.x, 3, .01F);
     changed = dragNumbers(ui, "Rotate", &now.degrees.x, 3, .5F) || changed;
     changed = dragNumbers(ui, "Scale", &now.scale, 1, .01F) || changed;
-    if (changed && now.scale > 0) ui.session.setTransform(ui.mode, render::asNumbers(matrixOf(now)));
-    if (button(ui, "Reset this", "transform/resetThis")) ui.session.setTransform(ui.mode, kIdentity);
+    if (changed && now.scale > 0) ui.look.setTransform(ui.mode, render::asNumbers(matrixOf(now)));
+    if (button(ui, "Reset this", "transform/resetThis")) ui.look.setTransform(ui.mode, kIdentity);
     continueRowForButton("Reset all transforms");
-    if (button(ui, "Reset all transforms", "transform/reset")) ui.session.resetTransforms();
+    if (button(ui, "Reset all transforms", "transform/reset")) ui.look.resetTransforms();
 }
 
 /// A menu of the scene's cameras.
@@ -274,12 +272,11 @@ void cameras(Ui& ui) {
         return name.empty() ? "as in the scene" : name.c_str();
     };
     fieldLabel("Camera");
-    const bool isOpen = beginCombo(ui, "##camera", labelOf(ui.session.camera()), "view/camera");
-    if (!isOpen) return;
+    if (!beginCombo(ui, "##camera", labelOf(ui.look.camera()), "view/camera")) return;
     const auto item = [&](const std::string& name) {
-        if (choice(ui, labelOf(name), name == ui.session.camera(), "view/camera/{}",
+        if (choice(ui, labelOf(name), name == ui.look.camera(), "view/camera/{}",
                    name.empty() ? "scene" : name))
-            ui.session.setCamera(name);
+            ui.look.setCamera(name);
     };
     item("");
     for (const auto& each : cameras) item(std::string(each.name));
@@ -299,7 +296,7 @@ void toolWindows(Ui& ui) {
 }
 
 void projection(Ui& ui) {
-    ViewState view = ui.session.view();
+    ViewState view = ui.look.view();
     int mode = static_cast<int>(view.projection);
     fieldLabel("Projection");
     const bool isChanged =
@@ -307,11 +304,11 @@ void projection(Ui& ui) {
     mark(ui, "view/projection");
     if (!isChanged) return;
     view.projection = static_cast<ProjectionMode>(mode);
-    ui.session.setView(std::move(view));
+    ui.look.setView(std::move(view));
 }
 
 void ownBackground(Ui& ui) {
-    ViewState view = ui.session.view();
+    ViewState view = ui.look.view();
     bool own = view.background.has_value();
     continueRowForCheck("Background");
     bool isChanged = checkBox(ui, "Background", "view/ownBackground", own);
@@ -328,15 +325,15 @@ void ownBackground(Ui& ui) {
             isChanged = true;
         }
     }
-    if (isChanged) ui.session.setView(std::move(view));
+    if (isChanged) ui.look.setView(std::move(view));
 }
 
 void drawnParts(Ui& ui) {
-    bool axes = ui.session.axes();
-    if (checkBox(ui, "Axes", "view/axes", axes)) ui.session.setAxes(axes);
+    bool axes = ui.look.axes();
+    if (checkBox(ui, "Axes", "view/axes", axes)) ui.look.setAxes(axes);
     continueRowForCheck("Wireframe");
-    bool wireframe = ui.session.wireframe();
-    if (checkBox(ui, "Wireframe", "view/wireframe", wireframe)) ui.session.setWireframe(wireframe);
+    bool wireframe = ui.look.wireframe();
+    if (checkBox(ui, "Wireframe", "view/wireframe", wireframe)) ui.look.setWireframe(wireframe);
     ownBackground(ui);
 }
 
@@ -346,8 +343,7 @@ void screen(Ui& ui) {
         {{PictureShape::scene, "as in the scene"}, {PictureShape::fill, "fill the window"}}};
     const bool isFilled = ui.settings.pictureShape == PictureShape::fill;
     fieldLabel("Shape");
-    const bool showsShapes = beginCombo(ui, "##shape", kShapes[isFilled ? 1 : 0].second, "view/shape");
-    if (showsShapes) {
+    if (beginCombo(ui, "##shape", kShapes[isFilled ? 1 : 0].second, "view/shape")) {
         for (const auto& [shape, words] : kShapes)
             if (choice(ui, words, shape == ui.settings.pictureShape, "view/shape/{}",
                        shape == PictureShape::fill ? "fill" : "scene"))
@@ -365,8 +361,7 @@ void screen(Ui& ui) {
     for (const auto& [count, words] : kChoices)
         if (count == samples) now = words;
     fieldLabel("Smooth");
-    const bool isOpen = beginCombo(ui, "##smooth", now, "view/samples");
-    if (isOpen) {
+    if (beginCombo(ui, "##smooth", now, "view/samples")) {
         for (const auto& [count, words] : kChoices)
             if (choice(ui, words, count == samples, "view/samples/{}", count)) {
                 ui.settings.samples = count;
@@ -397,12 +392,12 @@ void viewPanel(Ui& ui) {
 
 /// Back to the scene's own camera, if the user looks through another one.
 void nextProjection(Ui& ui, Panel& /*panel*/) {
-    if (!ui.session.camera().empty()) {
-        ui.session.setCamera("");
-        ui.session.setTransform(TransformMode::eye, kIdentity);
+    if (!ui.look.camera().empty()) {
+        ui.look.setCamera("");
+        ui.look.setTransform(TransformMode::eye, kIdentity);
         return;
     }
-    ui.session.nextProjection();
+    ui.look.nextProjection();
 }
 
 template <TransformMode mode>
@@ -418,18 +413,18 @@ constexpr auto kViewKeys = std::to_array<Shortcut>({
     {KeyGroup::view, GLFW_KEY_4, false, "4", "the mouse moves texture coordinates",
      setMode<TransformMode::texture>},
     {KeyGroup::view, GLFW_KEY_R, false, "R", "reset all transforms, keep the values",
-     [](Ui& ui, Panel&) { ui.session.resetTransforms(); }},
+     [](Ui& ui, Panel&) { ui.look.resetTransforms(); }},
     {KeyGroup::view, GLFW_KEY_C, false, "C", "look through the scene's next camera",
-     [](Ui& ui, Panel&) { ui.session.nextCamera(); }},
+     [](Ui& ui, Panel&) { ui.look.nextCamera(); }},
     {KeyGroup::view, GLFW_KEY_P, false, "P",
      "orthographic or perspective, then as in the scene; first back to its own camera", nextProjection},
     {KeyGroup::view, GLFW_KEY_A, false, "A", "show axes",
-     [](Ui& ui, Panel&) { ui.session.setAxes(!ui.session.axes()); }},
+     [](Ui& ui, Panel&) { ui.look.setAxes(!ui.look.axes()); }},
     {KeyGroup::view, GLFW_KEY_W, false, "W", "show wireframe",
-     [](Ui& ui, Panel&) { ui.session.setWireframe(!ui.session.wireframe()); }},
+     [](Ui& ui, Panel&) { ui.look.setWireframe(!ui.look.wireframe()); }},
     // Without keys: for the list of commands.
     {KeyGroup::view, kNoKey, false, "", "reset the transform that the mouse changes",
-     [](Ui& ui, Panel&) { ui.session.setTransform(ui.mode, kIdentity); }},
+     [](Ui& ui, Panel&) { ui.look.setTransform(ui.mode, kIdentity); }},
     {KeyGroup::view, kNoKey, false, "", "picture fills the window, or keeps the shape of the scene",
      [](Ui& ui, Panel&) {
          const bool isFilled = ui.settings.pictureShape == PictureShape::fill;
@@ -443,12 +438,12 @@ constexpr auto kViewKeys = std::to_array<Shortcut>({
      }},
     {KeyGroup::view, kNoKey, false, "", "background of another colour, or that of the scene",
      [](Ui& ui, Panel&) {
-         ViewState view = ui.session.view();
+         ViewState view = ui.look.view();
          if (view.background)
              view.background.reset();
          else
              view.background = {0, 0, 0, 1};
-         ui.session.setView(std::move(view));
+         ui.look.setView(std::move(view));
      }},
 });
 
