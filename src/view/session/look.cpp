@@ -204,12 +204,8 @@ void Look::nextCamera() {
 }
 
 void Look::resize(int width, int height) {
-    width = std::clamp(width, 1, kLargestSide);
-    height = std::clamp(height, 1, kLargestSide);
-    const bool isOther = width != width_ || height != height_;
-    width_ = width;
-    height_ = height;
-    if (isOther) changed_();
+    change(width_, std::clamp(width, 1, kLargestSide));
+    change(height_, std::clamp(height, 1, kLargestSide));
 }
 
 void Look::setWholeShape(double aspect) {

@@ -167,13 +167,9 @@ void SceneValues::setLike(const SceneValues& other) {
     }
 }
 
-static bool isSetBy(const scene::KeyBinding& key, const render::Knob& knob) {
-    return !knob.program && knob.tag == key.variable && !key.values.empty();
-}
-
 void SceneValues::press(const scene::KeyBinding& key) {
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
-        if (!isSetBy(key, knobs_[i])) continue;
+        if (knobs_[i].program || knobs_[i].tag != key.variable || key.values.empty()) continue;
         const auto now = std::find(key.values.begin(), key.values.end(), knobs_[i].current);
         animate(i, false);
         const bool isLast = now == key.values.end() || now + 1 == key.values.end();
@@ -184,7 +180,7 @@ void SceneValues::press(const scene::KeyBinding& key) {
 void SceneValues::hold(const scene::KeyBinding& key, double seconds) {
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
         const render::Knob& knob = knobs_[i];
-        if (!isSetBy(key, knob)) continue;
+        if (knob.program || knob.tag != key.variable || key.values.empty()) continue;
         std::vector<double> moved = knob.current;
         const std::vector<double>& aim = key.values.front();
         for (std::size_t k = 0; k < moved.size() && k < aim.size(); ++k) {
