@@ -381,7 +381,7 @@ TEST(JudgeFloats, SayWhyAMeasureDoesNotDecide) {
     brighter[3 * 9] = std::numeric_limits<float>::quiet_NaN();
     const Judgement notFinite = judge(floatImage(8, 8, 3, bright), floatImage(8, 8, 3, brighter), loose());
     EXPECT_FALSE(notFinite.same);
-    EXPECT_EQ(notFinite.reason, "a value is NaN or infinite in only one of the pictures, at 1, 1");
+    EXPECT_EQ(notFinite.reason, "a value is NaN or infinite, and not the same in both pictures, at 1, 1");
 }
 
 /// Values outside of 0..1 that agree do not keep the measures from judging the others.

@@ -158,6 +158,18 @@ TEST(NearestTolerance, RaisesAPerceptualLimitThatIsStated) {
               1e-4);
 }
 
+TEST(NearestTolerance, LeavesAPerceptualLimitWhereAnotherCostsLess) {
+    const Image expected = noise();
+    const Image got = changed(expected, 6, 1, [](int, int) { return true; });
+    Tolerance stated;
+    stated.flip = 1e-4;
+    stated.bias = 3;
+    const auto nearest = nearestTolerance(expected, got, stated, judge(expected, got, stated, true));
+    ASSERT_TRUE(nearest.tolerance) << nearest.whyNone;
+    EXPECT_EQ(nearest.tolerance->flip, 1e-4);
+    EXPECT_EQ(nearest.tolerance->largest, 6);
+}
+
 TEST(DifferenceSteps, CountPixelsByTheirLargestDifference) {
     const Image expected = noise();
     Image got = expected;

@@ -78,6 +78,12 @@ TEST_F(Goldens, ALinkIsFollowedOnlyWithinTheGoldenFolderAndThatOfTheSuite) {
     ASSERT_EQ(outside.diagnostics.size(), 1U);
     EXPECT_EQ(outside.diagnostics[0].id, "file-E14");
     EXPECT_TRUE(GoldenStore::open(suite, {}, true)->find(shotNamed("d"), ""));
+    // As git-annex leaves what it has not fetched.
+    std::filesystem::create_symlink("../gone/e.png", folder / "goldens/e.png");
+    const Result<Golden> gone = store().find(shotNamed("e"), "");
+    ASSERT_EQ(gone.diagnostics.size(), 1U);
+    EXPECT_EQ(gone.diagnostics[0].id, "file-E01");
+    EXPECT_NE(gone.diagnostics[0].text.find("git annex get"), std::string::npos) << gone.diagnostics[0].text;
 }
 
 TEST_F(Goldens, UpdateStaysBelowTheFolderOfTheSuite) {

@@ -279,8 +279,9 @@ void judgePlainly(const ExcessLimits& limits, const Tolerance& tolerance, Judgem
                                   : fmt::format("{:g} of 255", limits.largest);
     result.decidedBy = Rung::differences;
     if (std::isinf(result.comparison.largest)) {
-        result.reason = fmt::format("a value is NaN or infinite in only one of the pictures, at {}, {}",
-                                    result.comparison.x, result.comparison.y);
+        result.reason =
+            fmt::format("a value is NaN or infinite, and not the same in both pictures, at {}, {}",
+                        result.comparison.x, result.comparison.y);
     } else if (result.beyond > limits.allowed) {
         result.reason = fmt::format("{} by more than {} (allowed: {}); {}", differ(result.beyond), limit,
                                     limits.allowed, largestDifference(result.comparison));
@@ -610,6 +611,15 @@ std::optional<Tolerance> raisedPerceptual(const Tolerance& stated, const Judgeme
     return raised;
 }
 
+/// As RaisedTolerance::cost. A limit of 0 counts as the least step.
+double perceptualCost(const Tolerance& stated, const Tolerance& raised) {
+    const auto cost = [](const std::optional<double>& was, const std::optional<double>& is) {
+        constexpr double kStep = 1e-4;
+        return was ? std::log(std::max(*is, kStep) / std::max(*was, kStep)) : 0;
+    };
+    return cost(stated.flip, raised.flip) + cost(stated.structure, raised.structure);
+}
+
 }  // namespace
 
 DifferenceSteps differenceSteps(const Image& expected, const Image& got) {
@@ -635,17 +645,18 @@ NearestTolerance nearestTolerance(const Image& expected, const Image& got, const
         return nearest;
     }
     if (std::isinf(judged.comparison.largest)) {
-        nearest.whyNone = "a value is NaN or infinite in only one of the pictures";
+        nearest.whyNone = "a value is NaN or infinite, and not the same in both pictures";
         return nearest;
     }
     const auto passes = [&](const Tolerance& tolerance) { return judge(expected, got, tolerance).same; };
-    if (stated.flip || stated.structure)
-        if (const std::optional<Tolerance> raised = raisedPerceptual(stated, judged);
-            raised && passes(*raised)) {
-            nearest.tolerance = raised;
-            return nearest;
-        }
     RaisedTolerance best;
+    std::optional<Tolerance> raised;
+    if (stated.flip || stated.structure) raised = raisedPerceptual(stated, judged);
+    if (raised && !passes(*raised)) raised.reset();
+    if (raised) {
+        best.tolerance = *raised;
+        best.cost = perceptualCost(stated, *raised);
+    }
     for (RaisedTolerance& each : Search(expected, got, stated).candidates()) {
         if (each.tooMuch.empty() && each.cost < best.cost)
             best = std::move(each);
@@ -654,7 +665,7 @@ NearestTolerance nearestTolerance(const Image& expected, const Image& got, const
     }
     if (!std::isfinite(best.cost)) return nearest;
     nearest.whyNone.clear();
-    if (passes(best.tolerance)) nearest.tolerance = best.tolerance;
+    nearest.tolerance = passes(best.tolerance) ? best.tolerance : raised;
     return nearest;
 }
 

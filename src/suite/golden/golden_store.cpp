@@ -127,7 +127,7 @@ Result<Golden> GoldenStore::find(const Shot& shot, std::string_view family) cons
     variants.emplace_back();
     for (std::string& each : variants) {
         std::error_code failure;
-        if (fs::status(file(shot, each), failure).type() == fs::file_type::not_found) continue;
+        if (fs::symlink_status(file(shot, each), failure).type() == fs::file_type::not_found) continue;
         return read(shot, std::move(each));
     }
     return {};
@@ -135,7 +135,18 @@ Result<Golden> GoldenStore::find(const Shot& shot, std::string_view family) cons
 
 Result<Golden> GoldenStore::read(const Shot& shot, std::string variant) const {
     const fs::path path = file(shot, variant);
-    if (!allowOutside_ && !system::isBelow(path, folder_) && !system::isBelow(path, suiteFolder_))
+    std::error_code failure;
+    const fs::file_type type = fs::status(path, failure).type();
+    if (type == fs::file_type::not_found && fs::is_symlink(path, failure))
+        return diagnose(
+            "file-E01",
+            fmt::format("cannot read '{}': it is a link to '{}', which is not there; fetch it, for "
+                        "example with 'git annex get'",
+                        path.generic_string(), fs::read_symlink(path, failure).generic_string()),
+            {path.generic_string(), 1, 1});
+    // What cannot be looked at, cannot be read either, and says why.
+    if (type != fs::file_type::none && !allowOutside_ && !system::isBelow(path, folder_) &&
+        !system::isBelow(path, suiteFolder_))
         return diagnose(
             "file-E14",
             fmt::format("cannot read '{0}': it is a link to a place outside of the golden folder; "

@@ -225,7 +225,10 @@ std::string address(const std::string& path) {
 
 std::string imageTag(const std::filesystem::path& file, const std::string& at) {
     if (file.empty() || file.is_absolute()) return "";
-    return fmt::format("<img src=\"{}/{}\" width=\"160\">", at, address(file.generic_string()));
+    const std::string target = fmt::format("\"{}/{}\"", at, address(file.generic_string()));
+    return file.extension() == ".png"  // browsers show no other that is written
+               ? fmt::format("<img src={} width=\"160\">", target)
+               : fmt::format("<a href={}>{}</a>", target, cell(file.filename().generic_string()));
 }
 
 }  // namespace
