@@ -57,7 +57,6 @@ class DrawingProcess {
         return child_ ? child_->memory.bytes() : std::span<const std::byte>();
     }
     [[nodiscard]] double seconds() const { return seconds_; }  ///< that drawing them took, without loading
-    [[nodiscard]] bool isWorking() const { return isWorking_; }
     /// Ends the process. The next picture starts another one.
     void end();
 
