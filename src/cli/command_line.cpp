@@ -263,6 +263,11 @@ Option& Option::within(double least, double most) {
     return *this;
 }
 
+Option& Option::offering(const std::vector<std::string>& words) {
+    option_->check(keepingWords(words));
+    return *this;
+}
+
 Option& Option::withDefault() {
     option_->capture_default_str();
     return *this;
@@ -387,9 +392,7 @@ Option CommandLine::choice(const std::string& name, const std::vector<std::strin
         take(static_cast<std::size_t>(found - words.begin()));
         return {};
     };
-    CLI::Option* added = addReader(*app_, name, read, help);
-    added->check(keepingWords(words));
-    return Option(*added).placeholder("WORD");
+    return Option(*addReader(*app_, name, read, help)).offering(words).placeholder("WORD");
 }
 
 Option CommandLine::driver(Driver& to) {

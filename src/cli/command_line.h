@@ -40,6 +40,8 @@ class Option {
     Option& within(double least, double most);
     /// Allows numbers from `least` on.
     Option& atLeast(double least) { return within(least, std::numeric_limits<double>::infinity()); }
+    /// Manual pages and completions offer these values.
+    Option& offering(const std::vector<std::string>& words);
     /// --help prints the present value as the default.
     Option& withDefault();
     /// The value is the name of a file that exists.

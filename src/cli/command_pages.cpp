@@ -232,8 +232,12 @@ void addCompletion(CommandLine& line, const Program& whole, int& status) {
         .placeholder("FILE")
         .written();
     command.onRun([chosen, output, &whole, &status] {
+        Commands commands = whole.describe();
+        for (CommandDescription& each : commands)
+            for (OptionDescription& option : each.options)
+                if (each.name == "manual" && option.isPositional) option.words = whole.subcommands();
         const std::string text =
-            base::filled(chosen->page, fieldsOf(whole.describe(), chosen->explained), chosen->escape);
+            base::filled(chosen->page, fieldsOf(commands, chosen->explained), chosen->escape);
         status = output->empty() ? printText(text) : writeText(*output, text);
     });
 }

@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -110,11 +111,15 @@ int serve() {
     options.libraryRoots = libraryRoots();
     editor::LanguageServer server(std::move(options));
     editor::MessageReader reader;
-    // False if the client reads no more.
-    const auto deliver = [&] {
+    // The exit status if no more can be written.
+    const auto deliver = [&]() -> std::optional<int> {
         std::string bytes;
         for (const std::string& each : server.takeOutput()) bytes += editor::framed(each);
-        return system::writeOutput(bytes) == 0;
+        const std::error_code failure(system::writeOutput(bytes), std::generic_category());
+        if (!failure) return std::nullopt;
+        if (failure == std::errc::broken_pipe) return kDiffers;  // the client reads no more
+        printError("cannot write to standard output: " + failure.message());
+        return kSceneIsWrong;
     };
     std::future<editor::ContainedCheck> checked;  // of the scene that is checked now
     std::optional<long long> client;  // a number of another machine or container names nobody here
@@ -129,7 +134,7 @@ int serve() {
         server.answer();
         if (!client && server.clientProcess() && system::isRunning(*server.clientProcess()))
             client = server.clientProcess();
-        if (!deliver()) return kDiffers;
+        if (const auto status = deliver()) return *status;
         if (reader.isLost()) {
             printError(
                 fmt::format("the client states a message of more than {} bytes, which is "
@@ -139,7 +144,7 @@ int serve() {
         }
         if (checked.valid() && checked.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
             server.endWork(checked.get());
-            if (!deliver()) return kDiffers;
+            if (const auto status = deliver()) return *status;
         }
         if (!checked.valid() && server.hasWork() && isOpen && !server.exitStatus() && !isTyping(kPause)) {
             if (editor::LanguageServer::Work work = server.beginWork()) {
@@ -148,7 +153,7 @@ int serve() {
                 checked = task.get_future();
                 std::thread(std::move(task)).detach();
             }
-            if (!deliver()) return kDiffers;
+            if (const auto status = deliver()) return *status;
         }
     }
     // A client that is gone without `exit` has not ended the session.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,7 @@
 #include "scene/interpret.h"
 #include "scene/primitives.h"
 #include "scene/shader_names.h"
+#include "source/inline_shaders.h"
 #include "suite/options/option_table.h"
 
 namespace glibra::cli {
@@ -370,10 +372,11 @@ std::string expressionReference(std::string_view word) {
         text += fmt::format("{:<38} {}\n", each.prototype, summary);
     }
     const auto add = [&](std::string_view owner, const expression::NameRow& row) {
-        if (row.path == word)
-            text += fmt::format("{:<38} {}\n{:<38} {}\n", fmt::format("{}{}", owner, row.path), row.summary,
-                                "", expression::name(row.type));
+        const std::string path = fmt::format("{}{}", owner, row.path);
+        if (row.path == word || path == word)
+            text += fmt::format("{:<38} {}\n{:<38} {}\n", path, row.summary, "", expression::name(row.type));
     };
+    if (word == "pi") text += fmt::format("{:<38} {}\n{:<38} number\n", word, std::numbers::pi, "");
     for (const expression::NameRow& each : expression::sceneNames()) add("", each);
     for (const expression::NameRow& each : expression::cameraFields()) add("camera.", each);
     return text;
@@ -491,9 +494,13 @@ int runLanguageCommand(const LanguageArguments& arguments) {
         for (const ShaderName& each : shaderNames()) fmt::print("{}", reference(each));
         return kDone;
     }
-    const glib::StatementRow* command = glib::findCommand(arguments.word);
-    const glib::StatementRow* statement =
-        command != nullptr ? glib::modernFormOf(arguments.word) : glib::findStatement(arguments.word);
+    // EndVertex is described with Vertex.
+    const bool isEnd = source::stageOfEndWord(arguments.word) || glib::sameWord(arguments.word, "EndGlsl");
+    const std::string word = arguments.word.substr(isEnd ? 3 : 0);
+    const glib::StatementRow* command = isEnd ? nullptr : glib::findCommand(word);
+    const glib::StatementRow* statement = command != nullptr || glib::findStatement(word) == nullptr
+                                              ? glib::modernFormOf(word)
+                                              : glib::findStatement(word);
     if (command != nullptr) fmt::print("{}", classicReference(*command));
     if (statement != nullptr) fmt::print("{}", reference(*statement));
     const std::vector<ShaderName> names = findShaderNames(arguments.word);
@@ -517,9 +524,10 @@ void addLanguage(CommandLine& program, int& status) {
         "glibra language                    # all commands, and all names that shaders read\n"
         "glibra language --diagnostics      # all messages with their ids");
     command.option("WORD", arguments->word, "show only this command, name, function, format, key or message");
-    command.flag("--diagnostics", arguments->diagnostics,
-                 "list all diagnostics with their ids and an example");
-    command.flag("--words", arguments->words, "list all command words, one per line, for editors");
+    const Option diagnostics = command.flag("--diagnostics", arguments->diagnostics,
+                                            "list all diagnostics with their ids and an example");
+    command.flag("--words", arguments->words, "list all command words, one per line, for editors")
+        .excludes(diagnostics);
     const Option markdown = command.flag("--markdown", arguments->markdown,
                                          "print the generated sections of the documentation as Markdown");
     command

@@ -56,6 +56,8 @@ void add(CommandLine& command, const suite::OptionRow& row, suite::Shot& to) {
             return command.flag(name, [read] { read(""); }, helpOf(row));
         Option option = mayBeRepeated(row) ? command.repeated(name, read, helpOf(row))
                                            : command.option(name, read, helpOf(row));
+        if (const auto* const value = std::get_if<suite::WordValue>(&row.value))
+            option.offering({value->words.begin(), value->words.end()});
         return option.placeholder(suite::placeholder(row));
     };
     Option option = added();

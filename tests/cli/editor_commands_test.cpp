@@ -171,6 +171,14 @@ TEST(LanguageServerCommand, SaysWhyItEndsAfterAnAbsurdLength) {
                  "glibra: error: the client states a message of more than 67108864 bytes");
 }
 
+TEST(LanguageServerCommand, SaysThatItCannotWrite) {
+    const Folder folder;
+    folder.write("hello", "Content-Length: 40\r\n\r\n{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"x\"}   ");
+    const Finished full = shell(folder.path(), "('" GLIBRA_PROGRAM "' language-server < hello > /dev/full)");
+    EXPECT_EQ(full.status, 3);
+    EXPECT_PRED2(contains, full.err, "cannot write to standard output");
+}
+
 TEST(LanguageServerCommand, SaysWhatCheckSays) {
     const Folder folder;
     folder.write("a.vert", kVertexShader);

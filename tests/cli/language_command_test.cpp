@@ -199,6 +199,10 @@ TEST(LanguageCommand, ExplainsEveryKindOfWord) {
              {"rgba16f", "texture format, 8 bytes per texel"},
              {"Reflect", "Camera "},
              {"history", "Texture2D "},
+             {"camera.view", "from the world to the eye"},
+             {"pi", "3.14159"},
+             {"EndVertex", "up to EndVertex"},
+             {"EndGlsl", "up to EndGlsl"},
              {"glib-E27",
               "error: Nothing of this kind and name is declared before this line.\n  for example: no group"},
              {"memory-W02", "warning: A number does not fit the integers of its buffer."}}) {
@@ -207,6 +211,7 @@ TEST(LanguageCommand, ExplainsEveryKindOfWord) {
         EXPECT_NE(finished.out.find(part), std::string::npos) << word << ": " << finished.out;
     }
     EXPECT_EQ(glibra(folder.path(), "language nothing").status, 2);
+    EXPECT_EQ(glibra(folder.path(), "language --words --diagnostics").status, 2);
 }
 
 }  // namespace

@@ -121,6 +121,15 @@ TEST(Completion, OfBashOffersCommandsOptionsWordsAndFiles) {
               "auto\negl\negl-device\nosmesa\nwgl\ngles\n");
     EXPECT_EQ(bashOffers(folder, "glibra render do"), "dots.glib\n");
     EXPECT_EQ(bashOffers(folder, "glibra help ren"), "render\n");
+    EXPECT_EQ(bashOffers(folder, "glibra manual ren"), "render\n");
+    EXPECT_EQ(bashOffers(folder, "glibra completion ''"), "bash\nzsh\nfish\npowershell\n");
+    EXPECT_PRED2(contains, bashOffers(folder, "glibra render --labels ''"), "none\n");
+    for (const char* each : {"--eye", "--projection"})
+        EXPECT_EQ(bashOffers(folder, fmt::format("glibra render {} ''", each)).find("dots"),
+                  std::string::npos);
+    folder.write("b c.glib", "Sphere\n");
+    EXPECT_EQ(bashOffers(folder, "glibra render b"), "b c.glib\n");
+    EXPECT_EQ(bashOffers(folder, "glibra render -o b"), "b c.glib\n");
 }
 
 TEST(Completion, OfFishOffersOptionsWithTheirTexts) {
@@ -135,6 +144,7 @@ TEST(Completion, OfFishOffersOptionsWithTheirTexts) {
     EXPECT_PRED2(contains, offers("glibra ren"), "render\trenders scenes");
     EXPECT_PRED2(contains, offers("glibra render --driv"), "--driver\t");
     EXPECT_PRED2(contains, offers("glibra render --driver os"), "osmesa");
+    EXPECT_PRED2(contains, offers("glibra completion po"), "powershell");
 }
 
 TEST(Completion, OfZshIsAScriptOfZsh) {
@@ -184,6 +194,8 @@ TEST(Completion, OfPowerShellNamesCommandsOptionsAndWords) {
     }
     EXPECT_PRED2(contains, text,
                  "'render --driver' { $offers = 'auto', 'egl', 'egl-device', 'osmesa', 'wgl', 'gles' }\n");
+    EXPECT_PRED2(contains, text,
+                 "'completion completion' { $offers = 'bash', 'zsh', 'fish', 'powershell' }\n");
     EXPECT_PRED2(contains, text, "'render --output' { return }\n") << "PowerShell offers files by itself";
 }
 

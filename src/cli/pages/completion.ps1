@@ -11,6 +11,11 @@ Register-ArgumentCompleter -Native -CommandName 'glibra', 'glibra.exe' -ScriptBl
         '{{command}} {{form}}' { {{#words}}$offers = {{#eachWord}}{{^first}}, {{/first}}'{{.}}'{{/eachWord}}{{/words}}{{^words}}return{{/words}} }
 {{/placeholder}}
 {{/forms}}
+{{#arguments}}
+{{#words}}
+        '{{command}} {{command}}' { $offers = {{#eachWord}}{{^first}}, {{/first}}'{{.}}'{{/eachWord}} }
+{{/words}}
+{{/arguments}}
 {{/commands}}
     }
     if (-not $offers -and $word -like '-*') {

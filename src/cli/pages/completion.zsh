@@ -20,7 +20,7 @@ _glibra() {
 {{#subcommands}}
         {{command}}) _arguments{{#forms}} \
                 '*{{form}}[{{help}}]{{#placeholder}}:{{placeholder}}:{{#words}}({{words}}){{/words}}{{^words}}_files{{#folder}} -/{{/folder}}{{/words}}{{/placeholder}}'{{/forms}} \
-                '*:file:_files' ;;
+                '{{#arguments}}{{#words}}:word:({{words}})' '{{/words}}{{/arguments}}*:file:_files' ;;
 {{/subcommands}}
         *) _files ;;
     esac
