@@ -157,6 +157,7 @@ TEST(WellKnownNames, AreFoundNearby) {
     EXPECT_EQ("aVertexPosition", inputNear("aVertexPostion", "vec3"));
     EXPECT_EQ("in_texCoord", inputNear("in_texCord", "vec2"));
     EXPECT_EQ("color", inputNear("colr", "vec4"));
+    EXPECT_EQ("aVertex", inputNear("aVertx", "vec4")) << "the nearest word, not what it stands for";
     EXPECT_EQ("", inputNear("vertNorml", "vec2")) << "a normal has three components";
     EXPECT_EQ("", inputNear("velocity", "vec3"));
 }

@@ -191,7 +191,7 @@ constexpr std::array<std::string_view, 3> kTexCoordTypes{"vec4", "vec2", "vec3"}
 constexpr std::array<std::string_view, 2> kColorTypes{"vec4", "vec3"};
 
 constexpr InputNames kInputNames[] = {
-    {"position", " pos position positionmodelspace coord coords coord3d vert vertex ", kPositionTypes},
+    {"position", " pos position positionmodelspace coord coords coord3d vertex vert ", kPositionTypes},
     {"normal", " norm normal normalmodelspace ", kDirectionTypes},
     {"texCoord", " texcoord texcoords texcoord0 texturecoord tex tc uv uv0 st ", kTexCoordTypes},
     {"color", " col color colour ", kColorTypes},
@@ -232,6 +232,8 @@ std::string inputNear(std::string_view name, std::string_view type) {
     std::vector<std::string_view> words, attributes;
     for (const InputNames& row : kInputNames) {
         if (!canTake(row.types, type)) continue;
+        words.push_back(row.attribute);  // first, if others are as near
+        attributes.push_back(row.attribute);
         for (std::size_t begin = 1, end = 0; begin < row.names.size(); begin = end + 1) {
             end = row.names.find(' ', begin);
             words.push_back(row.names.substr(begin, end - begin));
@@ -241,7 +243,8 @@ std::string inputNear(std::string_view name, std::string_view type) {
     const std::string_view own = ownWordOfInput(name);
     const auto found = std::ranges::find(words, base::nearestName(plain(own), words));
     if (found == words.end()) return {};
-    std::string near(attributes[static_cast<std::size_t>(found - words.begin())]);
+    const std::string_view attribute = attributes[static_cast<std::size_t>(found - words.begin())];
+    std::string near(plain(attribute) == *found ? attribute : *found);
     if (isUpper(own.front())) near.front() = static_cast<char>(near.front() - 'a' + 'A');
     return std::string(name.substr(0, name.size() - own.size())) + near;
 }
