@@ -13,7 +13,9 @@
 #include "editor/scene_places.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
+#include "glib/lexer.h"
 #include "glib/messages.h"
+#include "glib/parse/statement.h"
 #include "glib/statement_table.h"
 #include "glib/syntax.h"
 #include "glib/text.h"
@@ -45,11 +47,11 @@ bool isInComment(std::string_view text, std::size_t byte, CodeLanguage language)
     const std::string_view line = lineBefore(text, byte);
     if (language == CodeLanguage::glib) {
         bool isQuoted = false;
-        for (const char c : line) {
-            if (c == '"') isQuoted = !isQuoted;
-            if (c == '#' && !isQuoted) return true;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if (line[i] == '"') isQuoted = !isQuoted;
+            if ((line[i] == '#' || line.substr(i, 2) == "//") && !isQuoted) return true;
         }
-        return isQuoted;
+        return isQuoted || glib::sameWord(firstWord(line), "MessageBox");
     }
     if (line.find("//") != std::string_view::npos) return true;
     const std::string_view before = text.substr(0, byte);
@@ -185,40 +187,14 @@ std::vector<std::string_view> onlyWordsAfter(std::string_view before) {
         before.find_last_of(");{}") + 1 > open + 1 ||
         lastWord(before.substr(0, before.find_last_not_of(" \t", open - 1) + 1)) != "layout")
         return {};
-    return {"location",
-            "binding",
-            "std140",
-            "std430",
-            "local_size_x",
-            "local_size_y",
-            "local_size_z",
-            "triangles",
-            "points",
-            "lines",
-            "line_strip",
-            "triangle_strip",
-            "max_vertices",
-            "invocations",
-            "vertices",
-            "quads",
-            "isolines",
-            "offset",
-            "align",
-            "index",
-            "component",
-            "row_major",
-            "column_major",
-            "shared",
-            "early_fragment_tests",
-            "rgba8",
-            "rgba16f",
-            "rgba32f",
-            "r32f",
-            "r32i",
-            "r32ui",
-            "ccw",
-            "cw",
-            "equal_spacing"};
+    std::string_view rest =
+        "location binding std140 std430 local_size_x local_size_y local_size_z triangles points "
+        "lines line_strip triangle_strip max_vertices invocations vertices quads isolines offset "
+        "align index component row_major column_major shared early_fragment_tests rgba8 rgba16f "
+        "rgba32f r32f r32i r32ui ccw cw equal_spacing";
+    std::vector<std::string_view> words;
+    while (!rest.empty()) words.push_back(base::nextWord(rest));
+    return words;
 }
 
 void addGlsl(Collector& words, std::string_view text, const TextRange& typed,
@@ -348,45 +324,77 @@ bool takesNumbersOnly(std::string_view name) {
     return command && takesNumbers(*command) && !glib::modernFormOf(name);
 }
 
-/// What may follow the word of a statement outside of expressions.
+/// Where a name of a scene is typed.
 struct Nameable {
     std::string_view statement;
-    bool isFirst = false;  ///< what is typed follows the word itself
+    std::string_view last;  ///< the word before it
+    bool isExpression = false;
 
-    /// `kind`: the statement that declares the name, or the type of a uniform.
-    [[nodiscard]] bool takes(std::string_view kind) const {
+    /// `kind`: the statement that declares the name, or its type.
+    [[nodiscard]] bool takes(const KnownName& name) const {
+        const bool isProgram = name.type == "Program", isGroup = name.type == "Group";
+        const bool isFirst = last == statement;
+        if (isExpression && !isProgram && !isGroup)
+            return name.type == "variable" || name.type.find('(') != std::string::npos ||
+                   glib::findStatement(name.type) || glib::modernFormOf(name.type);
+        if (isExpression) return false;
         if (is("Include") || is("Let")) return false;
-        if (is("Draw") && isFirst) return kind == "Group";
-        return !(is("Program") || is("Set")) || (kind != "Program" && kind != "Group");
+        if (is("Use") || (is("Dispatch") && isFirst) || glib::sameWord(last, "with")) return isProgram;
+        if (is("Draw") && isFirst) return isGroup;
+        return !isProgram && !isGroup && (!name.isStageVariable || is("Attribute"));
     }
-    [[nodiscard]] bool takesStageVariables() const { return is("Attribute"); }
 
   private:
     [[nodiscard]] bool is(std::string_view word) const { return glib::sameWord(statement, word); }
 };
 
-/// The names that statements of the text declare: `Texture2D glow`, `Let size`.
-void addDeclaredNames(Collector& words, std::string_view text, std::size_t cursor,
-                      const std::optional<Nameable>& nameable) {
-    int line = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view whole = text.substr(begin, end - begin);
-        const std::string_view word = firstWord(whole);
-        ++line;
-        if (!word.empty() && (cursor < begin || cursor > end)) {
-            const glib::StatementRow* row = glib::findStatement(word);
-            if (!row) row = glib::modernFormOf(word);
-            const bool declares = row && (row->declaresName || glib::sameWord(word, "Program") ||
-                                          glib::sameWord(word, "Group"));
-            const std::string_view name =
-                firstWord(whole.substr(static_cast<std::size_t>(word.data() + word.size() - whole.data())));
-            if (declares && !name.empty() && !base::isDigit(name.front()) &&
-                (!nameable || nameable->takes(row->name)))
-                words.add(name, std::string(row->name), "line " + std::to_string(line));
-        }
-        begin = end + 1;
+/// The names that statements of the text declare: `Texture2D glow`, `Let size`; in an expression also the
+/// counters and parameters around it; after `Draw ball` the parameters. `before`: the statement at the
+/// cursor.
+void addDeclaredNames(Collector& words, std::string_view text, std::string_view before,
+                      const Nameable& nameable) {
+    const auto begin = static_cast<std::size_t>(before.data() - text.data());
+    std::vector<std::vector<std::string_view>> blocks;
+    for (const glib::Statement& each : glib::statementsOf(text)) {
+        const glib::StatementRow* row = each.modern ? each.modern : each.row;
+        const std::vector<glib::Token>& tokens = each.arguments;
+        const bool isBefore = each.word.begin < begin;
+        if (!row || (!isBefore && each.word.begin <= begin + before.size())) continue;
+        if (row->role == glib::BlockRole::closes && isBefore && !blocks.empty()) blocks.pop_back();
+        const bool isGroup = row->id == glib::CommandId::group;
+        std::vector<std::string_view> names;
+        for (std::size_t i = 1; i < tokens.size();
+             i = isGroup && i + 1 < tokens.size() ? glib::valueEnd(tokens, i + 1) : i + 1)
+            if (isGroup || glib::sameWord(tokens[i - 1].text, "as")) names.push_back(tokens[i].text);
+        if (row->id == glib::CommandId::repeat && names.empty()) names.emplace_back("i");
+        const bool isDrawn = isGroup && !tokens.empty() && tokens.front().text == nameable.last &&
+                             glib::sameWord(nameable.statement, "Draw");
+        for (const std::string_view name : isDrawn ? names : std::vector<std::string_view>())
+            words.add(name, "parameter");
+        if (row->role == glib::BlockRole::opens && isBefore) blocks.push_back(std::move(names));
+        const bool declares = row->declaresName || isGroup || row->id == glib::CommandId::program;
+        if (!declares || tokens.empty() || !tokens.front().isWord()) continue;
+        const KnownName name{
+            std::string(tokens.front().text), std::string(row->name), {}, {}, CodeLanguage::glib};
+        if (nameable.takes(name))
+            words.add(name.name, name.type, "line " + std::to_string(each.word.position.line));
     }
+    for (const auto& names : nameable.isExpression ? blocks : std::vector<std::vector<std::string_view>>())
+        for (const std::string_view name : names) words.add(name, "number");
+}
+
+/// The words of the choice that an expression compares: `(mode == `.
+void addChoices(Collector& words, std::string_view text, std::string_view before) {
+    before = base::trimmed(before);
+    if (!before.ends_with("==") && !before.ends_with("!=")) return;
+    before = base::trimmed(before.substr(0, before.size() - 2));
+    const TextRange name = wordBefore(before, before.size());
+    for (const glib::Statement& each : glib::statementsOf(text))
+        if (glib::sameWord(each.word.text, "Let") && each.arguments.size() > 2 &&
+            each.arguments[0].text == before.substr(name.begin) && each.arguments[1].text == "<")
+            for (const glib::Token& word : each.arguments)
+                if (word.kind == glib::TokenKind::word && &word != &each.arguments[0])
+                    words.add(word.text, "word of " + std::string(each.arguments[0].text));
 }
 
 /// The name that a point follows, perhaps with parts between them: `sky.face(+x).`
@@ -410,15 +418,9 @@ std::string_view nameBefore(std::string_view text, std::size_t point) {
 }
 
 /// The word of the statement that declares the name; empty if none does.
-std::string_view declaringStatement(std::string_view text, std::string_view name) {
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line = text.substr(begin, end - begin);
-        const std::string_view word = firstWord(line);
-        const auto after = static_cast<std::size_t>(word.data() + word.size() - line.data());
-        if (!word.empty() && firstWord(line.substr(after)) == name) return word;
-        begin = end + 1;
-    }
+std::string declaringStatement(std::string_view text, std::string_view name) {
+    for (const Declaration& each : declarationsOf(text))
+        if (each.name == name && !each.isBlock) return each.word;
     return {};
 }
 
@@ -485,15 +487,16 @@ void addGlib(Collector& words, std::string_view text, const TextRange& typed, co
         words.nextGroup();
     }
     if (!isExpression && takesNumbersOnly(statement)) return;
-    std::optional<Nameable> nameable;
-    if (!isExpression)
-        nameable = {statement, before.substr(0, before.find_last_not_of(" \t") + 1).ends_with(statement)};
-    addDeclaredNames(words, text, typed.begin, nameable);
+    const std::string_view code = before.substr(0, before.find_last_not_of(" \t") + 1);
+    const Nameable nameable{statement, code.substr(wordBefore(code, code.size()).begin), isExpression};
+    if (isExpression) addChoices(words, text, before);
+    addDeclaredNames(words, text, before, nameable);
     for (const KnownName& each : names)
-        if (each.in == CodeLanguage::glib &&
-            (!nameable ||
-             (nameable->takes(each.type) && (!each.isStageVariable || nameable->takesStageVariables()))))
-            words.add(each.name, each.type, each.what);
+        if (each.in == CodeLanguage::glib && nameable.takes(each)) words.add(each.name, each.type, each.what);
+    if (glib::sameWord(nameable.last, "from")) words.add("eye", "Camera");
+    if (nameable.last == statement &&
+        (glib::sameWord(statement, "Pass") || glib::sameWord(statement, "Fill")))
+        words.add("window", "the picture");
     words.nextGroup();
     if (!isExpression) return;
     for (const expression::NameRow& each : expression::sceneNames())
@@ -527,15 +530,15 @@ std::vector<LanguageAt> shadersIn(std::string_view scene) {
     source::InlineShaders shaders;
     std::vector<LanguageAt> found;
     bool isInShader = false;
-    for (std::size_t begin = 0; begin <= scene.size();) {
-        const std::size_t end = std::min(scene.find('\n', begin), scene.size());
-        const std::optional<glsl::Stage> stage = shaders.next(scene.substr(begin, end - begin));
+    glib::LineSplitter lines(scene);
+    while (const std::optional<glib::LineRange> line = lines.next()) {
+        const std::optional<glsl::Stage> stage =
+            shaders.next(scene.substr(line->begin, line->end - line->begin));
         if (stage && !isInShader)
-            found.push_back({CodeLanguage::glsl, stage, {begin, scene.size()}});
+            found.push_back({CodeLanguage::glsl, stage, {line->begin, scene.size()}});
         else if (!stage && isInShader)
-            found.back().part.end = begin;
+            found.back().part.end = line->begin;
         isInShader = stage.has_value();
-        begin = end + 1;
     }
     return found;
 }
@@ -558,7 +561,8 @@ std::optional<std::string_view> typedFile(std::string_view before) {
                                               glib::findStatement(statement)};
     const bool takes =
         std::ranges::any_of(rows, [](const glib::StatementRow* each) { return each && takesFile(*each); });
-    if (!takes || before.find('#') != std::string_view::npos || (hasFormat(statement) && isAfterSize(before)))
+    if (!takes || before.find('#') != std::string_view::npos || before.find("//") != std::string_view::npos ||
+        (hasFormat(statement) && isAfterSize(before)))
         return std::nullopt;
     const std::string_view file = fileBefore(before);
     const bool isAfterStatement = file.data() > statement.data() + statement.size();
@@ -567,9 +571,13 @@ std::optional<std::string_view> typedFile(std::string_view before) {
 }
 
 std::vector<Completion> wordsAt(std::string_view text, std::size_t cursor, const CodeContext& context) {
-    const TextRange typed = wordBefore(text, cursor);
-    const bool isNumber = typed.begin < typed.end && base::isDigit(text[typed.begin]);
+    TextRange typed = wordBefore(text, cursor);
     const LanguageAt at = languageAt(text, cursor, context);
+    while (at.language == CodeLanguage::glib &&
+           typed.begin > 0 &&  // of names of programs, which may have any bytes
+           (isOfName(text[typed.begin - 1]) || static_cast<unsigned char>(text[typed.begin - 1]) >= 0x80))
+        --typed.begin;
+    const bool isNumber = typed.begin < typed.end && base::isDigit(text[typed.begin]);
     const auto from = [](std::vector<Completion> words, std::size_t begin) {
         for (Completion& each : words) each.begin = begin;
         return words;

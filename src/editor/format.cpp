@@ -205,6 +205,8 @@ class Formatter {
                 const std::string_view end = whole(line);
                 line.code = end.substr(std::min(end.find_first_not_of(" \t\v\f"), end.size()));
                 line.code.erase(line.code.find_last_not_of(" \t\v\f") + 1);
+                const std::string word = "End" + std::string(statement.modern->name);
+                if (glib::sameWord(line.code, word)) line.code = word;
                 line.indent = indent;
                 continue;
             }

@@ -26,6 +26,7 @@
 #include "glib/parse/statement.h"
 #include "glib/text.h"
 #include "glsl/read/token.h"
+#include "glsl/read/words.h"
 #include "scene/file_lookup.h"
 #include "source/syntax.h"
 
@@ -42,7 +43,8 @@ struct Fold {
 
 void addShaderFolds(std::vector<Fold>& folds, std::string_view text, std::size_t linesBefore) {
     std::string normal(text);  // with as many lines
-    std::ranges::replace(normal, '\r', ' ');
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '\r') normal[i] = text.substr(i + 1, 1) == "\n" ? ' ' : '\n';
     std::deque<std::string> storage;
     const std::vector<glsl::Token> tokens = glsl::lex(normal, storage);
     std::vector<std::size_t> open, conditions;
@@ -78,17 +80,23 @@ std::vector<Fold> foldsOf(std::string_view text, source::CodeLanguage language) 
         addShaderFolds(folds, text, 0);
         return folds;
     }
+    const auto isRow = [](const glib::StatementRow* row, glib::CommandId a, glib::CommandId b) {
+        return row && (row->id == a || row->id == b);
+    };
     std::vector<std::size_t> open;
     for (const glib::Statement& each : glib::statementsOf(text)) {
+        const glib::BlockRole role = each.modern ? each.modern->role : glib::BlockRole::none;
+        using Id = glib::CommandId;
         const auto line = static_cast<std::size_t>(each.word.position.line) - 1;
         if (each.body.data() != nullptr) {
             const auto begin = static_cast<std::size_t>(each.bodyPosition.line) - 1;
-            const auto lines = static_cast<std::size_t>(std::ranges::count(each.body, '\n'));
+            const std::size_t lines = TextLines(each.body).count() - 1;
             if (lines > 0) folds.push_back({line, begin + lines - 1, false});
             addShaderFolds(folds, each.body, begin);
-        } else if (each.modern && each.modern->role == glib::BlockRole::opens) {
+        } else if (role == glib::BlockRole::opens || isRow(each.row, Id::glBegin, Id::pushMatrix)) {
             open.push_back(line);
-        } else if (each.modern && each.modern->role == glib::BlockRole::closes && !open.empty()) {
+        } else if ((role == glib::BlockRole::closes || isRow(each.row, Id::glEnd, Id::popMatrix)) &&
+                   !open.empty()) {
             if (line > open.back() + 1) folds.push_back({open.back(), line - 1, false});
             open.pop_back();
         }
@@ -390,15 +398,6 @@ std::vector<std::string> quotedIn(std::string_view message) {
     return found;
 }
 
-/// The word as a whole in the lines from `begin` to `end`.
-std::optional<TextRange> findWord(std::string_view text, std::string_view word, std::size_t begin,
-                                  std::size_t end) {
-    const auto isOf = [&](std::size_t at) { return at < text.size() && base::isOfName(text[at]); };
-    for (std::size_t at = text.find(word, begin); at < end && !word.empty(); at = text.find(word, at + 1))
-        if ((at == 0 || !isOf(at - 1)) && !isOf(at + word.size())) return TextRange{at, at + word.size()};
-    return std::nullopt;
-}
-
 /// A slider, or the like, for a uniform of that type; empty if there is none.
 std::string controlOf(std::string_view type) {
     if (type == "float" || type == "double") return "<0 .5 1>";
@@ -409,27 +408,35 @@ std::string controlOf(std::string_view type) {
     return type == "vec4" ? "{1 1 1 1}" : "";
 }
 
-/// "<0 8 16>" for 8.
-std::string sliderAround(double value) {
+/// "<0 8 16>" for "8", which keeps its digits.
+std::string sliderAround(std::string_view number, double value) {
     const double far = value == 0 ? 1 : 2 * std::abs(value);
-    return fmt::format("<{:g} {:g} {:g}>", value > 0 ? 0 : -far, value, value < 0 ? 0 : far);
+    return fmt::format("<{} {} {}>", value > 0 ? 0 : -far, number, value < 0 ? 0 : far);
 }
 
-/// A plain number that is the value of a uniform or variable at the byte.
-std::optional<std::pair<TextRange, double>> numberAt(std::string_view scene, std::size_t byte) {
+/// A plain number at the byte that is the value of a variable, or of a uniform that takes a range.
+std::optional<glib::Token> numberAt(std::string_view scene, std::size_t byte, const CodeContext& context) {
+    const auto takesNone = [&](std::string_view tag) {
+        return std::ranges::any_of(context.names, [&](const KnownName& each) {
+            return each.name == tag && glsl::isTypeWord(each.type) && !controlOf(each.type).starts_with("<0");
+        });
+    };
     for (const glib::Statement& each : glib::statementsOf(scene)) {
         if (!each.modern && !each.row) continue;
         const std::string_view word = each.modern ? each.modern->name : each.row->name;
-        if (!glib::sameWord(word, "Program") && !glib::sameWord(word, "Let")) continue;
+        const bool isProgram = glib::sameWord(word, "Program");
+        if (!isProgram && !glib::sameWord(word, "Let")) continue;
+        const auto isConst = [&](std::size_t at) {  // what follows is a constant of the shaders
+            return at < each.arguments.size() && glib::sameWord(each.arguments[at].text, "const");
+        };
         for (std::size_t i = 1; i < each.arguments.size(); ++i) {
-            const glib::Token& token = each.arguments[i];
-            const bool isAlone = each.arguments[i - 1].isWord() &&
-                                 (i + 1 == each.arguments.size() || each.arguments[i + 1].isWord());
-            if (token.kind != glib::TokenKind::number || byte < token.begin || token.end < byte || !isAlone ||
-                glib::numberLength(token.text) != token.text.size())
-                continue;
-            glib::MessageLog unused{""};
-            return std::pair(TextRange{token.begin, token.end}, glib::readNumber(token, unused).value);
+            const glib::Token &token = each.arguments[i], &before = each.arguments[i - 1];
+            const bool isAlone =
+                before.isWord() && (i + 1 == each.arguments.size() || each.arguments[i + 1].isWord());
+            if (token.kind == glib::TokenKind::number && token.begin <= byte && byte <= token.end &&
+                isAlone && !isConst(i - 2) && !isConst(i - 3) && !(isProgram && takesNone(before.text)) &&
+                glib::numberLength(token.text) == token.text.size())
+                return token;
         }
     }
     return std::nullopt;
@@ -500,9 +507,13 @@ json LanguageServer::actions(const json& parameters) {
                     each);
             }
         }
-        const std::optional<glsl::Stage> stage = stageOfFile(names[0]);
-        const bool isBeside =
-            !std::filesystem::path(names[0]).is_absolute() && names[0].find("..") == std::string::npos;
+        // The command says the stage, whatever the suffix.
+        const std::string_view command = base::trimmed(textAt(text, line));
+        const std::optional<glsl::Stage> stage =
+            source::stageOfEndWord("End" + std::string(command.substr(0, command.find_first_of(" \t"))));
+        const bool isBeside = std::filesystem::path(names[0]).has_extension() &&
+                              !std::filesystem::path(names[0]).is_absolute() &&
+                              names[0].find("..") == std::string::npos;
         if (code == "file-E01" && createsFiles_ && stage && isBeside) {
             const std::string uri = uriOf(document.file.parent_path() / names[0]);
             const json start = {{"line", 0}, {"character", 0}};
@@ -516,8 +527,13 @@ json LanguageServer::actions(const json& parameters) {
     }
     const std::size_t at = lines.byte(positionIn(parameters.at("range").at("start")));
     if (document.language == CodeLanguage::glib)
-        if (const auto number = numberAt(text, at))
-            add("Make a slider", change(number->first, sliderAround(number->second)), nullptr);
+        if (const auto number = numberAt(text, at, contextOf(document))) {
+            glib::MessageLog unused{""};
+            add("Make a slider",
+                change({number->begin, number->end},
+                       sliderAround(number->text, glib::readNumber(*number, unused).value)),
+                nullptr);
+        }
     return actions;
 }
 

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "editor/declared_names.h"
 #include "editor/glsl_reference.h"
+#include "editor/scene_places.h"
 #include "expression/functions.h"
 #include "expression/known_names.h"
 #include "glib/syntax.h"
@@ -41,7 +42,7 @@ void addTo(ReferenceEntry& entry, std::string_view sentence) {
     entry.text += sentence;
 }
 
-ReferenceEntry glibEntry(std::string_view word) {
+ReferenceEntry commandEntry(std::string_view word) {
     ReferenceEntry entry;
     const glib::StatementRow* command = glib::findCommand(word);
     const glib::StatementRow* statement = command ? glib::modernFormOf(word) : glib::findStatement(word);
@@ -59,7 +60,12 @@ ReferenceEntry glibEntry(std::string_view word) {
         addTo(entry, statement->summary);
         entry.chapter = "docs/language.md, section 12";
     }
-    if (!entry.word.empty()) return entry;
+    return entry;
+}
+
+/// What expressions know by that name.
+ReferenceEntry nameEntry(std::string_view word) {
+    ReferenceEntry entry;
     for (const expression::FunctionRow& each : expression::functionsNamed(word)) {
         entry.word = word;
         entry.code.emplace_back(each.prototype);
@@ -123,8 +129,10 @@ std::string nearest(std::string_view word, CodeLanguage language) {
 
 }  // namespace
 
-ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const CodeContext& context) {
-    ReferenceEntry entry = language == CodeLanguage::glib ? glibEntry(word) : glslEntry(word);
+ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const CodeContext& context,
+                           bool isArgument) {
+    const bool isGlib = language == CodeLanguage::glib;
+    ReferenceEntry entry = !isGlib ? glslEntry(word) : isArgument ? ReferenceEntry() : commandEntry(word);
     for (const KnownName& each : context.names) {
         if (each.name != word || each.in != language) continue;
         if (entry.word.empty()) {
@@ -135,6 +143,7 @@ ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const C
         }
         if (entry.value.empty()) entry.value = each.value;
     }
+    if (isGlib && entry.word.empty()) entry = nameEntry(word);
     if (entry.word.empty() && !word.empty())
         entry.text = fmt::format("there is no entry for '{}'{}", word, nearest(word, language));
     return entry;
@@ -144,7 +153,14 @@ ReferenceEntry referenceAt(std::string_view text, std::size_t byte, const CodeCo
     const TextRange range = wordAt(text, byte);
     const std::string_view word = text.substr(range.begin, range.end - range.begin);
     const LanguageAt at = languageAt(text, byte, context);
-    ReferenceEntry entry = referenceOf(word, at.language, context);
+    const bool isArgument = !base::trimmed(statementBefore(text, range.begin)).empty();
+    ReferenceEntry entry = referenceOf(word, at.language, context, isArgument);
+    for (const Declaration& each : declarationsOf(isArgument && entry.word.empty() ? text : ""))
+        if (at.language == CodeLanguage::glib && each.name == word) {
+            entry.word = word;
+            entry.code = {std::string(text.substr(each.whole.begin, each.whole.end - each.whole.begin))};
+            entry.text.clear();
+        }
     if (at.language == CodeLanguage::glib || word.empty()) return entry;
     const std::string_view part = text.substr(at.part.begin, at.part.end - at.part.begin);
     const auto firstLine =
@@ -173,7 +189,7 @@ struct OpenCall {
 std::string withoutComments(std::string_view text) {
     std::string kept(text);
     for (std::size_t at = kept.find("//"); at != std::string::npos; at = kept.find("//", at)) {
-        const std::size_t end = std::min(kept.find('\n', at), kept.size());
+        const std::size_t end = std::min(kept.find_first_of("\r\n", at), kept.size());
         std::fill(kept.begin() + static_cast<std::ptrdiff_t>(at),
                   kept.begin() + static_cast<std::ptrdiff_t>(end), ' ');
         at = end;
@@ -275,7 +291,7 @@ CallHint callAt(std::string_view text, std::size_t cursor, const CodeContext& co
         const std::optional<OpenCall> call = openCall(before, ";{}");
         return call ? functionHint(text, *call, context) : CallHint();
     }
-    if (line.find('#') != std::string_view::npos) return {};
+    if (line.find('#') != line.npos || line.find("//") != line.npos) return {};
     const std::string_view statement = statementBefore(text, cursor);
     if (const std::optional<OpenCall> call = openCall(statement, "")) {
         const std::size_t begin = cursor - statement.size();

@@ -25,8 +25,9 @@ struct ReferenceEntry {
 ReferenceEntry referenceAt(std::string_view text, std::size_t byte, const CodeContext& context);
 
 /// The same without a text: the language's own words and the scene's names. An unknown word gives an entry
-/// whose text says so, with the nearest word.
-ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const CodeContext& context);
+/// whose text says so, with the nearest word. `isArgument`: the word begins no statement of a scene.
+ReferenceEntry referenceOf(std::string_view word, CodeLanguage language, const CodeContext& context,
+                           bool isArgument = false);
 
 // The arguments of the function or command that is being written.
 

@@ -57,14 +57,23 @@ std::string frontEndLog(glsl::Stage stage, const std::string& source) {
         std::fseek(input.get(), 0, SEEK_SET) != 0)
         return {};
     system::Process process = system::startProgram(
-        {"glslangValidator", "--stdin", "-S", kStages.at(static_cast<std::size_t>(stage))},
+        {"glslangValidator", "--stdin", "-l", "-S", kStages.at(static_cast<std::size_t>(stage))},
         {input.get(), output.get(), system::Stream::To::nothing});
     if (!process || waitFor(process).isGood() || std::fseek(output.get(), 0, SEEK_SET) != 0) return {};
     std::string log;
     std::array<char, 4096> buffer{};
     for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), output.get())) > 0;)
         log.append(buffer.data(), count);
-    return log;
+    std::string kept;
+    for (std::string_view rest = log; !rest.empty();) {
+        const std::string_view line = base::nextLine(rest);
+        if (!line.starts_with("ERROR: Linking") && line.find("compilation terminated") == line.npos)
+            kept.append(line) += '\n';
+    }
+    if (kept.find("ERROR") != kept.npos) return kept;
+    return log.find("Missing entry point") == log.npos
+               ? ""
+               : "ERROR: 0:1: 'main' : the shader has no such function\n";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Places in a text, and the word or line at one.
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace glibra::editor {
@@ -16,6 +17,9 @@ struct TextRange {
 TextRange wordAt(std::string_view text, std::size_t byte);
 /// The same, or else the last name before the byte in its line; empty if there is none. Numbers are no names.
 TextRange nameNear(std::string_view text, std::size_t byte);
+/// The first place from `begin` and before `end` where the word stands as a whole.
+std::optional<TextRange> findWord(std::string_view text, std::string_view word, std::size_t begin,
+                                  std::size_t end);
 /// The part of that word before the byte.
 TextRange wordBefore(std::string_view text, std::size_t byte);
 

@@ -59,5 +59,26 @@ TEST(CallHint, ShowsTheUsageOfACommandAndOfFunctionsInExpressions) {
     EXPECT_NE(hintAt("Let x (mix(1, |", true).find('['), std::string::npos);
 }
 
+TEST(Reference, KnowsCommandsOnlyWhereAStatementBegins) {
+    editor::CodeContext context;
+    context.language = source::CodeLanguage::glib;
+    context.names = {{"light", "variable", "a variable of the scene", {}, source::CodeLanguage::glib},
+                     {"scale", "variable", "a variable of the scene", {}, source::CodeLanguage::glib}};
+    const std::string text =
+        "Let light 1\nLight 0 position (light) 0 0\nScale (scale.x)\nSphere (rotate(1, 1, 0, 0))\n";
+    const auto entry = [&](const char* word, std::size_t further = 0) {
+        return editor::referenceAt(text, text.find(word) + further, context);
+    };
+    EXPECT_EQ(entry("light 1").text, "a variable of the scene");
+    EXPECT_EQ(entry("(light", 1).text, "a variable of the scene");
+    EXPECT_EQ(entry("scale.x").text, "a variable of the scene");
+    EXPECT_EQ(entry("Light 0").word, "Light");
+    EXPECT_EQ(editor::referenceAt("Group box rad 1\nEndGroup\nDraw box\n", 31, context).code.front(),
+              "Group box rad 1");
+    EXPECT_EQ(entry("Scale").word, "Scale");
+    EXPECT_EQ(entry("rotate").code.front().substr(0, 4), "mat4");
+    EXPECT_EQ(editor::referenceOf("Scale", source::CodeLanguage::glib, context).word, "Scale");
+}
+
 }  // namespace
 }  // namespace glibra::test

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <set>
 #include <string>
 #include <utility>
@@ -133,7 +134,8 @@ TEST(Completion, SaysNothingInCommentsNumbersAndAfterAPoint) {
     EXPECT_TRUE(at("float a = 1e|").empty());
     EXPECT_TRUE(at("v.mi|").empty());
     EXPECT_TRUE(at("uniform float uOnlyThis; uOnlyThis|").empty()) << "it stands there already";
-    EXPECT_TRUE(at("# Sph|", scene()).empty());
+    for (const char* each : {"# Sph|", "Sphere (1) // (si|", "MessageBox (si|", "Sphere 1 //a|"})
+        EXPECT_TRUE(at(each, scene()).empty()) << each;
 }
 
 TEST(Completion, ProposesCommandsAndStatementsAtTheBeginningOfALine) {
@@ -185,6 +187,44 @@ TEST(Completion, ProposesFormatsOfTexturesAndNoNamesAmongNumbers) {
     EXPECT_FALSE(find(at(declared + "Background P|", scene()), "Paint"));
     EXPECT_TRUE(find(at(declared + "Sphere (si|", scene()), "size"));
     EXPECT_TRUE(find(at(declared + "Use P|", scene()), "Paint"));
+}
+
+TEST(Completion, ProposesTheNamesThatMayStandThere) {
+    CodeContext context = scene();
+    context.names = {{"uTint", "vec4", {}, {}, CodeLanguage::glib},
+                     {"uK", "uniform", {}, {}, CodeLanguage::glib},
+                     {"vST", "vec2", {}, {}, CodeLanguage::glib, true},
+                     {"wave", "wave(x)", {}, {}, CodeLanguage::glib}};
+    const std::string declared =
+        "Let mode <red green>\nLet size 1\nTexture2D pic 8 8 rgba8\nProgram Lit\nGroup ball rad 2 tint {1 0 "
+        "0} "
+        "far 3\nSphere (rad)\nEndGroup\n";
+    const auto proposed = [&](const std::string& line, std::initializer_list<const char*> words,
+                              std::initializer_list<const char*> others) {
+        for (std::string text : {declared + line + "\nEndRepeat\n", declared + line + "\r"}) {
+            if (text.ends_with('\r')) std::ranges::replace(text, '\n', '\r');
+            const std::vector<Completion> all = at(text, context);
+            for (const char* each : words) EXPECT_TRUE(find(all, each)) << line << " " << each;
+            for (const char* each : others) EXPECT_FALSE(find(all, each)) << line << " " << each;
+        }
+    };
+    proposed("Sphere (|", {"size", "wave", "pic", "time"}, {"uTint", "uK", "vST", "Lit", "ball", "rad", "i"});
+    proposed("Repeat 3 as k\nSphere (|", {"k"}, {"i"});
+    proposed("Repeat 3\nSphere (|", {"i"}, {"rad"});
+    proposed("Group g r 1 s {1 1} u 2\nSphere (|", {"r", "s", "u"}, {"rad", "g"});
+    proposed("Draw |", {"ball"}, {"Lit", "rad"});
+    proposed("Draw ball |", {"rad", "tint", "far", "size"}, {"Lit", "r"});
+    proposed("When (mode == |", {"red", "green"}, {});
+    proposed("Use |", {"Lit"}, {"pic", "ball", "uTint", "size"});
+    proposed("Fill |", {"window", "pic"}, {"Lit", "ball"});
+    proposed("Fill window with |", {"Lit"}, {"pic", "ball"});
+    proposed("Pass |", {"window", "pic"}, {"Lit"});
+    proposed("Pass window from |", {"eye"}, {"Lit", "window"});
+    proposed("Set |", {"uTint"}, {"Lit", "vST"});
+    const auto whole = at("Program Gr\xc3\xbcn\nUse Gr\xc3\xbc|", context);
+    ASSERT_EQ(whole.size(), 1U);
+    EXPECT_EQ(whole[0].word, "Gr\xc3\xbcn");
+    EXPECT_EQ(whole[0].begin, std::string_view("Program Gr\xc3\xbcn\nUse ").size());
 }
 
 TEST(Completion, ProposesTheWordsOfEveryValueOfTheTables) {
@@ -355,7 +395,7 @@ TEST(Completion, OffersTheNamesThatMayStandThere) {
     EXPECT_TRUE(labels("Attribute |").contains("aNormal"));
     EXPECT_TRUE(labels("Include |").empty());
     EXPECT_FALSE(labels("Let a <0 |").contains("uAmbient"));
-    EXPECT_TRUE(labels("Let a (|").contains("uAmbient"));
+    EXPECT_TRUE(labels("Let a (|").contains("glow"));
 }
 
 TEST(Completion, ShowsTheNamesOfTheScopeAlone) {

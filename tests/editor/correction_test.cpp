@@ -75,6 +75,49 @@ TEST_F(CorrectionTest, AddsSlidersAndCreatesShaders) {
     EXPECT_EQ(made[0]["edit"]["changes"][uri("a.glib")][0]["newText"], "<0 1 2>");
 }
 
+TEST_F(CorrectionTest, MakesASliderThatKeepsItsValueWhereARangeMayStand) {
+    write("flat.frag",
+          "#version 330\nconst int TAPS = 2;\nuniform sampler2D uMap;\nuniform bool uB;\nuniform float uK;\n"
+          "uniform vec2 uV;\nuniform uint uU;\nuniform vec4 uTint;\nout vec4 c;\nvoid main() { c = uTint * "
+          "uK + "
+          "texture(uMap, uV) + float(uB) + float(uU) + float(TAPS); }\n");
+    beginAsEditor();
+    const std::string text =
+        "Vertex flat.vert\nFragment flat.frag\nProgram A const TAPS 3 const int BITS 4 uMap 6 "
+        "uB 1 uV 2 uU 5 uK 16777217 uX .1234567891\nLet size -123456789\nBox (size)\n";
+    open("a.glib", text);
+    const auto slider = [&](const char* number) {
+        const json place = at("a.glib", text, number);
+        const json made = ask("textDocument/codeAction",
+                              {{"textDocument", place["textDocument"]},
+                               {"range", {{"start", place["position"]}, {"end", place["position"]}}},
+                               {"context", {{"diagnostics", json::array()}}}});
+        return made.empty() ? "" : made[0]["edit"]["changes"][uri("a.glib")][0]["newText"].get<std::string>();
+    };
+    EXPECT_EQ(slider("5 uK"), "<0 5 10>");
+    EXPECT_EQ(slider("16777217"), "<0 16777217 33554434>");
+    EXPECT_EQ(slider(".1234567891"), "<0 .1234567891 0.2469135782>");
+    EXPECT_EQ(slider("-123456789"), "<-246913578 -123456789 0>");
+    for (const char* each : {"3 const", "4 uMap", "6 uB", "1 uV", "2 uU"})
+        EXPECT_EQ(slider(each), "") << each;
+}
+
+TEST_F(CorrectionTest, CreatesShadersOfTheStageThatTheCommandSays) {
+    beginAsEditor();
+    const std::string text = "Vertex x.frag\nFragment flat.frag\nProgram A uTint {1 1 1 1}\nBox\n";
+    for (const json& told : open("a.glib", text))
+        for (const json& message : told.value("params", json()).value("diagnostics", json::array())) {
+            const json made =
+                ask("textDocument/codeAction", {{"textDocument", {{"uri", uri("a.glib")}}},
+                                                {"range", message["range"]},
+                                                {"context", {{"diagnostics", json::array({message})}}}});
+            if (message["code"] == "file-E01") {
+                EXPECT_NE(made.dump().find("gl_Position"), std::string::npos) << made.dump();
+            }
+        }
+    EXPECT_EQ(corrections("a.glib", text), "Create x.frag; ");
+}
+
 TEST_F(CorrectionTest, ProposesAfterABlankOnlyWhatFollowsAFewStatements) {
     beginAsEditor();
     const auto count = [&](const std::string& text) {
@@ -151,8 +194,12 @@ TEST_F(CorrectionTest, AsksTheFrontEndWhereThereIsNoDriver) {
             EXPECT_EQ(check.diagnostics[0].id, "glsl-E01");
             EXPECT_TRUE(check.diagnostics[0].place.file.ends_with("flat.frag"));
             EXPECT_NEAR(check.diagnostics[0].place.line, 5.5, 1) << toString(check.diagnostics);
+            for (const char* each : {"terminated", "'main'"})
+                EXPECT_EQ(toString(check.diagnostics).find(each), std::string::npos) << line;
         }
     }
+    write("flat.frag", "#version 330\nuniform vec4 uTint;\nout vec4 c;\nvoid Main() { c = uTint; }\n");
+    EXPECT_EQ(editor::checkScene(folder_ / "flat.frag", {}, true).diagnostics.size(), 1U) << "no main";
 }
 
 TEST_F(CorrectionTest, WaitsForNoCheck) {

@@ -115,6 +115,12 @@ TEST(Format, ChangesNothingThatAnySceneOfTheProjectMeans) {
     EXPECT_GT(same, 10U);
 }
 
+TEST(Format, SpellsTheEndsOfShaders) {
+    EXPECT_EQ(formatted("fragment inline\nvoid main() {}  \nendfragment\n"),
+              "Fragment inline\nvoid main() {}  \nEndFragment\n");
+    EXPECT_EQ(formatted("glsl lib inline\n\nendglsl\n"), "Glsl lib inline\n\nEndGlsl\n");
+}
+
 TEST(Format, IsSafeForChangedScenes) {
     fuzz::Random random(28);
     constexpr std::string_view kPieces[] = {
