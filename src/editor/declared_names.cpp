@@ -264,6 +264,7 @@ class Reader {
                 DeclaredName& name = add(one.name, typeText(member.type) + sizes(one.dimensions),
                                          qualifierText(member.qualifiers) + typeText(member.type) + " " +
                                              std::string(unit_.text(one.name)) + sizes(one.dimensions));
+                if (each.name != glsl::kNone) name.owner = unit_.text(each.name);
                 name.isMember = !isBlock || !each.declarators.empty();
                 name.isInterface = !name.isMember;
             }

@@ -17,6 +17,7 @@ struct DeclaredName {
     std::string name;
     std::string type;         ///< "vec3", "float[3]"; "macro", "struct", "block" for these
     std::string declaration;  ///< "uniform float uKa", "vec3 shade(vec3 n, float r)"
+    std::string owner{};      ///< of a member: the name of its structure or block
     int line = 1;             ///< counted from 1
     bool isFunction = false;
     bool isInterface = false;  ///< a uniform, input or output

@@ -274,18 +274,20 @@ bool LanguageServer::isInScene(const std::filesystem::path& shader) const {
         checks_, [&](const auto& each) { return each.first != shader && each.second.uses(shader); });
 }
 
+std::filesystem::path LanguageServer::rootOf(const std::filesystem::path& file) {
+    std::error_code failure;
+    for (std::filesystem::path above = file.parent_path(); above != above.root_path();
+         above = above.parent_path())
+        if (std::filesystem::is_directory(above / "glib", failure)) return above / "glib";
+    return file.parent_path();
+}
+
 void LanguageServer::findScenesOf(const Document& shader) {
     constexpr std::size_t kMostScenes = 3;
     // Open scenes may begin to use it.
     for (const auto& [uri, each] : documents_.all())
         if (each.language == CodeLanguage::glib) due_.insert(each.file);
-    std::filesystem::path root = shader.file.parent_path();
-    std::error_code failure;
-    for (std::filesystem::path above = root; above != above.root_path(); above = above.parent_path())
-        if (std::filesystem::is_directory(above / "glib", failure)) {
-            root = above / "glib";
-            break;
-        }
+    const std::filesystem::path root = rootOf(shader.file);
     if (root == root.root_path()) return;
     const Result<std::vector<std::filesystem::path>> scenes = suite::scenesBelow(root);
     if (!scenes) return;

@@ -163,11 +163,15 @@ class LanguageServer {
     /// The files that it includes, and the same with what these include, and so on, and itself.
     [[nodiscard]] std::vector<std::filesystem::path> includesOf(const std::filesystem::path& file) const;
     [[nodiscard]] std::set<std::filesystem::path> withIncludes(const std::filesystem::path& file) const;
-    /// The document first, then the texts in which a name of it may mean the same: the shaders of the
-    /// programs that it belongs to, what they include, and their scenes.
-    [[nodiscard]] std::vector<SourceText> textsAround(const Document& document,
-                                                      const std::string& name) const;
-    [[nodiscard]] Symbol symbolOf(const json& parameters) const;
+    /// The document first, then the texts in which the symbol may mean the same: the shaders of the programs
+    /// that it belongs to, what they include and what includes them, and their scenes. `files` are looked at
+    /// besides those that are open, and those of checked scenes.
+    [[nodiscard]] std::vector<SourceText> textsAround(const Document& document, const Symbol& symbol,
+                                                      std::set<std::filesystem::path> files) const;
+    struct SceneLinks;
+    void addLinks(SceneLinks& links, const std::filesystem::path& scene, const Symbol& symbol) const;
+    /// `isWide`: also in the files of the library around it, or of its own folder, that are not open.
+    [[nodiscard]] Symbol symbolOf(const json& parameters, bool isWide = false) const;
     [[nodiscard]] json linkTo(const std::filesystem::path& file, std::string_view text,
                               const TextRange& place) const;
     /// True if the editor has opened the scene or a file of it.
@@ -176,6 +180,8 @@ class LanguageServer {
     /// True for a file that the editor has opened as a shader.
     [[nodiscard]] bool isShader(const std::filesystem::path& file) const;
     [[nodiscard]] bool isInScene(const std::filesystem::path& shader) const;
+    /// The scenes' folder of the library around a file, or else the folder of the file.
+    static std::filesystem::path rootOf(const std::filesystem::path& file);
     /// Scenes that are not open and use the shader: those of the folders of the library around it.
     void findScenesOf(const Document& shader);
     void report(const std::filesystem::path& scene, const SceneCheck& check);

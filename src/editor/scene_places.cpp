@@ -12,6 +12,7 @@
 #include "glib/script.h"
 #include "glib/syntax.h"
 #include "glib/text.h"
+#include "glsl/read/words.h"
 
 namespace glibra::editor {
 namespace {
@@ -106,44 +107,75 @@ static std::set<std::string> parametersIn(std::string_view scene, const glib::St
     return names;
 }
 
+/// The index of the first argument that may be a tag, which follows the name of a program; beyond their
+/// number if none is.
+static std::size_t firstTag(const glib::Statement& statement, CommandId id) {
+    const std::vector<Token>& tokens = statement.arguments;
+    if (id == CommandId::set || id == CommandId::attribute) return 0;
+    if (id == CommandId::program) return tokens.size() > 1 && tokens[1].beginsValue() ? 0 : 1;
+    if (id == CommandId::dispatch || id == CommandId::use) return 1;
+    const auto with =
+        std::ranges::find_if(tokens, [](const Token& each) { return glib::sameWord(each.text, "with"); });
+    return static_cast<std::size_t>(with - tokens.begin()) + (id == CommandId::fill ? 2 : tokens.size() + 1);
+}
+
 std::vector<SceneWord> namesIn(std::string_view scene) {
     std::vector<SceneWord> found;
     std::set<std::size_t> declared;
-    for (const Declaration& each : declarationsOf(scene)) declared.insert(each.place.begin);
+    std::set<std::string, std::less<>> programs;
+    for (const Declaration& each : declarationsOf(scene)) {
+        declared.insert(each.place.begin);
+        if (each.word == "Program") programs.insert(each.name);
+    }
     for (const glib::Statement& statement : glib::statementsOf(scene)) {
         const glib::StatementRow* row = statement.modern ? statement.modern : statement.row;
         if (!row || statement.body.data() != nullptr) continue;
-        const bool isProgram = glib::sameWord(row->name, "Program");
+        const std::size_t tags = firstTag(statement, row->id);
         const std::vector<std::string>& keys = glib::syntaxOf(*row).keys;
         const std::set<std::string> parameters = parametersIn(scene, statement);
-        std::string program;
+        std::string program, owner;
         int depth = 0;
-        bool isValue = false;  // what follows a tag
+        bool isValue = false;  // what follows a tag or key
+        bool isConstant = false;
         for (std::size_t i = 0; i < statement.arguments.size(); ++i) {
             const Token& token = statement.arguments[i];
             if (token.kind == TokenKind::open) ++depth;
             if (token.kind == TokenKind::close) --depth;
             const bool isWord = token.kind == TokenKind::word;
-            const bool isName = isProgram && i == 0 && token.isWord();
-            const bool isTag = isProgram && isWord && depth == 0 && i > 0 && !isValue &&
-                               !glib::sameWord(token.text, "const");
-            if (isName) program = token.text;
-            isValue = isTag || (isValue && depth > 0);
-            const bool isFile = isWord && namesFiles(statement) && token.text.find('.') != token.text.npos;
+            if (i + 1 == tags) program = token.text;
+            bool isTag =
+                isWord && depth == 0 && i >= tags && !isValue && (i == 0 || row->id != CommandId::attribute);
+            if (isTag && row->id == CommandId::program) {
+                const bool isConst = glib::sameWord(token.text, "const");
+                const bool isType = std::exchange(isConstant, isConst) && glsl::isTypeWord(token.text);
+                isConstant = isConst || isType;
+                if (isConstant) continue;
+            }
             const bool isKey =
-                isWord && depth == 0 && !isTag && !declared.contains(token.begin) &&
+                isWord && depth == 0 && !declared.contains(token.begin) &&
+                (row->id != CommandId::program || !isTag) &&
                 std::ranges::any_of(keys, [&](const auto& each) { return glib::sameWord(each, token.text); });
-            if (isFile || isKey || (token.kind != TokenKind::expression && !isWord)) continue;
+            isTag = isTag && !isKey;
+            isValue = isTag || (isValue && depth > 0) || (isKey && !glib::sameWord(token.text, "discard"));
+            const bool isFile = isWord && namesFiles(statement) && token.text.find('.') != token.text.npos;
+            // The name of a program may have any bytes.
+            const bool isProgram =
+                !isTag && token.isWord() && (i + 1 == tags || programs.contains(token.text));
+            if (isFile || isKey || (token.kind != TokenKind::expression && !isWord && !isProgram)) continue;
             for (std::size_t at = token.begin; at < token.end; ++at) {
-                if (!base::isOfName(scene[at])) continue;
-                const TextRange place = wordAt(scene, at);
-                at = place.end;
+                if (!isProgram && !base::isOfName(scene[at])) continue;
+                const auto text = static_cast<std::size_t>(token.text.data() - scene.data());
+                const TextRange place =
+                    isProgram ? TextRange{text, text + token.text.size()} : wordAt(scene, at);
+                at = isProgram ? token.end : place.end;
                 const bool isMember = place.begin > token.begin && scene[place.begin - 1] == '.';
-                if (isMember || base::isDigit(scene[place.begin])) continue;
-                SceneWord& word = found.emplace_back(
-                    SceneWord{std::string(scene.substr(place.begin, place.end - place.begin)), place,
-                              declared.contains(place.begin), isTag && place.begin == token.begin,
-                              isTag ? program : std::string()});
+                if (!isProgram && ((isMember && !isTag) || base::isDigit(scene[place.begin]))) continue;
+                SceneWord& word = found.emplace_back(SceneWord{
+                    std::string(scene.substr(place.begin, place.end - place.begin)), place,
+                    declared.contains(isProgram ? token.begin : place.begin),
+                    isTag && (isMember || place.begin == token.begin), isTag ? program : std::string(),
+                    isMember && !isProgram ? owner : std::string()});
+                owner = word.name;
                 if (i == 0 || !parameters.contains(word.name)) continue;
                 word.function = statement.word.begin;
                 word.isDeclaration = i == 1;

@@ -28,8 +28,9 @@ struct SceneWord {
     std::string name;
     TextRange place;
     bool isDeclaration = false;
-    bool isTag = false;   ///< a uniform that a Program statement sets
-    std::string program;  ///< of a tag
+    bool isTag = false;   ///< a name of shaders: a uniform, vertex input or constant that is set here
+    std::string program;  ///< whose tag it is; empty: of all, as those of Set
+    std::string owner;    ///< of a member on a tag: what stands before the point
     /// Of a parameter of `Let name(parameters) (...)`: where the statement begins, to which its name belongs.
     std::optional<std::size_t> function{};
 };

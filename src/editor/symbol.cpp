@@ -1,5 +1,7 @@
 #include "editor/symbol.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -41,7 +43,12 @@ class Search {
                 if (each.place.begin <= byte && byte <= each.place.end) {
                     symbol_.name = each.name;
                     symbol_.place = each.place;
-                    if (each.isTag)
+                    if (each.isTag) symbol_.tagOf = each.program;
+                    if (!each.function) symbol_.link = each.owner.empty() ? each.name : each.owner;
+                    readParts();
+                    if (!each.owner.empty())
+                        findMember(typeOf(each.owner));
+                    else if (each.isTag || (!each.function && interface() != nullptr))
                         findUniform();
                     else
                         findSceneName(each.function);
@@ -54,6 +61,12 @@ class Search {
         symbol_.name = part.textOf(use->place);
         symbol_.place = {use->place.begin + part.begin, use->place.end + part.begin};
         const DeclaredName* declared = use->name == kNoName ? nullptr : &part.names.names[use->name];
+        if (declared != nullptr && !declared->owner.empty()) {
+            symbol_.link = declared->owner;
+            readParts();
+            findMember(declared->owner);
+            return std::move(symbol_);
+        }
         if (use->isMember || (declared != nullptr && !declared->isGlobal())) {
             for (const NameUse& each : part.names.uses)
                 if (use->name != kNoName && each.name == use->name) add(part, each);
@@ -61,6 +74,8 @@ class Search {
             return std::move(symbol_);
         }
         if (use->target != kNoName) declare(part, part.names.names[use->target]);
+        symbol_.link = symbol_.name;
+        readParts();
         findGlobal(declared != nullptr && declared->isInterface, declared != nullptr);
         return std::move(symbol_);
     }
@@ -70,7 +85,8 @@ class Search {
         const std::string_view text =
             std::string_view(texts_[source].text).substr(range.begin, range.end - range.begin);
         // What does not have the name at all need not be read.
-        const bool isRead = symbol_.name.empty() || text.find(symbol_.name) != std::string_view::npos;
+        const bool isRead = symbol_.name.empty() || text.find(symbol_.name) != text.npos ||
+                            text.find(symbol_.link) != text.npos;
         return {source, range.begin, text, isRead ? namesOfShader(text) : ShaderNames{}};
     }
     void readParts() {
@@ -129,14 +145,36 @@ class Search {
         return found;
     }
 
+    /// A declaration of the name as a uniform, input or output, or null.
+    [[nodiscard]] const DeclaredName* interface() const {
+        for (const Part& each : parts_)
+            if (const DeclaredName* name = each.global(symbol_.name); name != nullptr && name->isInterface)
+                return name;
+        return nullptr;
+    }
+    /// The structure or block that a uniform or member has as its type; the name itself if it is a block.
+    [[nodiscard]] std::string typeOf(const std::string& name) const {
+        for (const Part& part : parts_)
+            for (const DeclaredName& each : part.names.names)
+                if (each.name == name && each.type != "block" && (each.isInterface || each.isMember))
+                    return each.type.substr(0, each.type.find('['));
+        return name;
+    }
+    /// The tags that have the name in programs that are meant; with `owner`, as a member of that type.
+    void addTags(const std::string& owner) {
+        for (const SourceText& text : texts_)
+            if (text.language == CodeLanguage::glib && !text.programs.empty())
+                for (const SceneWord& each : namesIn(text.text))
+                    if (each.isTag && each.name == symbol_.name &&
+                        (each.program.empty() || text.programs.contains(each.program)) &&
+                        (each.owner.empty() ? owner.empty() : typeOf(each.owner) == owner))
+                        symbol_.all.push_back({text.file, each.place, false});
+    }
+
     void findGlobal(bool isInterface, bool isDeclared) {
-        readParts();
-        if (!isDeclared)
-            isInterface = std::ranges::any_of(parts_, [&](const Part& each) {
-                const DeclaredName* name = each.global(symbol_.name);
-                return name != nullptr && name->isInterface;
-            });
-        if (isInterface) return findUniform();
+        addTags({});  // a constant that a program sets is none of the file alone
+        const bool isSet = !std::exchange(symbol_.all, {}).empty() && interface() == nullptr;
+        if (isInterface || isSet || (!isDeclared && interface() != nullptr)) return findUniform();
         std::set<std::size_t> declares{0};
         if (!isDeclared) declares = declaring(along({0}, false));
         if (declares.empty()) declares = declaring(along({0}, true));
@@ -145,29 +183,67 @@ class Search {
         for (const std::size_t each : along(declares, false))
             if (declaring({each}).empty()) all.insert(each);
         addGlobals(all);
+        // The words of scenes may choose a subroutine.
+        const bool isChosen = std::ranges::any_of(
+            texts_, [](const SourceText& each) { return each.text.find("subroutine") != each.text.npos; });
+        for (const SourceText& text : texts_)
+            for (const SceneWord& each :
+                 isChosen && !text.programs.empty() ? namesIn(text.text) : std::vector<SceneWord>())
+                if (!each.isTag && each.name == symbol_.name)
+                    symbol_.all.push_back({text.file, each.place, false});
     }
 
-    /// A uniform, input or output, in all shaders and scenes.
+    /// A uniform, input or output, or else a constant that programs set, in all shaders and scenes; with the
+    /// variable or object that it reads by its name.
     void findUniform() {
-        if (parts_.empty()) readParts();
+        const DeclaredName* declared = interface();
+        if (declared != nullptr && !declared->owner.empty()) return findMember(declared->owner);
         std::set<std::size_t> sources;
         for (const Part& each : parts_) {
             const DeclaredName* name = each.global(symbol_.name);
-            if (name == nullptr || name->isInterface) sources.insert(each.source);
+            if (name == nullptr || (declared != nullptr ? name->isInterface : !name->isFunction))
+                sources.insert(each.source);
         }
+        const bool isVariable = symbol_.language == CodeLanguage::glib && !symbol_.tagOf;
+        if (isVariable) findSceneName(std::nullopt);  // its declaration is that of the symbol
         addGlobals(sources);
-        for (const SourceText& text : texts_)
-            if (text.language == CodeLanguage::glib)
-                for (const SceneWord& each : namesIn(text.text))
-                    if (each.isTag && each.name == symbol_.name &&
-                        (!text.programs || text.programs->contains(each.program)))
-                        symbol_.all.push_back({text.file, each.place, false});
+        addTags({});
+        if (declared != nullptr && !isVariable) findSceneName(std::nullopt);
+    }
+
+    /// A member of the structures or blocks of that name, in all shaders and on tags.
+    void findMember(const std::string& owner) {
+        symbol_.link = owner;
+        std::set<std::size_t> declares, unknown;
+        bool isOfBlock = false;
+        for (const Part& part : parts_) {
+            const DeclaredName* type = part.global(owner);
+            isOfBlock |= type != nullptr && type->type == "block";
+            for (const NameUse& use : part.names.uses) {
+                if (part.textOf(use.place) != symbol_.name) continue;
+                const DeclaredName* name = use.name == kNoName ? nullptr : &part.names.names[use.name];
+                if (name != nullptr ? name->owner == owner : !use.isMember && interface() != nullptr)
+                    add(part, use);
+                else if (name == nullptr && use.isMember)
+                    unknown.insert(part.source);
+                if (name == nullptr || name->owner != owner) continue;
+                declares.insert(part.source);
+                if (!symbol_.declaration) declare(part, *name);
+            }
+        }
+        addTags(owner);
+        if (isOfBlock) addTags({});
+        for (const std::size_t each : along(declares, true))
+            if (unknown.contains(each) && !declares.contains(each))
+                symbol_.obstacle =
+                    fmt::format("'.{}' in {} may be this member of '{}' or another one", symbol_.name,
+                                texts_[each].file.filename().generic_string(), owner);
     }
 
     /// `function`: of a parameter, SceneWord::function.
     void findSceneName(const std::optional<std::size_t>& function) {
         for (const SourceText& text : texts_)
-            if (text.language == CodeLanguage::glib && (!function || &text == &texts_.front()))
+            if (text.hasNames && (!function || &text == &texts_.front()))
                 for (const SceneWord& each : namesIn(text.text)) {
                     if (each.isTag || each.name != symbol_.name || each.function != function) continue;
                     symbol_.all.push_back({text.file, each.place, each.isDeclaration});

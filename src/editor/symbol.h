@@ -21,8 +21,8 @@ struct SourceText {
     std::string text;
     CodeLanguage language = CodeLanguage::glsl;
     std::vector<std::filesystem::path> includes{};  ///< of a shader
-    /// Of a scene: the programs whose uniforms are meant. Nothing: all.
-    std::optional<std::set<std::string>> programs{};
+    std::set<std::string> programs{};               ///< of a scene: those whose tags are meant
+    bool hasNames = false;                          ///< of a scene: its variables and objects are meant
 };
 
 struct Occurrence {
@@ -38,9 +38,14 @@ struct Symbol {
     /// Where it is declared; of a call that overload. Nothing: it is not declared in these texts.
     std::optional<Occurrence> declaration;
     CodeLanguage language = CodeLanguage::glsl;
+    /// The name that texts share which mean the same: that of a member is its structure or block. Empty: no
+    /// other text does.
+    std::string link{};
+    std::optional<std::string> tagOf{};  ///< of a tag: SceneWord::program
+    std::string obstacle{};              ///< why it cannot be renamed; empty: it can
 };
 
-/// The name that touches the byte of the first text.
+/// The name that touches the byte of the first text, in all of the texts.
 Symbol symbolAt(std::span<const SourceText> texts, std::size_t byte);
 
 }  // namespace glibra::editor
