@@ -141,6 +141,12 @@ Parser::Parsed Parser::named(const Token& first) {
 }
 
 std::nullopt_t Parser::noValue(const std::string& path, const Symbol& symbol, Range range) {
+    if (any(symbol.depends & Depends::buffer) || symbol.what == "buffer")
+        return problem(
+            range, "expr-E08",
+            fmt::format("'{0}' is a buffer, not a value; write {0}.count, or in Expect (...) and Print (...) "
+                        "{1}sum({0}{2})",
+                        path, symbol.count > 0 ? path + "[0] or " : "", symbol.count > 0 ? "" : ".MEMBER"));
     if (symbol.count > 0 && symbol.type.kind != Kind::record)
         return problem(range, "expr-E08",
                        fmt::format("'{}' is an array; use an element, {}[0] to {}[{}], or {}.count", path,

@@ -299,7 +299,7 @@ Result<BufferContent> Scene::State::bufferNamed(std::string_view name) {
         if (buffer == nullptr || layout == nullptr)
             return drawnFor<BufferContent>(
                 name, [&](render::SceneRenderer& drawn) { return given(drawn.bufferContent({index})); });
-        return given(render::contentOf(*layout, device.live->blockOf(index), *buffer));
+        return given(render::contentOf(*layout, *buffer));
     }
     return diagnose("library-E02",
                     fmt::format("the scene has no buffer '{}'{}", name, base::suggestion(name, names)),

@@ -399,9 +399,7 @@ Result<void> Scene::State::writeBuffer(const scene::BufferView& view, std::strin
     if (view.isPrevious) return wrong(fmt::format("is written in both copies, not as '{}'", name));
     const plan::BufferLayout* layout = device.live->buffers().layout(view.buffer);
     if (layout == nullptr) return unusedHere("buffer", name, declared.place);
-    const BufferContent content = describedContent(
-        *layout,
-        plan::tableOf(*layout, device.live->blockOf(view.buffer), std::numeric_limits<std::size_t>::max()));
+    const BufferContent content = describedContent(*layout, plan::tableOf(*layout));
     const bool isOfHead = data.isOfHead || content.stride == 0;
     if (isOfHead && (content.head.empty() || data.first)) return wrong("has no such members or elements");
     const std::vector<Column>& columns = isOfHead ? content.head : content.columns;

@@ -10,9 +10,47 @@
 #include "base/suggest.h"
 #include "base/text.h"
 #include "glib/number.h"
+#include "plan/accesses.h"
 
 namespace glibra::plan {
 namespace {
+
+/// The members through which a program sees a buffer: of the storage block, the uniform block, or the atomic
+/// counters that use it.
+base::StorageBlock blockOf(const BlockUse& use, const ProgramInterface& interface) {
+    if (use.kind == BlockUse::Kind::storage) return interface.storageBlocks.at(use.index);
+    base::StorageBlock block;
+    const auto add = [&](std::string name, int offset) -> base::StorageMember& {
+        base::StorageMember& member = block.members.emplace_back();
+        member.name = std::move(name);
+        member.offset = offset;
+        return member;
+    };
+    if (use.kind == BlockUse::Kind::counters) {
+        constexpr int kCounterBytes = 4;
+        for (const std::string& each : interface.counterBuffers.at(use.index).counters)
+            add(each, static_cast<int>(block.members.size()) * kCounterBytes);
+        return block;
+    }
+    block.name = interface.blocks.at(use.index).name;
+    for (const base::ActiveUniform& each : interface.uniforms) {
+        if (each.block != static_cast<int>(use.index)) continue;
+        base::StorageMember& member = add(each.isArray ? each.name + "[0]" : each.name, each.offset);
+        member.arraySize = each.arraySize;
+        member.arrayStride = each.arrayStride;
+        member.type = each.type;
+    }
+    return block;
+}
+
+/// True if the block is an array of the type that its buffer is declared with, as long as the buffer.
+bool isAsDeclared(const scene::Buffer& buffer, const ProgramInterface& interface, const BlockUse& use) {
+    if (use.kind != BlockUse::Kind::storage) return false;
+    const std::string& name = interface.storageBlocks.at(use.index).name;
+    const glsl::MemoryBlock* block = interface.facts.memory.block(name.substr(0, name.find('[')), true);
+    return block != nullptr && block->members.size() == 1 && block->members.front().type == buffer.type &&
+           block->members.front().sizes == glsl::ArraySizes{0};
+}
 
 /// Adds the buffers of one plan to the layouts.
 class LayoutFinder {
@@ -23,13 +61,14 @@ class LayoutFinder {
         : scene_(scene), plan_(plan), mostBytes_(mostBytes), fileBytes_(fileBytes), layouts_(layouts) {}
 
     Diagnostics add(std::span<const FramePlan* const> others) && {
-        others_ = others;
-        for (const PlannedProgram& each : plan_.programs)
-            for (const BlockUse& use : each.blocks) addBlock(*each.interface, use);
+        for (const PlannedProgram& each : plan_.programs) programs_.push_back(&each);
         for (const FramePlan* other : others)
-            for (const PlannedProgram& each : other->programs)
-                for (const BlockUse& use : each.blocks)
-                    if (isOpen(use.buffer.buffer)) addBlock(*each.interface, use);
+            for (const PlannedProgram& each : other->programs) programs_.push_back(&each);
+        for (const bool asDeclared : {true, false})
+            for (std::size_t i = 0; i < programs_.size(); ++i)
+                for (const BlockUse& use : programs_[i]->blocks)
+                    if (decides(*programs_[i]->interface, use, i < plan_.programs.size(), asDeclared))
+                        addBlock(*programs_[i]->interface, use);
         for (const scene::BufferIndex each : plan_.buffers)
             if (!layouts_.contains(each) && !failed_.contains(each)) addByType(each);
         plan_.visitDraws([&](const PlannedDraw& planned, const scene::Draw& draw, const auto&) {
@@ -41,11 +80,15 @@ class LayoutFinder {
     }
 
   private:
-    /// True if the plan has the buffer, and neither a block nor a basic type says how it lies in memory.
-    bool isOpen(scene::BufferIndex buffer) const {
-        return !layouts_.contains(buffer) &&
-               std::ranges::find(plan_.buffers, buffer) != plan_.buffers.end() &&
-               !patternOf(scene_.buffers[buffer].type, glsl::MemoryStructures());
+    /// True for a block that is to be added: first those of the declared type, then those of the plan itself,
+    /// and those of others for buffers that neither a block nor a basic type describes so far.
+    bool decides(const ProgramInterface& interface, const BlockUse& use, bool isOwn, bool asDeclared) const {
+        const scene::BufferIndex index = use.buffer.buffer;
+        const bool isOpen = !layouts_.contains(index) &&
+                            (isOwn || std::ranges::find(plan_.buffers, index) != plan_.buffers.end());
+        const scene::Buffer& buffer = scene_.buffers[index];
+        return asDeclared ? isOpen && isAsDeclared(buffer, interface, use)
+                          : isOwn || (isOpen && !patternOf(buffer.type, glsl::MemoryStructures()));
     }
 
     void fail(scene::BufferIndex buffer, const char* id, std::string text) {
@@ -65,8 +108,10 @@ class LayoutFinder {
             return fail(index, "memory-E17",
                         fmt::format("{} has too many members for a buffer of a scene", what));
         const auto known = layouts_.find(index);
-        if (known == layouts_.end()) return addLayout(index, std::move(*pattern), what, use.place);
+        if (known == layouts_.end())
+            return addLayout(index, std::move(*pattern), what, use.place, blockOf(use, interface));
         BufferLayout& first = known->second;
+        if (!first.block) first.block = blockOf(use, interface);
         const std::string& name = scene_.buffers[index].name;
         if (firstDifference(first.pattern, *pattern, first.pattern.numbers(first.elements)))
             return fail(index, "memory-E03",
@@ -125,15 +170,10 @@ class LayoutFinder {
         if (buffer.type.empty()) return std::nullopt;
         if (std::optional<MemoryPattern> basic = patternOf(buffer.type, glsl::MemoryStructures()))
             return basic;
-        for (const PlannedProgram& each : plan_.programs)
+        for (const PlannedProgram* each : programs_)
             if (std::optional<MemoryPattern> known =
-                    patternOf(buffer.type, each.interface->facts.memory.structures))
+                    patternOf(buffer.type, each->interface->facts.memory.structures))
                 return known;
-        for (const FramePlan* other : others_)
-            for (const PlannedProgram& each : other->programs)
-                if (std::optional<MemoryPattern> known =
-                        patternOf(buffer.type, each.interface->facts.memory.structures))
-                    return known;
         return std::nullopt;
     }
 
@@ -142,16 +182,25 @@ class LayoutFinder {
         std::vector<std::string_view> types{"float", "int",   "uint",  "vec2",  "vec3",  "vec4",
                                             "ivec2", "ivec3", "ivec4", "uvec2", "uvec3", "uvec4",
                                             "mat2",  "mat3",  "mat4",  "double"};
-        for (const PlannedProgram& each : plan_.programs)
-            for (const auto& [name, structure] : each.interface->facts.memory.structures)
+        for (const PlannedProgram* each : programs_)
+            for (const auto& [name, structure] : each->interface->facts.memory.structures)
                 types.push_back(name);
         return fmt::format("no shader has a structure '{}', which is the type of buffer '{}'{}", buffer.type,
                            buffer.name, base::suggestion(buffer.type, types));
     }
 
+    /// False for a buffer that a Once or Step has for the frame alone, whose plan reports what is wrong.
+    bool isUsed(scene::BufferIndex buffer) const {
+        bool isUsed = plan_.nodes == &scene_.frame;
+        for (const NodeAccess& node : plan_.accesses)
+            for (const ObjectUse& each : node.uses) isUsed |= objectOf(each.object) == Object(buffer);
+        return isUsed;
+    }
+
     void addByType(scene::BufferIndex index) {
         const scene::Buffer& buffer = scene_.buffers[index];
         std::optional<MemoryPattern> pattern = declaredPattern(buffer);
+        if (!pattern && !isUsed(index)) return;
         if (!pattern)
             return fail(index, "memory-E05",
                         buffer.type.empty()
@@ -163,7 +212,7 @@ class LayoutFinder {
     }
 
     void addLayout(scene::BufferIndex index, MemoryPattern pattern, const std::string& from,
-                   const Place& place) {
+                   const Place& place, std::optional<base::StorageBlock> block = {}) {
         const scene::Buffer& buffer = scene_.buffers[index];
         const std::uint64_t ofType = numbersOfType(buffer);
         if (!buffer.type.empty() && ofType == 0 && buffer.count)
@@ -186,7 +235,7 @@ class LayoutFinder {
         if (buffer.count)
             elements = countsElements ? count : elementsFor(count * std::min(ofType, mostBytes_));
         elements = std::min(elements, mostBytes_ + 1);
-        BufferLayout layout{std::move(pattern), elements, 0, from, place};
+        BufferLayout layout{std::move(pattern), elements, 0, from, place, std::move(block)};
         if (layout.pattern.elements != 0) layout.elements = layout.pattern.elements;
         std::uint64_t written = layout.pattern.numbers(layout.elements);
         if (ofType != 0 && !layout.pattern.isRuntimeSized())
@@ -310,7 +359,7 @@ class LayoutFinder {
     std::uint64_t mostBytes_;
     std::uint64_t (*fileBytes_)(const scene::FileReference&);
     std::map<scene::BufferIndex, BufferLayout>& layouts_;
-    std::span<const FramePlan* const> others_;
+    std::vector<const PlannedProgram*> programs_;  ///< of the plan, then of the others
     std::set<scene::BufferIndex> failed_;
     Diagnostics diagnostics_;
 };
@@ -395,42 +444,9 @@ std::vector<BufferColumn> columnsOf(const std::vector<MemoryNumber>& numbers, st
 
 }  // namespace
 
-base::StorageBlock blockOf(const BlockUse& use, const ProgramInterface& interface) {
-    if (use.kind == BlockUse::Kind::storage) return interface.storageBlocks.at(use.index);
-    base::StorageBlock block;
-    const auto add = [&](std::string name, int offset) -> base::StorageMember& {
-        base::StorageMember& member = block.members.emplace_back();
-        member.name = std::move(name);
-        member.offset = offset;
-        return member;
-    };
-    if (use.kind == BlockUse::Kind::counters) {
-        constexpr int kCounterBytes = 4;
-        for (const std::string& each : interface.counterBuffers.at(use.index).counters)
-            add(each, static_cast<int>(block.members.size()) * kCounterBytes);
-        return block;
-    }
-    block.name = interface.blocks.at(use.index).name;
-    for (const base::ActiveUniform& each : interface.uniforms) {
-        if (each.block != static_cast<int>(use.index)) continue;
-        base::StorageMember& member = add(each.isArray ? each.name + "[0]" : each.name, each.offset);
-        member.arraySize = each.arraySize;
-        member.arrayStride = each.arrayStride;
-        member.type = each.type;
-    }
-    return block;
-}
-
-std::optional<base::StorageBlock> blockOf(const FramePlan& plan, scene::BufferIndex buffer) {
-    for (const PlannedProgram& program : plan.programs)
-        for (const BlockUse& each : program.blocks)
-            if (each.buffer.buffer == buffer) return blockOf(each, *program.interface);
-    return std::nullopt;
-}
-
-BufferTable tableOf(const BufferLayout& layout, const base::StorageBlock* block, std::size_t most) {
+BufferTable tableOf(const BufferLayout& layout, std::size_t most) {
     std::map<std::uint64_t, MemberAt> names;
-    if (block != nullptr) names = namesOf(*block);
+    if (layout.block) names = namesOf(*layout.block);
     const MemoryPattern& pattern = layout.pattern;
     BufferTable table;
     table.head = columnsOf(pattern.head, 0, names, false, most);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -29,17 +30,20 @@ struct BufferLayout {
     std::uint64_t bytes = 0;
     std::string from;  ///< what decides it, for messages: "storage block 'Particles'", "type vec4"
     Place place;       ///< of that
+    std::optional<base::StorageBlock> block{};  ///< that names the members, as a storage block; nothing: none
 };
 
 /// The layouts of all buffers of a scene. They are the same for all plans of the scene: the first block that
-/// uses a buffer decides. Blocks of later plans may only add padding at its end.
+/// uses a buffer and is an array of the declared type decides, otherwise the first that uses it.
+/// Blocks of later plans may only add padding at its end.
 class BufferLayouts {
   public:
     /// Adds the buffers that the plan uses. Errors: memory-E03 for blocks that lay out one buffer
     /// differently, memory-E04 for a buffer that is too small for its block, memory-E17 for one larger than
-    /// `mostBytes`, and memory-E05 for a buffer whose type is not known. `fileBytes` returns the size of a
-    /// file. Blocks and structures of `others` decide about buffers without a basic type that no block of
-    /// `plan` uses.
+    /// `mostBytes`, and memory-E05 for a buffer whose type is not known, unless it is one that no node of a
+    /// Once or Step uses. `fileBytes` returns the size of a file. Blocks of `others` decide about buffers
+    /// that they have as declared, and about those without a basic type that no block of `plan` uses; their
+    /// structures count too.
     Diagnostics add(const scene::Scene& scene, const FramePlan& plan, std::uint64_t mostBytes,
                     std::uint64_t (*fileBytes)(const scene::FileReference& file),
                     std::span<const FramePlan* const> others = {});
@@ -54,12 +58,6 @@ class BufferLayouts {
 
 // The content of a buffer as a table: a column for each member that its block declares, a row for each
 // element.
-
-/// The members through which a program sees a buffer: of the storage block, the uniform block, or the atomic
-/// counters that use it.
-base::StorageBlock blockOf(const BlockUse& use, const ProgramInterface& interface);
-/// The first of the plan's programs that uses the buffer decides; nothing if none does.
-std::optional<base::StorageBlock> blockOf(const FramePlan& plan, scene::BufferIndex buffer);
 
 /// A member: a scalar, vector or matrix.
 struct BufferColumn {
@@ -84,9 +82,9 @@ struct BufferField {
 /// The fields of the head, then those of an element: what files and programs read of a buffer.
 std::vector<BufferField> fieldsOf(const BufferTable& table, const MemoryPattern& pattern);
 
-/// `block`: the members through which a program sees the buffer; without them (null) the columns have no
-/// names of members. An element has at most `most` columns; the last one takes what is left.
-BufferTable tableOf(const BufferLayout& layout, const base::StorageBlock* block, std::size_t most);
+/// Without a block the columns have no names of members. An element has at most `most` columns; the last one
+/// takes what is left.
+BufferTable tableOf(const BufferLayout& layout, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The numbers of a member as text: "0.5 -1 2". `kinds` and `values` begin at the member.
 std::string cellText(std::span<const MemoryNumber> kinds, std::span<const double> values);

@@ -369,9 +369,11 @@ bool isKnown(std::string_view tag, std::span<const FramePlan* const> plans) {
 std::vector<std::string> declaredUniforms(std::span<const FramePlan* const> plans) {
     std::vector<std::string> names;
     for (const FramePlan* plan : plans)
-        for (const PlannedProgram& program : plan->programs)
+        for (const PlannedProgram& program : plan->programs) {
             for (const auto& [name, declared] : program.interface->facts.uniforms)
                 if (!isInternalName(name) && !isSuppliedName(name)) names.push_back(name);
+            addMemory(program.interface->facts.memory, names);
+        }
     return names;
 }
 

@@ -10,6 +10,7 @@
 
 #include "plan/accesses.h"
 #include "plan/draw_remarks.h"
+#include "plan/memory_pattern.h"
 #include "plan/needs.h"
 #include "plan/overrides.h"
 #include "plan/planned_programs.h"
@@ -236,12 +237,14 @@ class FramePlanner {
   private:
     void complete(const Needs& needs) {
         for (const scene::NodeIndex& node : nodes_.order) planNode(node, needs);
-        if (options_.everything) planUndrawnPrograms();
+        if (options_.everything && &nodes_ == &scene_.frame) planUndrawnPrograms(true);
         const std::set<scene::TextureIndex> idle = idleNoise();
         for (const scene::TextureIndex each : scene_.textures.indices())
             if (needs.textures[each] && !idle.contains(each)) plan_.textures.push_back(each);
         for (const scene::BufferIndex each : scene_.buffers.indices())
             if (needs.buffers.size() > each.position() && needs.buffers[each]) plan_.buffers.push_back(each);
+        if (std::ranges::any_of(plan_.buffers, [this](auto each) { return lacksStructure(each); }))
+            planUndrawnPrograms(false);
         listAttributes();
         plan_.accesses = accessesOf(scene_, plan_, options_.everything);
         if (options_.reportsNames) {
@@ -464,9 +467,17 @@ class FramePlanner {
         return programs;
     }
 
-    /// `glibra check` also compiles programs without draws.
-    void planUndrawnPrograms() {
-        if (&nodes_ != &scene_.frame) return;
+    /// True if the buffer has the type of a structure that no program so far declares.
+    [[nodiscard]] bool lacksStructure(scene::BufferIndex buffer) const {
+        const std::string& type = scene_.buffers[buffer].type;
+        const auto declares = [&](const PlannedProgram& program) {
+            return program.interface->facts.memory.structures.contains(type);
+        };
+        return !type.empty() && !patternOf(type, {}) && std::ranges::none_of(plan_.programs, declares);
+    }
+
+    /// `glibra check` also compiles programs without draws, and reports their mistakes.
+    void planUndrawnPrograms(bool announces) {
         std::set<scene::ProgramIndex> drawn = programsOf(scene_.frame);
         for (const scene::OnceBlock& each : scene_.once) drawn.merge(programsOf(each.nodes));
         for (const scene::StepBlock& each : scene_.steps) drawn.merge(programsOf(each.nodes));
@@ -486,7 +497,7 @@ class FramePlanner {
                     return each.id == "glib-W37" || each.id == "memory-E02" ||
                            (each.id == "glsl-W11" && each.subject == "vST");  // Fill gives it
                 });
-            announce(undrawn);
+            if (announces) announce(undrawn);
         }
     }
 

@@ -130,27 +130,38 @@ class ReachCheck {
                 const BlockUse* use = useOf(program, each.array);
                 const BufferLayout* layout = use != nullptr ? layouts_.find(use->buffer.buffer) : nullptr;
                 if (layout == nullptr || !layout->pattern.isRuntimeSized()) continue;
+                // Those of another block may have more or fewer numbers.
+                const auto own = patternOf(program.interface->storageBlocks.at(use->index));
+                if (!own || !own->isRuntimeSized()) continue;
+                const std::uint64_t numbers = layout->pattern.numbers(layout->elements);
+                const std::uint64_t size = own->element.size();
+                const std::uint64_t elements =
+                    (numbers - std::min<std::uint64_t>(numbers, own->head.size())) / size;
                 const std::uint64_t wanted =
                     each.number.empty() ? static_cast<std::uint64_t>(std::max(-1LL, each.constant) + 1)
                                         : extent.of(each.number);
-                if (wanted <= layout->elements) continue;
+                if (wanted <= elements) continue;
                 const scene::Buffer& buffer = scene_.buffers[use->buffer.buffer];
+                const auto type = patternOf(buffer.type, glsl::MemoryStructures());
+                const std::uint64_t perDeclared = type ? type->element.size() : size;
+                const std::string declared =
+                    base::groupedText((wanted * size + perDeclared - 1) / perDeclared);
                 const std::string subscript =
                     each.number.empty() ? std::to_string(each.constant) : each.number;
                 const std::string way =
-                    each.number.empty() ? fmt::format("declare '{}' with {} elements or more", buffer.name,
-                                                      base::groupedText(wanted))
+                    each.number.empty()
+                        ? fmt::format("declare '{}' with {} elements or more", buffer.name, declared)
                     : word == "Dispatch"
                         ? fmt::format("write 'over {}', compare with {}.length(), or declare {} elements",
-                                      buffer.name, each.array, base::groupedText(wanted))
-                        : fmt::format("declare '{}' with {} elements", buffer.name,
-                                      base::groupedText(wanted));
-                report(
-                    "memory-W05",
-                    fmt::format("{}: {}[{}] (line {}) goes up to element {}, but buffer '{}' has {}; {}",
-                                word, each.array, subscript, each.place.line, base::groupedText(wanted - 1),
-                                buffer.name, base::countedInGroups(layout->elements, "element"), way),
-                    place);
+                                      buffer.name, each.array, declared)
+                        : fmt::format("declare '{}' with {} elements", buffer.name, declared);
+                report("memory-W05",
+                       fmt::format(
+                           "{}: {}[{}] (line {}) goes up to element {}, but buffer '{}' has {}; {}", word,
+                           each.array, subscript, each.place.line, base::groupedText(wanted - 1), buffer.name,
+                           base::countedInGroups(elements, size == perDeclared ? "element" : "such element"),
+                           way),
+                       place);
             }
     }
 

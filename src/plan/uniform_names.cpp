@@ -94,6 +94,13 @@ bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name) {
            });
 }
 
+void addMemory(const glsl::MemoryFacts& memory, std::vector<std::string>& to) {
+    for (const glsl::MemoryBlock& each : memory.blocks)
+        for (const std::string& name : {each.name, each.instance})
+            if (!name.empty()) to.push_back(name);
+    for (const auto& [name, counter] : memory.counters) to.push_back(name);
+}
+
 std::string nearestUniform(std::string_view tag, std::span<const std::string> names) {
     constexpr std::size_t kPrefix = 1;  // the u at the beginning of most uniform names
     const std::vector<std::string_view> candidates(names.begin(), names.end());
@@ -333,10 +340,6 @@ void UniformMessages::supplied(const GivenValue& given) {
          given.tagPlace);
 }
 
-void UniformMessages::misspelt(std::string_view tag, std::string_view key, const Place& place) {
-    warn("glib-E16", fmt::format("Dispatch: unknown word '{}'; did you mean '{}'?", tag, key), place);
-}
-
 void UniformMessages::unknown(const GivenValue& given, std::string_view resembles) {
     const std::string_view tag = given.tag;
     if (isSuppliedName(tag)) return supplied(given);
@@ -357,9 +360,15 @@ void UniformMessages::unknown(const GivenValue& given, std::string_view resemble
                     fmt::format("uniform '{}' is declared in '{}' but unused, so its value has no effect",
                                 tag, program_.name),
                     given.tagPlace, program_.name);
-    if (member.empty() && !resembles.empty()) return misspelt(tag, resembles, given.tagPlace);
-    const std::string near = member.empty() ? nearestUniform(tag, knownNames()) : member;
-    warn("glib-W23", fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag, hintOf(near)),
+    const bool isMemory = member.empty() && namesMemory(interface_.facts.memory, rootName(tag));
+    if (!isMemory && member.empty() && !resembles.empty())
+        return warn("glib-E16",
+                    fmt::format("Dispatch: unknown word '{}'; did you mean '{}'?", tag, resembles),
+                    given.tagPlace);
+    const std::string near = isMemory ? "" : member.empty() ? nearestUniform(tag, knownNames()) : member;
+    warn("glib-W23",
+         fmt::format("no shader of '{}' has a uniform '{}'{}", program_.name, tag,
+                     isMemory ? "; the block or atomic counter takes a buffer" : hintOf(near)),
          given.tagPlace, tag, near);
 }
 
@@ -379,6 +388,7 @@ const std::vector<std::string>& UniformMessages::knownNames() {
                 knownNames_.push_back(each.name);
         for (const auto& [name, declared] : interface_.facts.uniforms)
             if (!isInternalName(name)) knownNames_.push_back(name);
+        addMemory(memory, knownNames_);
     }
     return knownNames_;
 }

@@ -66,6 +66,8 @@ bool isInternalName(std::string_view name);
 
 /// True for the name of a block, of its instance, of its last member, or of an atomic counter.
 bool namesMemory(const glsl::MemoryFacts& memory, std::string_view name);
+/// Adds the names of the blocks, their instances and the counters.
+void addMemory(const glsl::MemoryFacts& memory, std::vector<std::string>& to);
 
 /// The nearest of these names; empty if none is near.
 std::string nearestUniform(std::string_view tag, std::span<const std::string> names);
@@ -122,12 +124,8 @@ class UniformMessages {
     /// glib-W25: glibra supplies the uniform.
     void supplied(const GivenValue& given);
 
-    /// glib-E16: the tag is probably a key of its statement; only Dispatch has keys that its tags may
-    /// resemble.
-    void misspelt(std::string_view tag, std::string_view key, const Place& place);
-
     /// The tag names no active uniform: supplied but unused (glib-W25), declared but unused (glib-W24), the
-    /// misspelt key `resembles` (glib-E16), or unknown (glib-W23).
+    /// misspelt key `resembles` of Dispatch (glib-E16), or unknown (glib-W23).
     void unknown(const GivenValue& given, std::string_view resembles = {});
 
     /// True for a tag that names an element or member that is declared in an array or structure of which

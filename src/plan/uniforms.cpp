@@ -219,19 +219,15 @@ class Resolver {
             for (const NamedUniform& one : names_.find(each))
                 touched_[one.uniform] = lost_[one.uniform] = true;
         for (const scene::ObjectBinding& each : drawn_.set->objects) {
+            BoundTexture bound{{}, place(each.tagPosition)};
             const auto* view = std::get_if<scene::TextureView>(&each.object);
-            if (view == nullptr) {
-                if (!each.isChosen && !each.resembles.empty() &&
-                    !namesMemory(interface_.facts.memory, each.tag))
-                    messages_.misspelt(each.tag, each.resembles, place(each.tagPosition));
-                for (const NamedUniform& one : names_.find(each.tag))
-                    if (uniform(one.uniform).type.isOpaque())
-                        bind(one, {{}, place(each.tagPosition), std::get<scene::BufferView>(each.object)});
-                continue;
-            }
-            const BoundTexture bound{*view, place(each.tagPosition)};
+            if (view != nullptr)
+                bound.view = *view;
+            else
+                bound.buffer = std::get<scene::BufferView>(each.object);
             std::vector<NamedUniform> named = names_.find(each.tag);
-            if (each.isChosen)
+            if (each.isChosen ||
+                (view == nullptr && namesMemory(interface_.facts.memory, rootName(each.tag))))
                 std::erase_if(named,
                               [&](const NamedUniform& one) { return !uniform(one.uniform).type.isOpaque(); });
             else if (named.empty() && !each.mayBeUnknown)

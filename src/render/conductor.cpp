@@ -68,14 +68,16 @@ Diagnostics Conductor::planSimulation(const PlanRequest& asked) {
     if (simulation) return simulation->check(plan);
     plan::PlanOptions listOptions = asked.options;
     listOptions.shareTargets = false;
-    simulation.emplace(SimulationParts{context, scene, source.get(), programs, device, loadStats,
-                                       [this, listOptions](const scene::NodeList& nodes,
-                                                           std::vector<scene::ObjectView> roots) mutable {
-                                           listOptions.roots = std::move(roots);
-                                           return planList(nodes, listOptions);
-                                       },
-                                       [this](const plan::FramePlan& of) { recordLoops(of); }},
-                       options.steps);
+    simulation.emplace(
+        SimulationParts{
+            context, scene, source.get(), programs, device, loadStats,
+            [this, listOptions](const scene::NodeList& nodes, std::vector<scene::ObjectView> roots) mutable {
+                listOptions.roots = std::move(roots);
+                return planList(nodes, listOptions);
+            },
+            [this](const plan::FramePlan& of) { return device.prepare(of, programs, plans()); },
+            [this](const plan::FramePlan& of) { recordLoops(of); }},
+        options.steps);
     Diagnostics diagnostics = simulation->plan(plan, asked.framesDiffer, asked.options.roots);
     std::vector<const plan::FramePlan*> all = simulation->plans();
     all.push_back(&plan);

@@ -197,10 +197,7 @@ Result<BufferContent> SceneRenderer::bufferContent(const scene::BufferView& view
                         fmt::format("buffer '{}' is not used, so it has no content to save", declared.name),
                         declared.place);
     }
-    std::optional<base::StorageBlock> block;
-    for (const plan::FramePlan* each : state_->conductor.plans())
-        if (!block) block = plan::blockOf(*each, view.buffer);
-    return contentOf(*layout, block ? &*block : nullptr, *buffer);
+    return contentOf(*layout, *buffer);
 }
 
 }  // namespace glibra::render

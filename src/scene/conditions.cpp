@@ -172,9 +172,8 @@ Result<Answer> answerTo(const glib::Value& expression, const ConditionNames& nam
     if (!parsed) return parsed.problem.message;
     const auto value = parsed->evaluate(names);
     if (!value) return value.problem.message;
-    std::string found = sidesOf(text, names);
-    if (found.empty()) found = textOfValue(*value);
-    return Answer{*value, std::move(found)};
+    const std::string whole = textOfValue(*value), sides = sidesOf(text, names);
+    return Answer{*value, whole, sides.empty() ? whole : sides};
 }
 
 std::vector<ObjectView> Check::objects() const {

@@ -66,11 +66,11 @@ class ConditionNames final : public expression::Names, public expression::Values
     std::vector<std::shared_ptr<const expression::Function>> functions_;
 };
 
-/// The value of an expression, and what was found: "5 == 7" if it compares two values, otherwise the value as
-/// text, "true" or "[1 0 2]".
+/// The value of an expression, also as text, "true" or "[1 0 2]", and what was found: "5 == 7" if it compares
+/// two values, otherwise that text.
 struct Answer {
     expression::Value value;
-    std::string found;
+    std::string text, found;
 };
 
 /// Evaluates the expression with these names. `file`: that it stands in. Reports why it has no value.

@@ -82,6 +82,7 @@ struct InterpretOptions {
     /// If it is not empty, only files below this folder and below the library folders are found.
     std::filesystem::path within{};
     MemoryFiles inMemory{};  ///< these files need not exist, and may lie outside of `within`
+    bool runsAll = false;    ///< Interpretation::mistakesLeftOut
 };
 
 /// The folders that names are relative to, in the order of the search.

@@ -38,6 +38,10 @@ class Interpretation {
     /// of one script, as far as the same statements are executed; shapes have not.
     Scene at(const FrameInputs& inputs);
 
+    /// Unknown names and wrong types, also in what `When`, `Repeat` and groups leave out with these inputs.
+    /// The condition of a When decides where it reads a parameter or a counter.
+    [[nodiscard]] Diagnostics mistakesLeftOut(const FrameInputs& inputs) const;
+
     [[nodiscard]] const glib::Script& script() const;
     /// The cameras that the last scene declares, sorted by name.
     [[nodiscard]] const std::vector<NamedCamera>& cameras() const;

@@ -322,6 +322,9 @@ TEST(Hints, SayWhatToWriteInstead) {
     says("Let y 2 + 3\n", "surplus argument '+'; write (2 + 3) for its value");
     says("Pass window clear 0 0 0 1\nEndPass\n", "'0'; write {0 0 0 1}");
     says("Expect pixel 3 3 1 0 0\n", "'1'; write [1 0 0]");
+    says("Expect count 5 [1 0 0]\n", "'5'; write [1 0 0] 5");
+    says("Buffer b float 1\nExpect b [1]\n", "; write buffer b");
+    says("Repeat 5 until k > 3\nEndRepeat\n", "Repeat: expected a condition in parentheses, found 'k'");
     says("State culling back\n", "did you mean 'cull'?");
     says("Repeat 2\nLet v 3\nEndRepeat\n", "move it out, or write (3), which may stand here");
 }

@@ -149,6 +149,7 @@ TEST(ScriptChecks, AMisspeltSetIsReported) {
     EXPECT_EQ(found("Set uLight2 {1 0 0 1}"), "") << "it may be of a row that this scene does not need whole";
     EXPECT_EQ(found("Set uOther 5"), "") << "a Set is for all programs, and none of them need have it";
     EXPECT_EQ(found("Set Sums sums"), "");
+    EXPECT_NE(found("Set Sumss sums").find("'Sumss'; did you mean 'Sums'?"), std::string::npos);
     EXPECT_EQ(found("Set uClor {1 0 0 1}", "Program Q\nUse P\nFullScreen\n"), "") << "Q may have it";
 }
 
@@ -210,6 +211,93 @@ TEST(ScriptChecks, SmallBlocksOfStepAndOnceMayBePadded) {
     EXPECT_EQ(found("uint 1", "uint n;", "Once", "EndOnce"), "");
     EXPECT_EQ(found("uint 5", "uint n, a[4];", "Once", "EndOnce"), "");
     EXPECT_EQ(found("uint 5 history", "uint n, a[4];", "Once", "EndOnce"), "");
+}
+
+TEST(Print, ShowsTheValueOfAComparison) {
+    const std::string found = problemsOf("Let k 2\nPrint (k == 3)\nPrint (vec2(k) == vec2(2))\n");
+    EXPECT_NE(found.find("(k == 3): false"), std::string::npos) << found;
+    EXPECT_NE(found.find("(vec2(k) == vec2(2)): true"), std::string::npos) << found;
+}
+
+/// A program whose invocations do that with a storage block of this name and these members.
+std::string compute(const std::string& name, const std::string& before, const std::string& block,
+                    const std::string& what) {
+    return "Compute inline\n#version 430\nlayout(local_size_x = 4) in;\n" + before +
+           "layout(std430) buffer " + block + ";\nvoid main() { " + what + " }\nEndCompute\nProgram " + name +
+           "\n";
+}
+const std::string kBody = "struct Body { vec2 place; float speed; float mass; };\n";
+const std::string kMove =
+    compute("Move", kBody, "P { Body p[]; }", "p[gl_GlobalInvocationID.x].speed += 1.;");
+
+TEST(Structures, OfTheTypeOfABufferMayStandInAnyProgram) {
+    const std::string declared = "Buffer p Body 8 (vec4(i, 2*i, 3, 4))\nBuffer total uint 4\n";
+    const std::string count = compute("Count", "", "total { uint t[]; }", "t[gl_GlobalInvocationID.x] = 9u;");
+    const std::string step = "Step 10\nDispatch Move over p\nEndStep\n", expect = "Expect sum p.mass 32\n";
+    EXPECT_EQ(problemsOf(declared + kMove + "Once\nEndOnce\n" + step + expect), "");
+    EXPECT_EQ(problemsOf(declared + kMove + count + "Once\nDispatch Count 1\nEndOnce\n" + step + expect), "");
+    const std::string fill =
+        "Texture2D t 8 8 rgba8\nFragment inline\n#version 330\nout vec4 o;\nvoid main() { o = vec4(1.); }\n"
+        "EndFragment\nProgram F\n";
+    EXPECT_EQ(
+        problemsOf(fill + "Buffer p Body 4 (vec4(i, 0, 0, time))\n" + kMove +
+                   "Dispatch Move over p\nStep 10\nFill t with F\nEndStep\nExpect (mean(t).r == 1) at 1\n"),
+        "")
+        << "the frame has it, and nothing reads it";
+    const std::string other = compute("Other", "", "P { vec4 p[]; }", "p[gl_GlobalInvocationID.x].x += 1.;") +
+                              "Dispatch Other over p\n";
+    EXPECT_EQ(problemsOf(declared + kMove + other + "Expect buffer p [1 0]\n"), "")
+        << "nothing dispatches it";
+    EXPECT_NE(problemsOf(declared + other + "Expect buffer p [1 0]\n").find("memory-E05"), std::string::npos);
+}
+
+TEST(Elements, AreThoseOfTheBlockOfTheDeclaredTypeWhateverComesFirst) {
+    const std::string vectors =
+        compute("Vectors", "", "P { vec4 p[]; }", "p[gl_GlobalInvocationID.x] += 1.;");
+    const auto floats = [](const std::string& at) {
+        return compute("Floats", "", "Raw { float raw[]; }", "raw[" + at + "] += float(raw.length());");
+    };
+    const std::string first = "Dispatch Floats 8  Raw p\n", second = "Dispatch Vectors over p\n";
+    for (const std::string& both : {first + second, second + first})
+        EXPECT_EQ(problemsOf("Buffer p vec4 8\n" + vectors + floats("gl_GlobalInvocationID.x") + both +
+                             "Expect sum p.w 264\nExpect (p[7] == vec4(33))\n"),
+                  "");
+    const std::string beyond = problemsOf("Buffer p vec4 8\n" + vectors + floats("gl_GlobalInvocationID.x") +
+                                          second + "Dispatch Floats 16  Raw p\nExpect finite p\n");
+    EXPECT_NE(
+        beyond.find("goes up to element 63, but buffer 'p' has 32 such elements; write 'over p', compare "
+                    "with raw.length(), or declare 16 elements"),
+        std::string::npos)
+        << beyond;
+    EXPECT_EQ(problemsOf("Buffer p Body 8 (vec4(i, 2*i, 3, 4))\n" + kMove +
+                         compute("Other", "", "P { vec4 p[]; }", "p[gl_GlobalInvocationID.x].x += 1.;") +
+                         "Dispatch Other over p\nDispatch Move over p\nExpect (sum(p.mass) == 32)\n"),
+              "");
+}
+
+TEST(Tags, OfBlocksAreCheckedAsThoseOfUniformsAre) {
+    const auto found = [](const std::string& program, const std::string& dispatch,
+                          const std::string& set = "") {
+        return problemsOf(
+            "Buffer a float 4 (1)\nBuffer b float 4 (2)\nBuffer sum float 4\nTexture2D t 4 4 rgba8\n"
+            "Compute inline\n#version 430\nlayout(local_size_x = 4) in;\nuniform float uScale;\n"
+            "layout(std430) readonly buffer Left { float a[]; };\nlayout(std430) buffer Sum { float sum[]; "
+            "};\n"
+            "void main() { sum[gl_GlobalInvocationID.x] = uScale*a[gl_GlobalInvocationID.x]; }\nEndCompute\n"
+            "Pass t clear {0}\nEndPass\nProgram Add  uScale 1 " +
+            program + "\n" + set + "Dispatch Add 1 " + dispatch + "\nExpect finite sum\n");
+    };
+    EXPECT_EQ(found("", "Left b"), "");
+    const std::string misspelt = "no shader of 'Add' has a uniform 'Lefft'; did you mean 'Left'? [glib-W23]";
+    for (const std::string& each : {found("", "Lefft b"), found("Lefft b", ""), found("", "Lefft t")})
+        EXPECT_NE(each.find(misspelt), std::string::npos) << each;
+    EXPECT_NE(found("", "", "Set Lefft b\n").find("'Lefft'; did you mean 'Left'? [glib-W23]"),
+              std::string::npos);
+    for (const std::string& each : {found("", "Left t"), found("", "Left 3")})
+        EXPECT_NE(each.find("'Left'; the block or atomic counter takes a buffer [glib-W23]"),
+                  std::string::npos)
+            << each;
+    EXPECT_NE(found("", "uScale b").find("float 'uScale'"), std::string::npos) << found("", "uScale b");
 }
 
 TEST(ScriptChecks, KeepWhatIsReportedWithoutDrawing) {

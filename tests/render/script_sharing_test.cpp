@@ -92,6 +92,8 @@ TEST(ScriptSharing, MessagesAboutSharedGlslNameItsLine) {
                           "#include wrong") +
                    "Expect finite t\n");
     EXPECT_NE(found.find("scene.glib:3:"), std::string::npos) << found;
+    EXPECT_EQ(found.find("scene.glib:3:1:"), std::string::npos)
+        << "the mistake stands in the line: " << found;
     const std::string cycle =
         problemsOf(filled("Glsl a inline\n#include b\nEndGlsl\nGlsl b inline\n#include a\nEndGlsl\n",
                           "vec4(1.)", "#include a") +

@@ -38,10 +38,9 @@ TEST(Mistakes, GroupsThatDrawEachOther) {
 }
 
 TEST(Mistakes, VariablesThatAreStatedTwice) {
-    EXPECT_EQ(
-        errorsOf("Let n 5\nLet n 6\n"),
-        "2:5 glib-E36 'n' is declared on line 1 already, as a variable; only 'Let n (expression)' may be "
-        "stated again");
+    EXPECT_EQ(errorsOf("Let n 5\nLet n 6\n"),
+              "2:5 glib-E36 'n' is declared on line 1 already, as a variable; only if it begins with 'Let n "
+              "(expression)' may it be stated again");
     EXPECT_EQ(errorsOf("Let n (5)\nLet n (6)\n"), "");
     EXPECT_EQ(errorsOf("Let n 5\nSampler n nearest\n").find("stated again"), std::string::npos);
 }
@@ -215,6 +214,95 @@ TEST(Mistakes, AVariableWithoutAValueForAMomentHasOneLater) {
     const Scene second = script.at({.time = .5});
     EXPECT_EQ(textsOf(second.diagnostics), "");
     EXPECT_EQ(tests::drawsOf(second).at(0).modelView[3].x, 2);
+}
+
+TEST(Mistakes, OfTheTextAreReportedWhicheverRunOfAFrameFindsThem) {
+    const std::string text =
+        "Camera eye LookAt 0 0 5  0 0 0  0 1 0  Perspective 50 .1 100\nLet arr[5] (i*i)\n"
+        "Let shift (eye.prev.position.x)\nLet f(x) (x + arr[9])\nWhen (time > 1)\nBox (arr[7])\n"
+        "Box (nothing)\nEndWhen\nTranslate (arr[6]) 0 0\nBox\n";
+    Interpretation script(glib::parse(text, "scene.glib"), {});
+    EXPECT_EQ(textsOf(script.at({.time = 0}).diagnostics),
+              "4:19 expr-E06 subscript 9 is not between 0 and 4\n"
+              "9:16 expr-E06 subscript 6 is not between 0 and 4");
+    EXPECT_EQ(textsOf(script.at({.time = 2}).diagnostics),
+              "6:10 expr-E06 subscript 7 is not between 0 and 4\n7:6 expr-E02 unknown name 'nothing'")
+        << "the run of the frame before meets them first";
+    EXPECT_EQ(textsOf(script.at({.time = 3}).diagnostics), "") << "each time once";
+}
+
+TEST(Mistakes, OfWhatDoesNotRunAreFoundWithoutItsValues) {
+    const auto leftOut = [](const std::string& text) {
+        Interpretation script(glib::parse(text, "scene.glib"), {});
+        EXPECT_EQ(textsOf(script.at({}).diagnostics), "");
+        return textsOf(script.mistakesLeftOut({}));
+    };
+    EXPECT_EQ(
+        leftOut("Let k <0 1 2>\nWhen (k == 0)\n Box (vec2(1) * vec3(2))\n Use Nope\nElse\n Box\n"
+                "EndWhen\nGroup g a 1\n Box (a.foo)\nEndGroup\nRepeat (k - 1)\n Box (nope)\nEndRepeat\n"),
+        "3:7 expr-E03 '*' does not combine vec2 and vec3\n4:6 glib-E27 no program 'Nope' is declared "
+        "before this line\n9:9 expr-E02 a number has no component or field 'foo'\n"
+        "12:7 expr-E02 unknown name 'nope'");
+    EXPECT_EQ(leftOut("Let k <0 1 2>\nLet a[3] (i)\nWhen (k == 0)\n Let v (1 / k)\n Box (a[4 - k])\nElse\n"
+                      " Let v (2)\nEndWhen\nBox (v)\n"),
+              "")
+        << "of values";
+    EXPECT_EQ(leftOut("Group g kind 0 v 1\n When (kind == 0)\n  Box (v)\n Else\n  Box (v.x)\n EndWhen\n"
+                      "EndGroup\nDraw g\nDraw g kind 1 v (vec2(1))\n"),
+              "")
+        << "a parameter decides of which type another one is";
+    EXPECT_EQ(
+        leftOut("Let k <0 1 2>\nWhen (k == 0)\n Let v (vec2(1))\n Box (v.y)\nElse\n Let v (2)\n Box (v)\n"
+                "EndWhen\n"),
+        "")
+        << "a variable has another type in each branch";
+}
+
+TEST(Mistakes, OfNamesThatAreNoValuesSayWhatToWrite) {
+    const std::string buffers = "Buffer b vec4 8 (vec4(i))\nBuffer p Part 8\n";
+    const std::string of =
+        "expr-E08 'b' is a buffer, not a value; write b.count, or in Expect (...) and Print (...) b[0] or "
+        "sum(b)";
+    EXPECT_EQ(errorsOf(buffers + "Print (b)\n"), "3:8 " + of);
+    EXPECT_EQ(errorsOf(buffers + "Let q (b)\n"), "3:8 " + of);
+    EXPECT_NE(errorsOf(buffers + "Print (p[1].mass)\n").find("and Print (...) sum(p.MEMBER)"),
+              std::string::npos)
+        << errorsOf(buffers + "Print (p[1].mass)\n");
+    EXPECT_EQ(errorsOf("Texture2D glow 8 8 rgba8\nLet k 3\nGroup gg target glow\n Pass target\n EndPass\n"
+                       "EndGroup\nDraw gg\nDraw gg target k\n"),
+              "4:7 glib-E34 'target' has a value here, and is no texture or buffer");
+}
+
+TEST(Choices, TakeTheWholeNumbersOfTheirWords) {
+    const auto idsWith = [](double value) {
+        Interpretation script(glib::parse("Let ch <one two three>\nBox (ch + 1)\n", "scene.glib"), {});
+        FrameInputs inputs;
+        inputs.variables["ch"] = {value};
+        return idsOf(script.at(inputs).diagnostics);
+    };
+    EXPECT_EQ(idsWith(2), "");
+    EXPECT_EQ(idsWith(1.5), "glib-E05");
+    EXPECT_EQ(idsWith(3), "glib-E05");
+    EXPECT_EQ(errorsOf("Let ch <one two three>\nKey k ch 1.5\n"),
+              "2:10 glib-E05 Key: 1.5 is not a whole number between 0 and 2, which 'ch' allows");
+    const Scene scene = run("Let ch <one two three>\nKey k ch 2\nKey l ch (ch + 5)\n");
+    EXPECT_EQ(textsOf(scene.diagnostics), "");
+    EXPECT_EQ(scene.keys.at(1).values.at(0), std::vector<double>{2}) << "as at the end of a slider";
+}
+
+TEST(Variables, ThatAreListsCanBeSet) {
+    Interpretation script(
+        glib::parse("Let tint [1 1 1]\nLet row [1 2 3 4 5]\nTranslate (tint)\nTranslate (row[4]) 0 0\nBox\n",
+                    "scene.glib"),
+        {});
+    FrameInputs inputs;
+    inputs.variables["tint"] = {3, 1, 2};
+    inputs.variables["row"] = {0, 0, 0, 0, 7};
+    const Scene scene = script.at(inputs);
+    EXPECT_EQ(tests::placeOf(tests::drawsOf(scene).at(0)), glm::dvec3(10, 1, 2));
+    EXPECT_EQ(scene.usedVariables.at("tint"), 3U);
+    inputs.variables["tint"] = {3, 1};
+    EXPECT_EQ(tests::placeOf(tests::drawsOf(script.at(inputs)).at(0)), glm::dvec3(8, 1, 1));
 }
 
 TEST(Mistakes, OfTheLaterElementsOfABufferAreReportedWhenTheyAreRead) {

@@ -307,7 +307,7 @@ TEST(BufferTable, HasAColumnForEachMember) {
     const render::DeviceBuffers& buffers = session.live().buffers();
     const plan::BufferLayout* layout = buffers.layout(buffer);
     ASSERT_TRUE(layout);
-    const plan::BufferTable table = plan::tableOf(*layout, session.live().blockOf(buffer), 60);
+    const plan::BufferTable table = plan::tableOf(*layout, 60);
     std::string names;
     for (const plan::BufferColumn& each : table.head) names += each.name + " ";
     names += "| ";
@@ -344,7 +344,7 @@ TEST(BufferTable, NamesTheMembersOfUniformBlocks) {
     const scene::BufferIndex buffer(0);
     const plan::BufferLayout* layout = session.live().buffers().layout(buffer);
     ASSERT_TRUE(layout);
-    const plan::BufferTable table = plan::tableOf(*layout, session.live().blockOf(buffer), 60);
+    const plan::BufferTable table = plan::tableOf(*layout, 60);
     std::string names;
     for (const plan::BufferColumn& each : table.head) names += each.name + " ";
     for (const plan::BufferColumn& each : table.columns) names += each.name + " ";

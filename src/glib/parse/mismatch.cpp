@@ -73,6 +73,10 @@ std::string Mismatch::valueHint(const Pieces& pieces, std::size_t at, const Decl
     constexpr std::string_view kCounter = "i";
     const Value& found = pieces[at];
     const std::string_view head = beforePoint(found.text);
+    const bool hasList = at + 1 < pieces.size() && pieces[at + 1].kind == Value::Kind::list;
+    const auto isOfBuffer = [](const Expectation& each) { return each.name == "buffer"; };
+    if (hasList && isUnquoted(found) && names.has(head) && std::ranges::any_of(expected_, isOfBuffer))
+        return fmt::format("; write buffer {}", found.text);
     const bool expectsNumber = expects(Kind::number);
     const bool expectsValue = expectsNumber || expects(Kind::value) || expects(Kind::expression);
     if (expectsValue && isUnquoted(found)) {
@@ -97,6 +101,8 @@ std::string Mismatch::bracketHint(const Pieces& pieces, std::size_t at) const {
     while (end < pieces.size() && end - at < kLongestRun && pieces[end].kind == Value::Kind::number) ++end;
     if ((!isColor && !isList) || end - at < (isColor ? 3 : 1)) return {};
     const std::string numbers = pieces.onOneLine(at, end);
+    if (isList && end < pieces.size() && pieces[end].kind == Value::Kind::list)
+        return fmt::format("; write {} {}", pieces.onOneLine(end, end + 1), numbers);
     return isColor ? fmt::format("; write {{{}}}", numbers) : fmt::format("; write [{}]", numbers);
 }
 

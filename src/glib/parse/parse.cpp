@@ -439,8 +439,12 @@ class Parser {
 
     /// Reports glib-E19 for a condition that begins without a parenthesis.
     bool lacksParentheses(const Statement& statement, const StatementRow& row) {
-        if (row.id != CommandId::when || statement.arguments.empty()) return false;
-        const Token& first = statement.arguments.front();
+        const auto& tokens = statement.arguments;
+        std::size_t at = row.id == CommandId::when ? 0 : tokens.size();
+        for (std::size_t i = 0; row.id == CommandId::repeat && i < tokens.size(); ++i)
+            if (tokens[i].text == "until") at = i + 1;
+        if (at >= tokens.size()) return false;
+        const Token& first = tokens[at];
         if (first.kind != TokenKind::word || first.truth()) return false;
         log_.report(
             "glib-E19",

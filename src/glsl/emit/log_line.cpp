@@ -261,16 +261,18 @@ std::string_view quotedWord(std::string_view text) {
 std::optional<EmittedPlace> emittedPlace(const TranslatedStage& stage, const LogLine& line,
                                          const std::string& file) {
     const LineMap& map = stage.lineMap;
+    std::optional<EmittedPlace> blank;  // a text in a scene stands after as many lines as there
     for (std::size_t i = 0; i < map.lines.size(); ++i) {
         if (map.lines[i].file < 0 || map.lines[i].line != line.line ||
             map.files[static_cast<std::size_t>(map.lines[i].file)] != file)
             continue;
-        if (line.column <= 0) return EmittedPlace{i, 0};
         const std::string_view text = lineOfText(stage.source, i);
         const int column = line.collapsed ? expandColumn(text, line.column) : line.column;
-        return EmittedPlace{i, nearestWord(text, quotedWord(line.text), column)};
+        const EmittedPlace place{i, line.column <= 0 ? 0 : nearestWord(text, quotedWord(line.text), column)};
+        if (!text.empty()) return place;
+        if (!blank) blank = place;
     }
-    return std::nullopt;
+    return blank;
 }
 
 UserPlace userPlace(const TranslatedStage& stage, const EmittedPlace& place) {

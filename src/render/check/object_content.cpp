@@ -77,11 +77,8 @@ Result<Content> bufferContent(Conductor& conductor, const scene::BufferView& vie
     for (const plan::MemoryNumber& each : numbers) content.kinds.push_back(each.kind);
     content.isOfDoubles =
         std::ranges::find(content.kinds, plan::NumberKind::doublePrecision) != content.kinds.end();
-    std::optional<base::StorageBlock> block;
-    for (const plan::FramePlan* each : conductor.plans())
-        if (!block) block = plan::blockOf(*each, view.buffer);
-    if (block) {
-        plan::BufferTable table = plan::tableOf(*layout, &*block, std::numeric_limits<std::size_t>::max());
+    if (layout->block) {
+        plan::BufferTable table = plan::tableOf(*layout);
         content.members = hasArray ? std::move(table.columns) : std::move(table.head);
     } else {
         content.members = {{declared.name, 0, numbers.size(), matrixColumns(declared.type)}};

@@ -151,7 +151,7 @@ Diagnostics printedBy(const scene::Print& print, Contents& contents) {
         fill(names, contents, [&](const scene::Measure& each) { return contents.measured(each); });
         const Result<scene::Answer> value = scene::answerTo(*print.value.expression, names, print.place.file);
         if (!value) return value.diagnostics;
-        return {diagnose("check-N02", fmt::format("{}: {}", print.name, value->found), print.place)};
+        return {diagnose("check-N02", fmt::format("{}: {}", print.name, value->text), print.place)};
     }
     scene::Selection of = print.of;
     const bool isBuffer = of.object && std::holds_alternative<scene::BufferView>(*of.object);

@@ -102,6 +102,8 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
     Result<InterpretedScene> interpreted = interpretFile(path, options, stats);
     result.diagnostics = std::move(interpreted.diagnostics);
     if (interpreted) {
+        if (interpreted->source)
+            addUnknown(result.diagnostics, interpreted->source->mistakesLeftOut(interpreted->inputs));
         // A scene with errors in its text is checked further, because its shaders may have errors too.
         SceneState state(context, compiled, std::move(*interpreted), false, stats, shared);
         Result<PlanRequest> everything = state.request(true);

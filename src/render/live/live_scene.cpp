@@ -490,12 +490,6 @@ Result<DeviceScene*> LiveScene::beginWrite(const plan::Object& object) {
         if (Diagnostics failed = conductor.simulate(); hasError(failed)) return failed;
     return &conductor.device;
 }
-const base::StorageBlock* LiveScene::blockOf(scene::BufferIndex buffer) const {
-    for (const plan::FramePlan* each : state_->conductor.plans())
-        if (std::optional<base::StorageBlock> found = plan::blockOf(*each, buffer))
-            return &state_->askedBlocks.insert_or_assign(buffer, std::move(*found)).first->second;
-    return nullptr;
-}
 
 void LiveScene::setCamera(const std::string& name) {
     LiveState& state = *state_;

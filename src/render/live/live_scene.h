@@ -77,7 +77,6 @@ struct LiveState {
     TriedStates tried;  ///< LiveScene::tryStates
     /// The draws that have a tried state, with that of the scene.
     std::vector<std::pair<scene::StepIndex, base::RasterState>> untried;
-    std::map<scene::BufferIndex, base::StorageBlock> askedBlocks;  ///< that blockOf() has been asked for
     double mouseX = .5, mouseY = .5;
     bool isMouseDown = false;
 
@@ -217,9 +216,6 @@ class LiveScene {
     }
     [[nodiscard]] const DeviceBuffers& buffers() const { return state_->conductor.device.buffers(); }
     [[nodiscard]] const DeviceScene& device() const { return state_->conductor.device; }
-    /// The block through which a program uses the buffer, as a storage block; null if none does. Valid until
-    /// the next call for that buffer.
-    [[nodiscard]] const base::StorageBlock* blockOf(scene::BufferIndex buffer) const;
 
   private:
     explicit LiveScene(std::unique_ptr<LiveState> state);

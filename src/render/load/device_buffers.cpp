@@ -14,10 +14,8 @@
 
 namespace glibra::render {
 
-BufferContent contentOf(const plan::BufferLayout& layout, const base::StorageBlock* block,
-                        const gpu::Buffer& buffer) {
-    BufferContent content{layout, plan::tableOf(layout, block, std::numeric_limits<std::size_t>::max()),
-                          std::vector<std::byte>(buffer.size())};
+BufferContent contentOf(const plan::BufferLayout& layout, const gpu::Buffer& buffer) {
+    BufferContent content{layout, plan::tableOf(layout), std::vector<std::byte>(buffer.size())};
     buffer.read(0, content.bytes);
     return content;
 }

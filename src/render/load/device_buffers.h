@@ -28,9 +28,8 @@ struct BufferContent {
     std::vector<std::byte> bytes;
 };
 
-/// Reads it from the device, and waits for that. `block`: as of plan::tableOf.
-BufferContent contentOf(const plan::BufferLayout& layout, const base::StorageBlock* block,
-                        const gpu::Buffer& buffer);
+/// Reads it from the device, and waits for that.
+BufferContent contentOf(const plan::BufferLayout& layout, const gpu::Buffer& buffer);
 
 class DeviceBuffers {
   public:

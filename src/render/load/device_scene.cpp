@@ -155,7 +155,7 @@ const gpu::VertexArray& DeviceScene::vertexArray(const plan::FramePlan& plan,
         if (const auto* name = std::get_if<std::string>(&feeds[i].from)) {
             addMeshSource(mesh, *name, input, sources);
             spreadCorners(built.interface.facts.expanded.corners, mesh, sources);
-        } else if (const auto elements = elementsOf(plan, feeds[i]))
+        } else if (const auto elements = elementsOf(feeds[i]))
             addBufferSources(*elements, feeds[i].isPerInstance, input, sources);
     }
     const bool isExpanded = plan.meshes[planned.mesh].isExpanded;
@@ -173,8 +173,7 @@ const std::vector<plan::InputSource>& DeviceScene::inputSources(const plan::Fram
     return entry->second;
 }
 
-std::optional<DeviceScene::Elements> DeviceScene::elementsOf(const plan::FramePlan& plan,
-                                                             const plan::InputSource& source) const {
+std::optional<DeviceScene::Elements> DeviceScene::elementsOf(const plan::InputSource& source) const {
     const auto* view = std::get_if<scene::BufferView>(&source.from);
     const plan::BufferLayout* layout = view != nullptr ? buffers_.layout(view->buffer) : nullptr;
     if (layout == nullptr || layout->pattern.element.empty()) return std::nullopt;
@@ -184,12 +183,10 @@ std::optional<DeviceScene::Elements> DeviceScene::elementsOf(const plan::FramePl
         buffers_.buffer(*view), pattern.elementsAt + part.offset, pattern.stride, layout->elements, {}};
     std::size_t first = 0, count = pattern.element.size();
     if (!part.member.empty()) {
-        const std::optional<base::StorageBlock> block = plan::blockOf(plan, view->buffer);
-        const plan::BufferTable table =
-            plan::tableOf(*layout, block ? &*block : nullptr, pattern.element.size());
+        const plan::BufferTable table = plan::tableOf(*layout, pattern.element.size());
         const auto found =
             std::ranges::find_if(table.columns, [&](const auto& each) { return each.name == part.member; });
-        if (!block || found == table.columns.end()) return std::nullopt;
+        if (!layout->block || found == table.columns.end()) return std::nullopt;
         first = found->first;
         count = found->count;
     }
@@ -274,7 +271,7 @@ std::optional<std::string> DeviceScene::elementsProblem(const plan::FramePlan& p
     if (shape.bare && !draw.verticesFrom && !draw.indices.buffer && !shape.numbers.empty())
         vertices = static_cast<std::uint64_t>(shape.numbers[0]);
     for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
-        const std::optional<Elements> of = elementsOf(plan, each);
+        const std::optional<Elements> of = elementsOf(each);
         const std::uint64_t needed = each.isPerInstance ? instances : vertices;
         if (!of || needed <= of->count) continue;
         return fmt::format("{}: {} {} are more than the {} elements of '{}'", draw.word,
@@ -293,14 +290,13 @@ Diagnostics DeviceScene::membersProblems(const plan::FramePlan& plan,
     for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
         const auto* view = std::get_if<scene::BufferView>(&each.from);
         const plan::BufferLayout* layout = view != nullptr ? buffers_.layout(view->buffer) : nullptr;
-        if (layout == nullptr || each.part.member.empty() || elementsOf(plan, each)) continue;
-        const std::optional<base::StorageBlock> block = plan::blockOf(plan, view->buffer);
+        if (layout == nullptr || each.part.member.empty() || elementsOf(each)) continue;
         std::string advice =
             "; its members have names where a block of a program holds it, and otherwise 'offset' and "
             "'stride' "
             "say which numbers are meant";
-        if (block) {
-            const plan::BufferTable table = plan::tableOf(*layout, &*block, layout->pattern.element.size());
+        if (layout->block) {
+            const plan::BufferTable table = plan::tableOf(*layout, layout->pattern.element.size());
             std::vector<std::string_view> names;
             for (const plan::BufferColumn& column : table.columns) names.push_back(column.name);
             advice = base::suggestion(each.part.member, names);
@@ -365,7 +361,7 @@ std::optional<std::string> DeviceScene::indexProblem(const plan::FramePlan& plan
     std::optional<std::uint64_t> vertices;  // of the shortest buffer with attributes
     scene::BufferIndex shortest;
     for (const plan::InputSource& each : plan.inputs[planned.inputs].sources) {
-        const std::optional<Elements> of = each.isPerInstance ? std::nullopt : elementsOf(plan, each);
+        const std::optional<Elements> of = each.isPerInstance ? std::nullopt : elementsOf(each);
         if (!of || (vertices && *vertices <= of->count)) continue;
         vertices = of->count;
         shortest = std::get<scene::BufferView>(each.from).buffer;

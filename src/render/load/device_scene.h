@@ -107,8 +107,7 @@ class DeviceScene {
         std::vector<plan::MemoryNumber> numbers;  ///< counted from where an element begins
     };
     /// Nothing for other sources, and for a member that the buffer does not have.
-    [[nodiscard]] std::optional<Elements> elementsOf(const plan::FramePlan& plan,
-                                                     const plan::InputSource& source) const;
+    [[nodiscard]] std::optional<Elements> elementsOf(const plan::InputSource& source) const;
     /// Adds what feeds an input from them, one source per column.
     static void addBufferSources(const Elements& elements, bool isPerInstance, const base::ActiveInput& input,
                                  std::vector<gpu::AttributeSource>& sources);

@@ -212,8 +212,7 @@ Diagnostics Simulation::checkReads() const {
 
 Diagnostics Simulation::make() {
     Diagnostics diagnostics;
-    for (const plan::FramePlan* each : plans())
-        append(diagnostics, parts_.device.prepare(*each, parts_.programs));
+    for (const plan::FramePlan* each : plans()) append(diagnostics, parts_.prepare(*each));
     return diagnostics;
 }
 
@@ -425,7 +424,7 @@ Diagnostics Simulation::planAgain(Block& block, const scene::NodeList& nodes) {
     Diagnostics diagnostics = std::move(block.plan.diagnostics);
     noteWrites(block);
     parts_.device.noteWrites(block.plan);
-    if (!hasError(diagnostics)) append(diagnostics, parts_.device.prepare(block.plan, parts_.programs));
+    if (!hasError(diagnostics)) append(diagnostics, parts_.prepare(block.plan));
     return diagnostics;
 }
 

@@ -53,6 +53,8 @@ struct SimulationParts {
     /// Plans a node list of the scene. The nodes that `roots` depend on are needed.
     std::function<plan::FramePlan(const scene::NodeList& nodes, std::vector<scene::ObjectView> roots)>
         planList;
+    /// Makes what a plan needs on the device. The programs of all plans say what lies in its buffers.
+    std::function<Diagnostics(const plan::FramePlan& plan)> prepare;
     /// Conductor::recordLoops.
     std::function<void(const plan::FramePlan& plan)> recordLoops;
 };

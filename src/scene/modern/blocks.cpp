@@ -298,6 +298,7 @@ void doRepeat(Interpreter& in, const Command& command) {
                                 base::groupedText(kMostStatements)));
         return;
     }
+    if (in.runsAll && words == nullptr) rounds = std::max(rounds, 1.);
     if (rounds < 1) in.modern.untaken.push_back({in.script, index + 1, command.partner});
     expression::Symbol symbol = counterSymbol();
     if (values && !values->empty())

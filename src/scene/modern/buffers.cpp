@@ -419,7 +419,7 @@ const MeshContent* meshOf(Interpreter& in, const Command& command, Shape shape) 
             return nullptr;
         }
         Result<geometry::Mesh> mesh = makeMesh(in.scene, shareShape(in, std::move(shape)), true);
-        for (const Diagnostic& each : mesh.diagnostics) in.report(each);
+        for (const Diagnostic& each : mesh.diagnostics) in.reportOnce(each);
         if (mesh) known->second = contentOf(*mesh);
     }
     if (!known->second) ++in.problems;

@@ -66,12 +66,14 @@ bool isOutsidePass(Interpreter&, const Command& command);
 
 // structure.cpp
 
-/// The textures that statements of ModernState::untaken may write, also through the groups that they draw,
-/// and those that the other words of a choice would make the target of a statement. Uniforms of dispatches
-/// count as images.
+/// Draws each group that nothing has drawn, with the defaults of its parameters.
+void drawOtherGroups(Interpreter&);
 /// The variables that the commands [first, last) set change with the conditions around them, whether they run
 /// or not.
 void addConditions(Interpreter&, std::size_t first, std::size_t last);
+/// The textures that statements of ModernState::untaken may write, also through the groups that they draw,
+/// and those that the other words of a choice would make the target of a statement. Uniforms of dispatches
+/// count as images.
 std::set<TextureIndex> undecidedWrites(const Interpreter&);
 
 }  // namespace glibra::scene

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "base/suggest.h"
+#include "expression/measures.h"
 #include "glib/limits.h"
 #include "glib/statement_table.h"
 #include "glib/text.h"
@@ -93,7 +94,7 @@ void doGroup(Interpreter& in, const Command& command) {
     const std::size_t index = indexOf(in, command);
     if (!command.values.empty()) {
         GroupDefinition& group = in.modern.groups[command.values.front().text];
-        group = {{in.script, in.around.given}, index, in.names().here(), group.isRunning};
+        group = {{in.script, in.around.given}, index, in.names().here(), group.isRunning, group.isDrawn};
         // No default reads a parameter.
         for (const KeyedValues& each : command.tags)
             group.defaults.push_back(
@@ -256,7 +257,7 @@ void doDraw(Interpreter& in, const Command& command) {
     }
     if (!mayEnter(in, command)) return;
     const Scope scope(in);
-    known->second.isRunning = true;
+    known->second.isRunning = known->second.isDrawn = true;
     ++in.around.calls;
     in.modern.checks.path.push_back(command.begin);
     runGroup(in, GroupDefinition(known->second), command);
@@ -266,6 +267,15 @@ void doDraw(Interpreter& in, const Command& command) {
 }
 
 }  // namespace
+
+void drawOtherGroups(Interpreter& in) {
+    for (const auto& [name, group] : in.modern.groups) {
+        if (group.isDrawn) continue;
+        Command call = group.file.script->commands[group.command];
+        call.tags.clear();
+        doDraw(in, call);
+    }
+}
 
 void addConditions(Interpreter& in, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -297,10 +307,13 @@ void doWhen(Interpreter& in, const Command& command) {
                 ? UntakenRange{in.script, index + 1, command.partner}
                 : UntakenRange{in.script, command.partner + 1, hasElse ? partner.partner : command.partner});
     ++in.around.blocks;
-    if (condition && *condition)
-        run(in, index + 1, command.partner);
-    else if (condition && hasElse)
-        run(in, command.partner + 1, partner.partner);
+    const auto isOfScope = [&](const std::string& path) {
+        return in.names().findLocal(path.substr(0, path.find('.'))).has_value();
+    };
+    const bool runsBoth =
+        in.runsAll && std::ranges::none_of(expression::pathsIn(command.values.front().text), isOfScope);
+    if (runsBoth || (condition && *condition)) run(in, index + 1, command.partner);
+    if (hasElse && (runsBoth || (condition && !*condition))) run(in, command.partner + 1, partner.partner);
     --in.around.blocks;
     in.around.conditions = outer;
 }
@@ -324,7 +337,7 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
     script = std::make_unique<const glib::Script>(
         glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
     in.shared->files.includedOrder.push_back(script.get());
-    for (const Diagnostic& each : script->diagnostics) in.report(each);
+    for (const Diagnostic& each : script->diagnostics) in.reportOnce(each);
     return script.get();
 }
 

@@ -87,7 +87,8 @@ void addVariable(Interpreter& in, Variable variable) {
 /// True if a number that the run gives a choice counts one of its words; reports one that does not.
 bool countsWord(Interpreter& in, const Variable& variable, double number) {
     const double last = static_cast<double>(variable.words.size()) - 1;
-    if (variable.words.empty() || (number >= 0 && number <= last)) return true;
+    if (variable.words.empty() || (number >= 0 && number <= last && number == std::floor(number)))
+        return true;
     in.report(diagnose(
         "glib-E05",
         fmt::format("'{}' is set to {}, but it is one of {}, which are 0 to {}", variable.name,
@@ -303,8 +304,9 @@ void runLet(Interpreter& in, const Command& command) {
         case Value::Kind::color:
             return declareControl(in, command, name, value);
         case Value::Kind::list: {
-            const auto numbers = numbersOf(in, {&value, 1});
+            auto numbers = numbersOf(in, {&value, 1});
             if (!numbers || numbers->empty()) return;
+            if (const auto* chosen = chosenValue(in, name, numbers->size())) numbers = *chosen;
             const bool isVector = numbers->size() >= 2 && numbers->size() <= 4 && !isArray;
             return declare(in, command, name,
                            isVector ? variable(expression::Type::vector(numbers->size()))
@@ -348,7 +350,6 @@ void showVariable(Interpreter& in, const Command& command, const std::string& na
                     name));
 }
 
-/// What a variable depends on passes to the expressions that read it.
 /// The names of parameters, which blanks or commas separate. Nothing with the reason reported.
 std::optional<std::vector<std::string>> parametersOf(Interpreter& in, const Value& target) {
     const Value& list = target.path.front().index.front();
@@ -368,7 +369,7 @@ std::optional<std::vector<std::string>> parametersOf(Interpreter& in, const Valu
         const bool isTyped = !isFirstOfItem && rest.find(',') != std::string_view::npos;
         const auto refuse = [&](const char* id, std::string text) {
             const glib::Position position = glib::placeIn(list, begin);
-            in.report(diagnose(id, std::move(text), in.script->place(position)));
+            in.reportOnce(diagnose(id, std::move(text), in.script->place(position)));
             return std::nullopt;
         };
         if (!glib::isIdentifier(name) || isTyped || name == "true" || name == "false")
@@ -416,7 +417,7 @@ void declareFunction(Interpreter& in, const Command& command) {
         notes = noted.take();
         if (problem) {
             problem->message.text += whereSet(in, value, notes);
-            in.report(std::move(problem->message));
+            in.reportOnce(problem->message);
             made.reset();
         }
     }
@@ -482,18 +483,21 @@ std::optional<std::vector<double>> valueForKey(Interpreter& in, const Value& val
     }
     auto numbers = numbersOf(in, {&value, 1});
     if (!numbers) return std::nullopt;
-    const bool isSlider = variable.form == glib::UniformForm::range && variable.words.empty();
+    const bool countsWords = !variable.words.empty();
     for (double& each : *numbers) {
-        if (!isSlider || isSpeed || (each >= variable.least() && each <= variable.largest())) continue;
+        const bool isAllowed = each >= variable.least() && each <= variable.largest() &&
+                               (!countsWords || each == std::floor(each));
+        if (variable.form != glib::UniformForm::range || isSpeed || isAllowed) continue;
         // What is computed from the present value stops at the ends of the slider.
         if (value.kind == Value::Kind::expression && std::isfinite(each)) {
-            each = std::clamp(each, variable.least(), variable.largest());
+            each = std::clamp(countsWords ? std::floor(each) : each, variable.least(), variable.largest());
             continue;
         }
-        return in.reportAt(value, "glib-E05",
-                           fmt::format("Key: {} is not between {} and {}, which '{}' allows",
-                                       glib::numberText(each), glib::numberText(variable.least()),
-                                       glib::numberText(variable.largest()), variable.name));
+        return in.reportAt(
+            value, "glib-E05",
+            fmt::format("Key: {} is not {}between {} and {}, which '{}' allows", glib::numberText(each),
+                        countsWords ? "a whole number " : "", glib::numberText(variable.least()),
+                        glib::numberText(variable.largest()), variable.name));
     }
     if (numbers->size() == variable.current.size()) return numbers;
     return in.reportAt(value, "glib-E26",

@@ -105,7 +105,7 @@ ReadExpression& readExpression(Interpreter& in, const Value& value, const expres
         made.expression = std::move(*parsed);
     } else {
         parsed.problem.message.text += whereSet(in, value, notes);
-        in.report(parsed.problem.message);
+        in.reportOnce(parsed.problem.message);
     }
     return readSoFar.add(environment, std::move(notes), std::move(made));
 }

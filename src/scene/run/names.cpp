@@ -120,6 +120,9 @@ class PartReader {
 
     std::nullopt_t unknown() {
         if (in_.modern.lostNames.contains(name_.name)) return std::nullopt;
+        if (in_.names().findLocal(name_.name))
+            return refuse("glib-E34",
+                          fmt::format("'{}' has a value here, and is no texture or buffer", name_.name));
         std::vector<std::string_view> names{"window"};
         for (const auto& [name, declared] : in_.modern.names)
             if (declared.kind == NameKind::texture || declared.kind == NameKind::buffer)
@@ -289,14 +292,15 @@ bool declareName(Interpreter& in, const Command& command, const std::string& nam
         kind == known->second.kind && (kind == NameKind::camera || kind == NameKind::computed);
     if (isSetAgain) return true;
     // Only what was computed from the first Let on can be computed anew.
-    const bool isVariable = kind == NameKind::variable || kind == NameKind::computed;
-    const bool wasVariable =
-        known->second.kind == NameKind::variable || known->second.kind == NameKind::computed;
-    return refuse(fmt::format("'{}' is declared on {} already, as {}{}", name,
-                              lineOf(in, known->second.place), wordOfKind(known->second.kind),
-                              isVariable && wasVariable
-                                  ? fmt::format("; only 'Let {} (expression)' may be stated again", name)
-                                  : std::string()));
+    const auto isVariable = [](NameKind each) {
+        return each == NameKind::variable || each == NameKind::computed;
+    };
+    return refuse(fmt::format(
+        "'{}' is declared on {} already, as {}{}", name, lineOf(in, known->second.place),
+        wordOfKind(known->second.kind),
+        isVariable(kind) && isVariable(known->second.kind)
+            ? fmt::format("; only if it begins with 'Let {} (expression)' may it be stated again", name)
+            : std::string()));
 }
 
 void setObject(Interpreter& in, const std::string& name,

@@ -103,6 +103,7 @@ struct GroupDefinition {
     std::size_t command = 0;     ///< index of the Group statement
     Environment::Point names{};  ///< around the Group statement
     bool isRunning = false;      ///< a group cannot draw itself
+    bool isDrawn = false;        ///< it has been
     /// The default of a parameter, as it is where the Group stands.
     struct Default {
         std::optional<Argument> argument{};  ///< nothing: it has an error, or is of later
@@ -273,6 +274,7 @@ struct SharedState {
     KnownFiles files;
     Computed computed;
     SeenCameras seen;
+    Diagnostics found;  ///< what the runs of one frame have reported by reportOnce()
     expression::Depends depends = expression::Depends::nothing;  ///< of all that the last frame evaluated
     double frameRate = 60;                                       ///< 1 / dt
 };
@@ -445,6 +447,7 @@ struct Interpreter {
     const FrameInputs& inputs;
     glib::MessageLog log;
     SearchFolders folders;
+    bool runsAll = false;  ///< both branches of When, a Repeat without rounds, and groups that nothing draws
     Scene scene{};
     State state{};
     Around around{};
@@ -478,6 +481,11 @@ struct Interpreter {
             log.keep(std::move(diagnostic));
         else
             log.report(std::move(diagnostic));
+    }
+    /// Reports what only the first run finds that meets it, also if the result of that run is not used.
+    void reportOnce(const Diagnostic& diagnostic) {
+        shared->found.push_back(diagnostic);
+        report(diagnostic);
     }
     std::nullopt_t reportAt(const auto& written, std::string id, std::string text) {
         report(diagnose(std::move(id), std::move(text), place(written)));

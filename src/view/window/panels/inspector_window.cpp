@@ -107,11 +107,8 @@ std::string exportBuffer(Ui& ui, const std::string& name, bool isPrevious,
         const gpu::Buffer* buffer = live.buffers().buffer({each, isPrevious});
         const plan::BufferLayout* layout = live.buffers().layout(each);
         if (buffer == nullptr || layout == nullptr) break;
-        render::BufferContent content{
-            *layout, plan::tableOf(*layout, live.blockOf(each), std::numeric_limits<std::size_t>::max()),
-            std::vector<std::byte>(buffer->size())};
-        buffer->read(0, content.bytes);
-        const Diagnostics problems = render::writeBuffer(content, file, image::NamedBy::user);
+        const Diagnostics problems =
+            render::writeBuffer(render::contentOf(*layout, *buffer), file, image::NamedBy::user);
         if (!problems.empty()) return problems.front().text;
         ui.notice = "wrote " + file.generic_string();
         return {};
@@ -142,7 +139,7 @@ void readBuffer(const Ui& ui, Inspector& inspector, scene::BufferIndex index) {
     const plan::BufferLayout& layout = *buffers.layout(index);
     const plan::MemoryPattern& pattern = layout.pattern;
     const scene::BufferView view{index, inspector.isPrevious};
-    inspector.table = plan::tableOf(layout, ui.session.live().blockOf(index), kMostTableColumns);
+    inspector.table = plan::tableOf(layout, kMostTableColumns);
     inspector.head.clear();
     inspector.rows.clear();
     const std::vector<double> head = buffers.read(view, 0, pattern.head.size());
