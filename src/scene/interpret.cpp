@@ -286,25 +286,23 @@ Scene Interpretation::at(const FrameInputs& inputs) {
         runAgain();
     }
     if (!shared.seen.readsPrevious || knewPrevious) return scene;
-    // Problems of values count once the cameras of the frame before are known.
+    // Problems of values count once the cameras of the frame before are known, so all is read anew.
     std::erase_if(scene.diagnostics, [](const Diagnostic& each) { return each.id == "expr-E06"; });
-    for (auto& [value, readings] : shared.computed.expressions)
-        readings.forEach([](ReadExpression& each) { each.isProblemReported = false; });
+    shared.computed.expressions.clear();
     runAgain();
     return scene;
 }
 
 Diagnostics Interpretation::mistakesLeftOut(const FrameInputs& inputs) const {
-    static constexpr std::string_view kOfText[] = {"expr-E01", "expr-E02", "expr-E03", "expr-E04",
-                                                   "expr-E08", "expr-E09", "glib-E27", "glib-E34"};
+    constexpr std::string_view kOfText =
+        "expr-E01 expr-E02 expr-E03 expr-E04 expr-E08 expr-E09 glib-E27 glib-E34";
     InterpretOptions options = state_->options;
     options.runsAll = true;
     Diagnostics found = Interpretation(state_->script, std::move(options)).at(inputs).diagnostics;
     // Two branches may give a variable two types.
     if (std::ranges::find(found, "glib-E36", &Diagnostic::id) != found.end()) return {};
-    std::erase_if(found, [](const Diagnostic& each) {
-        return std::ranges::find(kOfText, each.id) == std::end(kOfText);
-    });
+    std::erase_if(found,
+                  [&](const auto& each) { return each.id.empty() || kOfText.find(each.id) == kOfText.npos; });
     return found;
 }
 

@@ -74,8 +74,8 @@ std::string Mismatch::valueHint(const Pieces& pieces, std::size_t at, const Decl
     const Value& found = pieces[at];
     const std::string_view head = beforePoint(found.text);
     const bool hasList = at + 1 < pieces.size() && pieces[at + 1].kind == Value::Kind::list;
-    const auto isOfBuffer = [](const Expectation& each) { return each.name == "buffer"; };
-    if (hasList && isUnquoted(found) && names.has(head) && std::ranges::any_of(expected_, isOfBuffer))
+    if (hasList && isUnquoted(found) && names.has(head) &&
+        std::ranges::find(expected_, "buffer", &Expectation::name) != expected_.end())
         return fmt::format("; write buffer {}", found.text);
     const bool expectsNumber = expects(Kind::number);
     const bool expectsValue = expectsNumber || expects(Kind::value) || expects(Kind::expression);

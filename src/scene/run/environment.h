@@ -260,10 +260,6 @@ class MadeOfNames {
         note(made, names);
         return made.value;
     }
-    template <class Work>
-    void forEach(const Work& work) {
-        for (Made& each : all_) work(each.value);
-    }
 
   private:
     struct Made {

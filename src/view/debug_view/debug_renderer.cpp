@@ -76,7 +76,7 @@ void DebugRenderer::connect(const plan::PlannedDraw& draw, Drawn& made) {
         if (input.location < 0) continue;
         const plan::InputSource* fed = sourceOf(scene_.plan(), draw, built, input.name);
         if (fed != nullptr && std::holds_alternative<scene::BufferView>(fed->from)) {
-            if (const auto elements = scene_.device().elementsOf(scene_.plan(), *fed))
+            if (const auto elements = scene_.device().elementsOf(*fed))
                 render::DeviceScene::addBufferSources(*elements, fed->isPerInstance, input, sources);
             continue;
         }
