@@ -60,10 +60,12 @@ TEST(HashList, ANewGoldenVoidsTheLinesOfTheOldOne) {
 TEST(HashList, BrokenLinesAreReportedWithTheirNumberAndLeftOut) {
     const Folder folder;
     writeText(folder / "s.hashes", "# heading\n" + toLine(line("a", 1, 5)) +
-                                       "\r\n<<<<<<< HEAD\nb - 00 00 k\n" + toLine(line("c", 1, 5)));
+                                       "\r\n<<<<<<< HEAD\nb - 00 00 k\n" + toLine(line("c", 1, 5)) + "\n" +
+                                       toLine(line("a", 1, 5, "k", "x/../b")));
     const Result<HashList> list = HashList::read(folder / "s.hashes");
     ASSERT_TRUE(list);
-    ASSERT_EQ(list.diagnostics.size(), 2U);
+    ASSERT_EQ(list.diagnostics.size(), 3U);
+    EXPECT_EQ(list.diagnostics[2].place.line, 6) << "no golden has such a variant";
     EXPECT_EQ(list.diagnostics[0].id, "suite-W01");
     EXPECT_EQ(list.diagnostics[0].place.line, 3);
     EXPECT_EQ(list.diagnostics[1].place.line, 4);

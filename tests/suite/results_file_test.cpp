@@ -61,6 +61,23 @@ TEST(ResultsFile, ABrokenLineInTheMiddleIsAnErrorWithItsPlace) {
     EXPECT_EQ(back.diagnostics.front().place.line, 3);
 }
 
+/// Whoever accepts the result writes a file and a line of that name.
+TEST(ResultsFile, AVariantIsAFamilyOrAFurtherPicture) {
+    ShotResult shot = smallRun(1).shots[0];
+    for (const char* variant : {"", "nvidia", "other", "d3d12", "osmesa-llvmpipe", "also1", "also9"}) {
+        shot.goldenVariant = variant;
+        EXPECT_TRUE(parseJsonLine(toJsonLine(shot), {})) << variant;
+    }
+    for (const char* variant : {"x/../b", "../b", "x/y", "x\nfoo", "a b", ".", "..", "also0", "also10",
+                                "osmesa-", "nvidia.png", "\xff", "-"}) {
+        shot.goldenVariant = variant;
+        const Result<ShotResult> read = parseJsonLine(toJsonLine(shot), {"results.jsonl", 2, 1});
+        ASSERT_FALSE(read) << variant;
+        EXPECT_EQ(read.diagnostics.front().id, "result-E01");
+        EXPECT_NE(read.diagnostics.front().text.find("'goldenVariant'"), std::string::npos);
+    }
+}
+
 TEST(ResultsFile, AnEndLineThatDoesNotFitIsAnErrorWithItsPlace) {
     const Folder folder;
     RunResult run = smallRun(3);

@@ -70,7 +70,8 @@ ShotResult ResultsMaker::shot() {
     made.got = text();
     made.expected = text();
     made.difference = text();
-    made.goldenVariant = text();
+    const char* const variants[] = {"", "nvidia", "d3d12", "osmesa-llvmpipe", "also9"};
+    made.goldenVariant = variants[below(std::size(variants))];
     made.exact = chance();
     made.changed = chance();
     made.width = static_cast<int>(below(1 << 24));

@@ -16,6 +16,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "image/file.h"
+#include "suite/file/shot_name.h"
 #include "suite/write_below.h"
 #include "system/file.h"
 #include "system/places.h"
@@ -126,6 +127,10 @@ Diagnostics changeList(const fs::path& file, const std::function<void(HashList&)
 
 }  // namespace
 
+bool isVariant(std::string_view word) {
+    return word.empty() || shotOfVariant(fmt::format("a.{}", word)) == "a";
+}
+
 bool isKey(std::string_view text) {
     constexpr std::size_t kLongest = 1000;
     return !text.empty() && text.size() <= kLongest &&
@@ -147,10 +152,10 @@ Result<AcceptedHash> parseLine(std::string_view line, const Place& place) {
     }
     const std::optional<Hash> golden = parseHash(words[2]);
     const std::optional<Hash> pixels = parseHash(words[3]);
-    if (!golden || !pixels || rest.empty())
+    const std::string_view variant = words[1] == "-" ? std::string_view() : words[1];
+    if (!golden || !pixels || rest.empty() || !isVariant(variant))
         return diagnose("suite-W01", "this is not a line of accepted pixels; it is ignored", place);
-    return AcceptedHash{std::string(words[0]), words[1] == "-" ? "" : std::string(words[1]), *golden, *pixels,
-                        std::string(rest)};
+    return AcceptedHash{std::string(words[0]), std::string(variant), *golden, *pixels, std::string(rest)};
 }
 
 Result<HashList> HashList::read(const fs::path& file) {

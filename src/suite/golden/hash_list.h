@@ -65,6 +65,8 @@ struct AcceptedHash {
 
 /// True for a driverKey() as it stands in a line: not empty, one line, and of at most 1000 bytes.
 bool isKey(std::string_view text);
+/// True if a text can be an AcceptedHash::variant, which names a file: one that shotOfVariant() knows.
+bool isVariant(std::string_view word);
 /// Writes and reads one line without its line end.
 std::string toLine(const AcceptedHash& accepted);
 Result<AcceptedHash> parseLine(std::string_view line, const Place& place);

@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/utf8.h"
 #include "image/file.h"
+#include "suite/golden/hash_list.h"
 #include "suite/write_below.h"
 
 namespace glibra::suite {
@@ -291,6 +292,7 @@ struct Writer {
     void within(const char* key, const Number& value, Number) {
         (*this)(key, value);
     }
+    void variant(const char* key, const std::string& value) { (*this)(key, value); }
 };
 
 /// What is wrong in a line.
@@ -418,6 +420,12 @@ struct Reader {
         if (!(value >= 0 && value <= most))
             throw Mistake{fmt::format("'{}': expected a number between 0 and {}", key, most), true};
     }
+    /// The variant of a golden, which names a file; empty: the golden for all drivers.
+    void variant(const char* key, std::string& value) {
+        (*this)(key, value);
+        if (!isVariant(value))
+            throw Mistake{fmt::format("'{}': expected a family of drivers, or also1 to also9", key), true};
+    }
     template <class Value>
     void needed(const char* key, Value& value) {
         if (!object.contains(key)) fail(fmt::format("the member '{}' is missing", key));
@@ -485,7 +493,7 @@ void members(Archive& archive, Value& value) {
         archive("got", value.got);
         archive("expected", value.expected);
         archive("difference", value.difference);
-        archive("goldenVariant", value.goldenVariant);
+        archive.variant("goldenVariant", value.goldenVariant);
         archive("exact", value.exact);
         archive("changed", value.changed);
         archive.within("compared", value.compared, 1.);
