@@ -40,10 +40,15 @@ struct FormatArguments {
     bool readsInput = false;
 };
 
-/// Formats a scene, or with `isCheck` only says that it is not formatted.
-int formatScene(const std::string& scene, bool isCheck) {
-    const auto bytes = image::readFile(scene, {scene, {scene, 1, 1}}, glib::kLargestFile);
+/// Formats a scene, or with `isCheck` only says that it is not formatted. One that was found in a folder may
+/// be a link, or another name, of any file of the user.
+int formatScene(const std::string& scene, bool isCheck, bool isFound) {
     std::error_code failure;
+    if (isFound && std::filesystem::is_symlink(scene, failure)) {
+        printLine(fmt::format("{} is a link, which is left as it is", scene));
+        return kDone;
+    }
+    const auto bytes = image::readFile(scene, {scene, {scene, 1, 1}}, glib::kLargestFile);
     if (!bytes && std::filesystem::is_regular_file(scene, failure) &&
         std::filesystem::is_empty(scene, failure))
         return kDone;  // an empty scene
@@ -60,8 +65,10 @@ int formatScene(const std::string& scene, bool isCheck) {
         printLine(fmt::format("{} is not formatted", scene));
         return kDiffers;
     }
-    return printErrors(image::writeFileAtomically(scene, std::as_bytes(std::span(text)))) ? kSceneIsWrong
-                                                                                          : kDone;
+    const image::NamedBy named = isFound ? image::NamedBy::program : image::NamedBy::user;
+    return printErrors(image::writeFileAtomically(scene, std::as_bytes(std::span(text)), named))
+               ? kSceneIsWrong
+               : kDone;
 }
 
 int runFormatCommand(FormatArguments& arguments) {
@@ -72,7 +79,8 @@ int runFormatCommand(FormatArguments& arguments) {
     int status = kDone;
     for (const std::string& each : named.scenes) {
         if (each != kStandardInput) {
-            status = std::max(status, formatScene(each, arguments.isCheck));
+            const bool isFound = std::ranges::find(arguments.scenes, each) == arguments.scenes.end();
+            status = std::max(status, formatScene(each, arguments.isCheck, isFound));
             continue;
         }
         const std::string text = editor::formatted(*named.standardInput);

@@ -49,6 +49,27 @@ TEST(FormatCommand, KeepsThePermissionsAndTheNamesOfAFile) {
     EXPECT_EQ(fs::hard_link_count(folder / "b.glib"), 2U);
 }
 
+/// A submission may hold a link to any file of who formats it, or be another name of one.
+TEST(FormatCommand, ChangesNoFileOutsideOfAFolderThroughWhatItFindsThere) {
+    const Folder folder;
+    folder.write("Makefile", " sphere\n");
+    folder.write("other", " sphere\n");
+    folder.write("all/ana/b.glib", " sphere\n");
+    fs::create_symlink("../../Makefile", folder / "all/ana/a.glib");
+    fs::create_hard_link(folder / "other", folder / "all/ana/c.glib");
+    const Finished formatted = glibra(folder.path(), "format all");
+    EXPECT_EQ(formatted.status, 0) << formatted.err;
+    EXPECT_TRUE(contains(formatted.err, "all/ana/a.glib is a link")) << formatted.err;
+    EXPECT_EQ(readFile(folder / "Makefile"), " sphere\n");
+    EXPECT_EQ(readFile(folder / "other"), " sphere\n");
+    EXPECT_TRUE(fs::is_symlink(folder / "all/ana/a.glib"));
+    for (const char* each : {"all/ana/b.glib", "all/ana/c.glib"})
+        EXPECT_EQ(readFile(folder / each), "Sphere\n") << each;
+    EXPECT_EQ(glibra(folder.path(), "format --check all").status, 0);
+    EXPECT_EQ(glibra(folder.path(), "format all all/ana/a.glib").status, 0) << "the command names it";
+    EXPECT_EQ(readFile(folder / "Makefile"), "Sphere\n");
+}
+
 /// Speaks to the server through a Python script, which has `send`, `receive` and `process`.
 Finished converse(const Folder& folder, const std::string& script) {
     folder.write("converse.py",
