@@ -280,7 +280,7 @@ StagingFolder::StagingFolder(const fs::path& parent) {
     constexpr int kAttempts = 1000;
     for (int attempt = 0; attempt < kAttempts && path_.empty(); ++attempt) {
         fs::path name = (parent.empty() ? fs::path(".") : parent) /
-                        fmt::format(".glibra-{}-untrusted{}", system::ownNumber(),
+                        fmt::format(".glibra-{}{}{}", system::ownNumber(), image::kStaging,
                                     attempt == 0 ? "" : fmt::format("-{}", attempt));
         const int problem = system::makePrivateFolder(name);
         if (problem == 0)

@@ -216,40 +216,33 @@ Diagnostics moveIntoPlace(const fs::path& from, const fs::path& target, NamedBy 
 
 void removeTemporaryFiles(const fs::path& folder, int process) {
     const std::string begin = fmt::format(".glibra-{}-", process);
-    std::error_code failure;
-    for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
-         each.increment(failure))
-        if (each->path().filename().generic_string().starts_with(begin)) {
-            std::error_code ignored;
-            fs::remove(each->path(), ignored);
-        }
+    std::error_code ignored;
+    for (const fs::directory_entry& each : base::entriesOf(folder.empty() ? "." : folder))
+        if (each.path().filename().generic_string().starts_with(begin)) fs::remove(each.path(), ignored);
 }
 
 void removeAbandonedFiles(const fs::path& folder) {
-    constexpr std::int64_t kAge = 60;
+    constexpr std::int64_t kAge = 60, kFolderAge = 86'400;  // nothing may be new in a folder for hours
     constexpr std::string_view kBegin = ".glibra-";
-    std::error_code failure;
-    for (fs::directory_iterator each(folder.empty() ? "." : folder, failure), end; !failure && each != end;
-         each.increment(failure)) {
-        const std::string name = each->path().filename().generic_string();
+    for (const fs::directory_entry& each : base::entriesOf(folder.empty() ? "." : folder)) {
+        const std::string name = each.path().filename().generic_string();
         if (!name.starts_with(kBegin)) continue;
-        int process = 0;
+        int process = 0, attempt = 0;
         const char* const last = name.data() + name.size();
         const auto [after, wrong] = std::from_chars(name.data() + kBegin.size(), last, process);
-        int attempt = 0;
         if (wrong != std::errc{} || process <= 0 || after == last || *after != '-') continue;
         const auto [rest, alsoWrong] = std::from_chars(after + 1, last, attempt);
-        if (alsoWrong != std::errc{} ||
-            !std::string_view(rest, static_cast<std::size_t>(last - rest)).starts_with(".tmp"))
+        const bool isFolder = std::string_view(after, last).starts_with(kStaging);
+        if (!isFolder && (alsoWrong != std::errc{} || !std::string_view(rest, last).starts_with(".tmp")))
             continue;
         system::FileFacts facts;
-        factsOf(each->path(), Links::notFollowed, facts);
-        if (facts.kind != FileKind::regular || !facts.isOwn ||
-            static_cast<std::int64_t>(std::time(nullptr)) - facts.seconds < kAge ||
+        factsOf(each.path(), Links::notFollowed, facts);
+        if (facts.kind != (isFolder ? FileKind::folder : FileKind::regular) || !facts.isOwn ||
+            static_cast<std::int64_t>(std::time(nullptr)) - facts.seconds < (isFolder ? kFolderAge : kAge) ||
             system::isRunning(process))
             continue;
         std::error_code ignored;
-        fs::remove(each->path(), ignored);
+        fs::remove_all(each.path(), ignored);
     }
 }
 

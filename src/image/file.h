@@ -102,8 +102,12 @@ Diagnostics moveIntoPlace(const std::filesystem::path& from, const std::filesyst
 /// Removes the temporary files of a process that ended while it was writing into a folder.
 void removeTemporaryFiles(const std::filesystem::path& folder, int process);
 
+/// What follows the number of the process in the name of a folder for files that are not complete.
+inline constexpr std::string_view kStaging = "-untrusted";
+
 /// Removes temporary files from a folder whose processes were killed before they could do it: those of this
-/// user that nobody has written to for a minute, since another machine may write into the folder, too.
+/// user that nobody has written to for a minute, since another machine may write into the folder, too, and
+/// its folders for files that are not complete (kStaging) after a day.
 void removeAbandonedFiles(const std::filesystem::path& folder);
 
 /// A temporary file beside `target`, for code that writes the file itself. The file is removed unless

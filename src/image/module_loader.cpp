@@ -46,8 +46,10 @@ Diagnostic noModule(Format format, const FileLabel& label, const std::string& wh
 
 using Message = std::array<char, 500>;
 
+/// Without the name that the module gives a file in memory: ("picture.jpeg").
 std::string textOf(const Message& message) {
-    return {message.begin(), std::find(message.begin(), message.end(), '\0')};
+    const std::string text(message.begin(), std::find(message.begin(), message.end(), '\0'));
+    return text.substr(0, text.find(" (\"picture."));
 }
 
 /// What the module has read: plain data, which may lie in memory that two processes share.

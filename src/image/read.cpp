@@ -118,15 +118,20 @@ Result<Prepared> preparePhotoshop(ByteSpan file, const FileLabel& label, const L
     return Prepared{};
 }
 
-/// The first picture of an icon: PNG, or a DIB of 8, 24 or 32 bits.
-Result<Prepared> prepareIcon(ByteSpan file, const FileLabel& label, const Limits& /*limits*/) {
-    constexpr std::size_t kPlaceAt = 18, kBitsAt = 14, kDibHeader = 40;
+/// The first picture of an icon, PNG or a DIB, and what follows it; empty if the file ends before it.
+ByteSpan pictureOfIcon(ByteSpan file) {
+    constexpr std::size_t kPlaceAt = 18, kLeast = 16;
     const std::uint64_t place = file.size() >= kPlaceAt + 4 ? little32(file, kPlaceAt) : file.size();
-    if (place + kBitsAt + 2 > file.size()) return damaged(label, "the file ends before its first picture");
-    const ByteSpan picture = file.subspan(static_cast<std::size_t>(place));
+    return place + kLeast > file.size() ? ByteSpan() : file.subspan(static_cast<std::size_t>(place));
+}
+
+/// DIBs of 8, 24 or 32 bits.
+Result<Prepared> prepareIcon(ByteSpan file, const FileLabel& label, const Limits& /*limits*/) {
+    constexpr std::size_t kBitsAt = 14, kDibHeader = 40;
+    const ByteSpan picture = pictureOfIcon(file);
+    if (picture.empty()) return damaged(label, "the file ends before its first picture");
     const std::uint32_t bits = little16(picture, kBitsAt);
-    const bool isDib = little32(picture, 0) == kDibHeader && (bits == 8 || bits == 24 || bits == 32);
-    if (isDib || formatOf(picture) == Format::png) return Prepared{};
+    if (little32(picture, 0) == kDibHeader && (bits == 8 || bits == 24 || bits == 32)) return Prepared{};
     return damaged(label, fmt::format("icons of {} bits are not read; save it as PNG", bits));
 }
 
@@ -186,6 +191,9 @@ Result<Image> decode(ByteSpan file, Format format, const fs::path& path, const F
             return decode(*inner, wrapped, {}, label, options);
         return damaged(label, "the BMP header announces a JPEG or PNG picture, but the file contains none");
     }
+    // OpenImageIO divides by what a damaged header says.
+    if (format == Format::icon && formatOf(pictureOfIcon(file)) == Format::png)
+        return decode(pictureOfIcon(file), Format::png, {}, label, options);
     if (const Reader read = rowOf(format).read) return read(file, label, options.limits);
     return decodeForeign(format, file, path, label, options);
 }

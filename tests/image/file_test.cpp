@@ -106,7 +106,20 @@ TEST_F(WholeFile, OfAProcessThatIsNoMoreIsRemovedLater) {
         ".glibra-",      "a.tmp"};
     for (const std::string& each : kept) put(each, each != kept.front());
     for (const char* each : {"-0.tmp", "-7.tmp.tif"}) put(dead + each, true);
+    const auto folderOf = [&](const std::string& name, int hours) {
+        fs::create_directories(folder / name / "0");
+        std::ofstream(folder / name / "0/a_0000.png") << "half";
+        fs::last_write_time(folder / name, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+    };
+    folderOf(dead + std::string(kStaging), 30);
+    folderOf(dead + std::string(kStaging) + "-1", 1);
+    folderOf(own + std::string(kStaging), 30);
+    folderOf(dead + "-2.tmp", 30);
     removeAbandonedFiles(folder);
+    EXPECT_FALSE(fs::exists(folder / (dead + std::string(kStaging))));
+    for (const std::string& each :
+         {dead + std::string(kStaging) + "-1", own + std::string(kStaging), dead + "-2.tmp"})
+        EXPECT_EQ(fs::remove_all(folder / each), 3U) << each;
     EXPECT_EQ(fileCount(), kept.size());
     for (const std::string& each : kept) EXPECT_TRUE(fs::exists(folder / each)) << each;
 }

@@ -77,6 +77,7 @@ TEST_F(Foreign, CutGifFilesAreErrors) {
             const auto read =
                 decodeImage(std::span(each.file).first(length), each.name, {}, testing::withModule());
             ASSERT_EQ(testing::idsOf(read.diagnostics), "file-E04") << each.name << " " << length;
+            EXPECT_EQ(read.message().find("picture."), std::string::npos) << read.message();
         }
     }
 }

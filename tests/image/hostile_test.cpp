@@ -75,6 +75,27 @@ TEST_F(Hostile, AJpegPictureWithoutAHeaderSaysSo) {
     }
 }
 
+/// OpenImageIO divides by what the header says, and libpng writes to standard error.
+TEST_F(Hostile, APngPictureInAnIconIsReadAsOneInAFile) {
+    const Image picture = testing::noisyImage(16, 16, 4, Component::u8);
+    const std::vector<std::byte> png = encodePng(picture);
+    std::vector<std::byte> icon = testing::bytesOf({0, 0, 1, 0, 1, 0, 16, 16, 0, 0, 1, 0, 32, 0});
+    testing::putLittle(icon, static_cast<std::uint32_t>(png.size()), 4);
+    testing::putLittle(icon, 22, 4);
+    icon.insert(icon.end(), png.begin(), png.end());
+    const Result<Image> read = decodeImage(icon, "a.ico");
+    ASSERT_TRUE(read) << read.message();
+    EXPECT_EQ(read->data, picture.data);
+    ::testing::internal::CaptureStderr();
+    for (std::size_t at = 30; at < 55; ++at) {  // the length, the name, the content and the checksum of IHDR
+        std::vector<std::byte> damagedIcon = icon;
+        damagedIcon[at] ^= std::byte{0x85};
+        const std::string ids = idsOf(decodeImage(damagedIcon, "a.ico").diagnostics);
+        EXPECT_TRUE(ids == "file-E04" || ids == "file-E09") << at << " " << ids;
+    }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(Hostile, ADecoderThatTakesTooLongIsEnded) {
     GLIBRA_NEED_MODULE();
     const Image large = testing::smoothImage(6000, 4000);
