@@ -395,6 +395,15 @@ class SceneBatch {
         image::removeTemporaryFiles(outputs_[piece / parts_].parent_path(), outcome.process);
     }
 
+    /// Has messages about files in the staging folder name the film, or the files without the folder.
+    void nameTargets(Diagnostics& messages, std::size_t piece) const {
+        const std::string folder = staging_ ? staging_->fileOf(piece, "").generic_string() : "\n";
+        for (Diagnostic& each : messages)
+            if (const std::size_t at = each.text.find(folder); at != std::string::npos)
+                each.text.replace(at, isFilm(arguments_) ? each.text.find('\'', at) - at : folder.size(),
+                                  isFilm(arguments_) ? outputs_[piece / parts_].generic_string() : "");
+    }
+
     void pieceEnds(std::size_t piece, const base::Outcome& outcome) {
         const std::size_t index = piece / parts_;
         const std::string& scene = arguments_.scenes[index];
@@ -414,6 +423,8 @@ class SceneBatch {
                        staging_->deliver(piece, render::frameFile(file, frame, arguments_.frames), named));
         if (outcome.end == base::Outcome::End::stopped) return;
         Answer answer = answerOf(outcome, scene, arguments_.picture, kDrawing);
+        nameTargets(answer.remarks.general, piece);
+        for (auto& [frame, remarks] : answer.remarks.ofFrames) nameTargets(remarks, piece);
         if (hasError(undelivered)) answer.status = std::max(answer.status, kSceneIsWrong);
         append(answer.remarks.general, std::move(undelivered));
         progress_.clear();

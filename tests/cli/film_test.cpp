@@ -136,6 +136,25 @@ TEST_F(Film, AnAnimatedPngNeedsNoFfmpeg) {
     EXPECT_EQ(readFile(folder / "one.apng").find("acTL"), std::string::npos) << "one frame is a picture";
 }
 
+TEST_F(Film, ThatCannotBeWrittenIsNamedItself) {
+    folder.write("a.frag",
+                 "#version 330\nuniform float uGreen; out vec4 c;\nvoid main() { c = "
+                 "vec4(fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453) + Timer * "
+                 "uGreen * .01); }\n");
+    for (const char* name : {"a.gif", "out/a.png"}) {
+        const Finished finished =
+            shell(folder.path(), std::string("(ulimit -f 8; exec '" GLIBRA_PROGRAM
+                                             "' render a.glib --size 200x200 --frames 2 -o ") +
+                                     name + ")");
+        EXPECT_EQ(finished.status, 3) << finished.err;
+        EXPECT_TRUE(
+            contains(finished.err, std::string("cannot write '") +
+                                       (std::string_view(name) == "a.gif" ? "a.gif'" : "out/a_0000.png'")))
+            << finished.err;
+        EXPECT_FALSE(contains(finished.err, ".glibra-")) << finished.err;
+    }
+}
+
 TEST_F(Film, WithoutFfmpegNothingIsDrawn) {
     fs::create_directory(folder / "empty");
     const Finished run = glibra(folder.path(), "render a.glib --frames 2 -o film.mp4",
