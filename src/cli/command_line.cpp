@@ -184,7 +184,8 @@ CLI::Option* addNumber(CLI::App& app, const std::string& name, Number& to, const
 /// What is wrong with the first word that the command does not understand, with the nearest option; empty if
 /// it understands all. It is reported before what follows from it, such as a missing value.
 std::string unknownWord(const CLI::App& command) {
-    const std::vector<std::string> words = command.remaining();
+    std::vector<std::string> words = command.remaining();
+    std::erase(words, "--");  // CLI11 keeps it, although all after it is understood
     if (words.empty()) return {};
     const auto isOption = [](const std::string& each) { return each.size() > 1 && each.front() == '-'; };
     const auto found = std::find_if(words.begin(), words.end(), isOption);

@@ -122,10 +122,10 @@ class Refuser {
                 ++all;
             }
             if (all > kMost)
-                return report_.report(
-                    "glsl-E11",
-                    "an expression of more than 5,000 operators and brackets; give its parts names",
-                    unit_.place(i));
+                return report_.report("glsl-E11",
+                                      "more than 5,000 operators and brackets inside each other; give parts "
+                                      "of expressions names",
+                                      unit_.place(i));
         }
     }
 
