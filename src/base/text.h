@@ -1,10 +1,13 @@
 #pragma once
 // Small operations on text.
 
+#include <glibra/diagnostic.h>
+
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <string>
 #include <string_view>
 
@@ -123,7 +126,14 @@ std::string escapeXml(std::string_view text);
 /// is not displayed as the limit.
 std::string readableBytes(std::uint64_t bytes);
 
+/// What an exception means, for a message: "out of memory (--memory)", or its text without the names that a
+/// library gives its exceptions.
+std::string reasonOf(const std::exception& problem);
+
 // Lines, words and blanks of texts.
+
+/// The place of a byte that a parser of the text counts from 1.
+Place placeOfByte(std::string_view text, std::size_t byte, const std::string& file);
 
 /// The text without blanks at either end.
 constexpr std::string_view trimmed(std::string_view text, std::string_view blanks = " \t") {

@@ -17,6 +17,7 @@
 #include "base/contained.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "classroom/json_members.h"
 #include "classroom/names.h"
 #include "glib/number.h"
 #include "image/png/png_writer.h"
@@ -27,7 +28,6 @@
 #include "suite/write_below.h"
 
 namespace glibra::classroom {
-namespace {}  // namespace
 
 std::vector<Slider> slidersOf(std::span<const Moment> moments) {
     const auto valuesOf = [](const Moment& moment) {
@@ -111,15 +111,15 @@ OrderedJson optionWordsOf(const suite::Shot& shot) {
 }
 
 /// Gives a shot options that optionWordsOf wrote. Returns what is wrong, or an empty text.
-std::string readOptions(const OrderedJson& words, suite::Shot& shot) {
+std::string readOptions(const std::vector<std::string>& words, suite::Shot& shot) {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto word = words[i].get<std::string>();
+        const std::string& word = words[i];
         const suite::OptionRow* row = word.starts_with("--") ? suite::findOption(word.substr(2)) : nullptr;
         if (!row || !isHandedOut(*row)) return fmt::format("'{}' is no option of a picture", word);
         std::string value;
         if (!std::holds_alternative<suite::FlagValue>(row->value)) {
             if (++i >= words.size()) return fmt::format("'{}' has no value", word);
-            value = words[i].get<std::string>();
+            value = words[i];
         }
         if (const std::string wrong = suite::readOptionText(*row, value, shot); !wrong.empty())
             return fmt::format("{}: {}", word, wrong);
@@ -141,9 +141,37 @@ std::vector<std::string> pictureFiles(const std::vector<Moment>& moments) {
     return names;
 }
 
-Diagnostic unreadable(const fs::path& folder, const std::string& why) {
-    return diagnose("suite-E35", fmt::format("these are no pictures of a reference: {}", why),
-                    {(folder / kReferenceFile).generic_string(), 1, 1});
+Diagnostic unreadable(const fs::path& folder, const std::exception& why, std::string_view text) {
+    return wrongFile("suite-E35", "these are no pictures of a reference: ", why, text,
+                     (folder / kReferenceFile).generic_string());
+}
+
+suite::ColorShare colorsIn(const OrderedJson& json) {
+    return {valueOf<std::array<double, 3>>(json, "color"), valueOf<double>(json, "within"),
+            valueOf<double>(json, "least"), valueOf<double>(json, "most")};
+}
+
+Result<ReferencePictures> parsed(const std::string& text, const fs::path& folder) try {
+    const OrderedJson json = OrderedJson::parse(text);
+    ReferencePictures found;
+    found.scene = fs::path(valueOf<std::string>(json, "scene")).filename().generic_string();
+    for (const OrderedJson& each : valueOf<std::vector<OrderedJson>>(json, "pictures")) {
+        Moment moment;
+        moment.label = valueOf<std::string>(each, "label");
+        if (const std::string wrong =
+                readOptions(valueOf<std::vector<std::string>>(each, "options"), moment.shot);
+            !wrong.empty())
+            throw std::runtime_error(wrong);
+        if (const auto has = valueOf<OrderedJson>(each, "has"); !has.is_null())
+            moment.has = inMember("has", [&] { return colorsIn(has); });
+        found.moments.push_back(std::move(moment));
+        found.files.push_back(folder / fs::path(valueOf<std::string>(each, "file")).filename());
+    }
+    if (found.moments.empty()) throw std::runtime_error("there are none");
+    if (found.moments.size() > suite::kMostMoments) return suite::tooManyMoments(found.moments.size());
+    return found;
+} catch (const std::exception& problem) {
+    return unreadable(folder, problem, text);
 }
 
 }  // namespace
@@ -153,29 +181,9 @@ bool hasReferencePictures(const fs::path& folder) {
     return fs::exists(folder / kReferenceFile, failure);
 }
 
-Result<ReferencePictures> readReferencePictures(const fs::path& folder) try {
+Result<ReferencePictures> readReferencePictures(const fs::path& folder) {
     const auto text = base::textIn(base::openBeneath(folder, kReferenceFile), kLargestDescription);
-    if (!text) return unreadable(folder, "the file cannot be read");
-    const OrderedJson json = OrderedJson::parse(*text);
-    ReferencePictures found;
-    found.scene = fs::path(json.at("scene").get<std::string>()).filename().generic_string();
-    for (const OrderedJson& each : json.at("pictures")) {
-        Moment moment;
-        moment.label = each.at("label").get<std::string>();
-        if (const std::string wrong = readOptions(each.at("options"), moment.shot); !wrong.empty())
-            return unreadable(folder, wrong);
-        if (const OrderedJson& has = each.at("has"); !has.is_null())
-            moment.has = suite::ColorShare{has.at("color").get<std::array<double, 3>>(),
-                                           has.at("within").get<double>(), has.at("least").get<double>(),
-                                           has.at("most").get<double>()};
-        found.moments.push_back(std::move(moment));
-        found.files.push_back(folder / fs::path(each.at("file").get<std::string>()).filename());
-    }
-    if (found.moments.empty()) return unreadable(folder, "there are none");
-    if (found.moments.size() > suite::kMostMoments) return suite::tooManyMoments(found.moments.size());
-    return found;
-} catch (const OrderedJson::exception& failure) {
-    return unreadable(folder, failure.what());
+    return text ? parsed(*text, folder) : unreadable(folder, std::runtime_error("it cannot be read"), "");
 }
 
 Diagnostics writeReferencePictures(const Classroom& room, const fs::path& site, const fs::path& folder) {

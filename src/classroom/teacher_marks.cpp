@@ -11,6 +11,7 @@
 
 #include "base/contained.h"
 #include "base/files.h"
+#include "classroom/json_members.h"
 
 namespace glibra::classroom {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::uint64_t kLargestMarks = 16u << 20u;
 constexpr std::size_t kLongestComment = 10'000;
 
 std::string textOf(const Json& object, const char* key) {
-    return object.contains(key) ? object.at(key).get<std::string>() : std::string();
+    return object.contains(key) ? valueOf<std::string>(object, key) : std::string();
 }
 
 /// The only entry that fits, or nothing.
@@ -66,30 +67,30 @@ std::string pointsText(double points, const std::string& check) {
     return fmt::format("{:g} {} for '{}'", points, points == 1 ? "point" : "points", check);
 }
 
+OwnMarks ownMarksIn(const Json& json) {
+    OwnMarks own;
+    own.comment = textOf(objectIn(json), "comment").substr(0, kLongestComment);
+    own.number = textOf(json, "number");
+    own.folder = textOf(json, "folder");
+    if (json.contains("points"))
+        inMember("points", [&, &points = json.at("points")] {
+            for (const auto& [check, each] : objectIn(points).items())
+                own.points[check] = valueOf<double>(points, check);
+        });
+    if (json.contains("handedIn")) own.handedIn = valueOf<decltype(own.handedIn)>(json, "handedIn");
+    return own;
+}
+
 }  // namespace
 
-Result<TeacherMarks> parseTeacherMarks(std::string_view text) try {
+Result<TeacherMarks> parseTeacherMarks(std::string_view text, const std::string& file) try {
     TeacherMarks marks;
     const Json json = Json::parse(text);
-    for (const auto& [name, each] : json.items()) {
-        OwnMarks own;
-        if (!each.is_object())
-            return diagnose(
-                "suite-E27",
-                fmt::format("this is no file of marks: '{}' is no object of points and comment", name));
-        own.comment = textOf(each, "comment").substr(0, kLongestComment);
-        own.number = textOf(each, "number");
-        own.folder = textOf(each, "folder");
-        if (each.contains("points"))
-            for (const auto& [check, points] : each.at("points").items())
-                own.points[check] = points.get<double>();
-        if (each.contains("handedIn"))
-            own.handedIn = each.at("handedIn").get<std::map<std::string, std::string>>();
-        marks[name] = std::move(own);
-    }
+    for (const auto& [name, each] : objectIn(json).items())
+        marks[name] = inMember(name, [&] { return ownMarksIn(each); });
     return marks;
-} catch (const Json::exception& failure) {
-    return diagnose("suite-E27", fmt::format("this is no file of marks: {}", failure.what()));
+} catch (const std::exception& problem) {
+    return wrongFile("suite-E27", "this is no file of marks: ", problem, text, file);
 }
 
 std::string toText(const TeacherMarks& marks) {
@@ -110,9 +111,7 @@ Result<TeacherMarks> readTeacherMarks(const fs::path& site) {
     const auto text = base::textIn(base::openBeneath(site, kMarksFile), kLargestMarks);
     if (!text)
         return diagnose("suite-E27", fmt::format("cannot read '{}'", (site / kMarksFile).generic_string()));
-    Result<TeacherMarks> marks = parseTeacherMarks(*text);
-    for (Diagnostic& each : marks.diagnostics) each.place = {(site / kMarksFile).generic_string(), 1, 1};
-    return marks;
+    return parseTeacherMarks(*text, (site / kMarksFile).generic_string());
 }
 
 int writeTeacherMarks(const TeacherMarks& marks, const fs::path& site) {

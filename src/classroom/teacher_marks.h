@@ -35,7 +35,7 @@ inline constexpr const char* kDigestsFile = "handed-in.json";
 
 /// No marks if there is no such file; error: it cannot be read (suite-E27).
 Result<TeacherMarks> readTeacherMarks(const std::filesystem::path& site);
-Result<TeacherMarks> parseTeacherMarks(std::string_view text);
+Result<TeacherMarks> parseTeacherMarks(std::string_view text, const std::string& file = {});
 std::string toText(const TeacherMarks& marks);
 /// Returns 0 or an error number.
 int writeTeacherMarks(const TeacherMarks& marks, const std::filesystem::path& site);

@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/sister_program.h"
@@ -88,6 +89,6 @@ int main(int argc, char** argv) {
     try {
         return glibra::cli::endProgram(glibra::cli::run(argc, argv));
     } catch (const std::exception& failure) {
-        return glibra::cli::failProgram(failure.what());
+        return glibra::cli::failProgram(glibra::base::reasonOf(failure));
     }
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/packed.h"
+#include "base/text.h"
 #include "cli/scene_arguments.h"
 
 namespace glibra::render {
@@ -61,10 +62,10 @@ Answer guarded(const std::string& scene, const std::function<Answer()>& work) {
         return answer;
     } catch (const base::DeviceLost&) {
         throw;  // the worker must not be used any more
-    } catch (const std::bad_alloc&) {
-        return wrong(scene, "draw-E05", "out of memory (--memory)");
+    } catch (const std::bad_alloc& failure) {
+        return wrong(scene, "draw-E05", base::reasonOf(failure));
     } catch (const std::exception& failure) {
-        return wrong(scene, "draw-E06", failure.what());
+        return wrong(scene, "draw-E06", base::reasonOf(failure));
     }
 }
 

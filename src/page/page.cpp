@@ -290,8 +290,8 @@ void makePages(std::span<const PageTask> tasks, Driver driver, const base::Worke
                 throw;  // the worker must not be used any more
             } catch (const std::exception& failure) {
                 PageScene none;
-                none.diagnostics.push_back(
-                    diagnose("draw-E06", failure.what(), {tasks[index].scene.generic_string(), 1, 1}));
+                none.diagnostics.push_back(diagnose("draw-E06", base::reasonOf(failure),
+                                                    {tasks[index].scene.generic_string(), 1, 1}));
                 return toText(none);
             }
         },

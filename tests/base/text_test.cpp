@@ -26,6 +26,24 @@ TEST(Text, CountedNounsAgreeWithTheirNumber) {
     EXPECT_EQ(countedInGroups(1, "byte"), "1 byte");
 }
 
+TEST(ReasonOf, AnExceptionIsInPlainWords) {
+    EXPECT_EQ(reasonOf(std::bad_alloc()), "out of memory (--memory)");
+    EXPECT_EQ(reasonOf(std::bad_array_new_length()), "out of memory (--memory)");
+    EXPECT_EQ(reasonOf(std::length_error("vector::_M_default_append")), "out of memory (--memory)");
+    EXPECT_EQ(reasonOf(std::runtime_error("no folder")), "no folder");
+    EXPECT_EQ(
+        reasonOf(std::runtime_error("[json.exception.type_error.302] type must be number, but is string")),
+        "expected number, found string");
+    EXPECT_EQ(reasonOf(std::runtime_error("[json.exception.out_of_range.403] key 'a' not found")),
+              "key 'a' not found");
+    EXPECT_EQ(reasonOf(std::runtime_error("[json.exception.x")), "");
+}
+
+TEST(PlaceOfByte, CountsLinesAndColumnsFromOne) {
+    for (const auto& [byte, line, column] : {std::array{0, 1, 1}, {1, 1, 1}, {3, 1, 3}, {4, 2, 1}, {6, 2, 3}})
+        EXPECT_EQ(placeOfByte("ab\ncd", static_cast<std::size_t>(byte), "f"), (Place{"f", line, column}));
+}
+
 TEST(ReadableBytes, AreRoundedUpSoThatASizeBeyondALimitLooksLarger) {
     EXPECT_EQ(readableBytes(17), "17 bytes");
     EXPECT_EQ(readableBytes(4096), "4096 bytes");

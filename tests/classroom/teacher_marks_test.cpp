@@ -2,12 +2,15 @@
 
 #include "classroom/teacher_marks.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "../suite/folder.h"
+#include "classroom/moments.h"
 
 namespace glibra::classroom {
 namespace {
@@ -53,6 +56,62 @@ TEST(TeachersMarks, ReplacePointsAndSurvive) {
     EXPECT_TRUE(readTeacherMarks(made / "missing")->empty());
     suite::writeText(made / kMarksFile, "{\"ana\": 3}");
     EXPECT_FALSE(readTeacherMarks(made.path()));
+}
+
+/// The text of the error of a file with that content: "3:7 text".
+std::string errorOf(const Diagnostics& found) {
+    if (found.size() != 1) return fmt::format("{} messages", found.size());
+    EXPECT_TRUE(found[0].place.file.ends_with(".json")) << found[0].place.file;
+    return fmt::format("{}:{} {}", found[0].place.line, found[0].place.column,
+                       found[0].text.substr(found[0].text.find(": ") + 2));
+}
+
+TEST(TeachersMarks, OfAFileThatIsWrongNameWhatIsWrong) {
+    const suite::Folder made;
+    for (const auto& [text, error] : {
+             std::pair{"", "1:1 it is not JSON"},
+             {"{\"ana\": {},\n \"bo\": !}", "2:8 it is not JSON"},
+             {"[]", "1:1 expected an object"},
+             {"{\"ana\": 3}", "1:1 'ana': expected an object"},
+             {"{\"ana\": {\"points\": 5}}", "1:1 'ana': 'points': expected an object"},
+             {"{\"ana\": {\"points\": [5]}}", "1:1 'ana': 'points': expected an object"},
+             {"{\"ana\": {\"points\": {\"r\": \"2\"}}}",
+              "1:1 'ana': 'points': 'r': expected number, found string"},
+             {"{\"ana\": {\"comment\": 2}}", "1:1 'ana': 'comment': expected string, found number"},
+             {"{\"ana\": {\"handedIn\": 2}}", "1:1 'ana': 'handedIn': expected object, found number"},
+         }) {
+        suite::writeText(made / kMarksFile, text);
+        const Result<TeacherMarks> read = readTeacherMarks(made.path());
+        EXPECT_FALSE(read) << text;
+        EXPECT_EQ(errorOf(read.diagnostics), error) << text;
+    }
+}
+
+TEST(ReferencePictures, OfAFileThatIsWrongNameWhatIsWrong) {
+    const suite::Folder made;
+    const auto with = [](const std::string& pictures) {
+        return "{\"scene\": \"a.glib\", \"pictures\": " + pictures + "}";
+    };
+    for (const auto& [text, error] : {
+             std::pair<std::string, std::string>{"", "1:1 it is not JSON"},
+             {"{\n\"scene\": a", "2:10 it is not JSON"},
+             {"3", "1:1 expected an object"},
+             {"{}", "1:1 the member 'scene' is missing"},
+             {"{\"scene\": []}", "1:1 'scene': expected string, found array"},
+             {with("7"), "1:1 'pictures': expected array, found number"},
+             {with("[]"), "1:1 there are none"},
+             {with("[7]"), "1:1 expected an object"},
+             {with("[{}]"), "1:1 the member 'label' is missing"},
+             {with("[{\"label\": \"\", \"options\": {}}]"), "1:1 'options': expected array, found object"},
+             {with("[{\"label\": \"\", \"options\": [], \"has\": {\"color\": 1}}]"),
+              "1:1 'has': 'color': expected array, found number"},
+             {with("[{\"label\": \"\", \"options\": [\"--out\"]}]"), "1:1 '--out' is no option of a picture"},
+         }) {
+        suite::writeText(made / kReferenceFile, text);
+        const Result<ReferencePictures> read = readReferencePictures(made.path());
+        EXPECT_FALSE(read) << text;
+        EXPECT_EQ(errorOf(read.diagnostics), error) << text;
+    }
 }
 
 TEST(TeachersMarks, WhatFindsNoPlaceIsNamedAndKept) {

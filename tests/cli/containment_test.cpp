@@ -232,6 +232,26 @@ TEST_F(Containment, ASceneThatNeedsMoreThanItsMemoryIsAnErrorOfItsOwn) {
     expectContains(all.err, "1 of 2 scenes rendered, failed: large.glib");
 }
 
+/// Memory may end where the text is read, where it runs and where a shape is made.
+TEST_F(Containment, ALackOfMemoryIsSaidInPlainWordsAtTheStatement) {
+#if GLIBRA_SANITIZED
+    GTEST_SKIP() << "under the address sanitizer, an allocation that fails ends the process";
+#endif
+    std::string statements = "WindowSize 32 32\n";
+    for (int i = 0; i < 190'000; ++i) statements += "Sphere 1 3 3 [a 1]\n";
+    for (const auto& [text, place] :
+         {std::pair<std::string, std::string>{"Sphere 1\nTeapot 500\n", "a.glib:2:1"},
+          {"Sphere 1\nRepeat 190000\n    Sphere 1 3 3\nEndRepeat\n", "a.glib:3:5"},
+          {statements, "a.glib:1:1"}}) {
+        folder.write("a.glib", text);
+        const Finished ended = run("render a.glib --size 32x32 --memory 80M");
+        EXPECT_EQ(ended.status, 3);
+        expectContains(ended.err, place + ": error: ");
+        expectContains(ended.err, "out of memory (--memory)");
+        EXPECT_FALSE(contains(ended.err, "bad_alloc")) << ended.err;
+    }
+}
+
 TEST_F(Containment, AnAnimationIsReadWithinItsLimitOfTime) {
     // The search for Timer looks each of these up, although the compiler skips them.
     std::string fragment = "#version 330 core\nout vec4 o;\n#if 0\n";

@@ -16,6 +16,7 @@
 
 #include "base/device_lost.h"
 #include "base/packed.h"
+#include "base/text.h"
 #include "system/places.h"
 
 namespace glibra::bench {
@@ -84,7 +85,7 @@ std::string answerTo(const std::string& text) {
         return jsonReport(failed(request.subject, base::diagnosticOf(lost, {})));
     } catch (const std::exception& failure) {
         return jsonReport(
-            failed(request.subject, failureOf(request.subject, std::string("failed: ") + failure.what())));
+            failed(request.subject, failureOf(request.subject, "failed: " + base::reasonOf(failure))));
     }
 }
 
@@ -302,20 +303,6 @@ void read(const Json& json, Value& to) {
     }
 }
 
-Place placeOfByte(std::string_view text, std::size_t byte, const std::string& file) {
-    const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-    const auto line = std::ranges::count(before, '\n');
-    const std::size_t lineStart = before.rfind('\n') + 1;  // npos + 1 is 0
-    return {file, static_cast<int>(line) + 1, static_cast<int>(before.size() - lineStart) + 1};
-}
-
-/// The text of nlohmann's exception without its "[json.exception.NAME.NUMBER] ".
-std::string plainText(const Json::exception& problem) {
-    const std::string text = problem.what();
-    const std::size_t end = text.find("] ");
-    return end == std::string::npos ? text : text.substr(end + 2);
-}
-
 }  // namespace
 
 std::string jsonReport(const Report& report) {
@@ -334,10 +321,10 @@ Result<Report> readJsonReport(std::string_view text, const std::string& file) {
         members(report, Reader{json});
         return report;
     } catch (const Json::parse_error& problem) {
-        return diagnose("bench-E02", "not valid JSON: " + plainText(problem),
-                        placeOfByte(text, problem.byte, file));
+        return diagnose("bench-E02", "not valid JSON: " + base::reasonOf(problem),
+                        base::placeOfByte(text, problem.byte, file));
     } catch (const Json::exception& problem) {
-        return diagnose("bench-E02", "this is not a run of glibra bench: " + plainText(problem),
+        return diagnose("bench-E02", "this is not a run of glibra bench: " + base::reasonOf(problem),
                         {file, 1, 1});
     }
 }

@@ -15,6 +15,7 @@
 #include "base/device_lost.h"
 #include "base/files.h"
 #include "base/suggest.h"
+#include "base/text.h"
 #include "bench/report/reports.h"
 #include "bench/subjects/builtins.h"
 #include "bench/subjects/scene_pictures.h"
@@ -349,6 +350,6 @@ int main(int argc, char** argv) {
         glibra::cli::print({glibra::base::diagnosticOf(lost, {})});
         return glibra::cli::kSceneIsWrong;
     } catch (const std::exception& failure) {
-        return glibra::cli::failProgram(failure.what());
+        return glibra::cli::failProgram(glibra::base::reasonOf(failure));
     }
 }

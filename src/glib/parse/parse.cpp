@@ -524,7 +524,7 @@ Script parse(std::string_view text, std::string path) {
             script.isModern = read(text, script, log);
     } catch (const std::exception& problem) {
         script.commands.clear();
-        log.report("glib-E14", fmt::format("the scene cannot be read: {}", problem.what()), {});
+        log.report("glib-E14", "the scene cannot be read: " + base::reasonOf(problem), {});
     }
     script.diagnostics = log.take();
     nameForeignFile(text, script);

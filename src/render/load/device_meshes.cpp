@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "base/text.h"
 #include "geometry/adjacency.h"
 #include "plan/submission.h"
 #include "scene/primitives.h"
@@ -252,8 +253,7 @@ Diagnostics DeviceMeshes::upload(const plan::FramePlan& plan, plan::PlannedMeshI
             adjacency = geometry::adjacencyIndices(*source, *wanted.adjacency);
         } catch (const std::bad_alloc& problem) {
             const scene::Draw* draw = drawOf(plan, planned);
-            diagnostics.push_back(diagnose("draw-E05",
-                                           fmt::format("cannot find neighbours: {}", problem.what()),
+            diagnostics.push_back(diagnose("draw-E05", "cannot find neighbours: " + base::reasonOf(problem),
                                            draw ? draw->place : Place{scene_.path, 1, 1}));
             return diagnostics;
         }

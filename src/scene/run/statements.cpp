@@ -109,6 +109,7 @@ void run(Interpreter& in, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last && !in.counts.isFull;) {
         const Command& command = in.script->commands[i];
         if (in.isModern && !countStatement(in, command)) return;
+        in.running = {in.script, command.position};
         execute(in, command);
         // A command that opens a block has run the block.
         const bool opens = command.partner != Command::kNoPartner && command.partner > i;

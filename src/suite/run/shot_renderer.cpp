@@ -8,6 +8,7 @@
 
 #include "base/contained.h"
 #include "base/device_lost.h"
+#include "base/text.h"
 #include "image/write.h"
 #include "render/check/run_checks.h"
 #include "render/consequences.h"
@@ -145,10 +146,11 @@ void ShotRenderer::forget() {
 Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> coming) {
     const auto start = std::chrono::steady_clock::now();
     Rendering rendering;
-    const auto fail = [&](const char* id, const char* text) {
+    const auto fail = [&](const char* id, const std::exception& failure) {
         forget();
         rendering = {};
-        rendering.diagnostics.push_back(diagnose(id, text, {shot.script.generic_string(), 1, 1}));
+        rendering.diagnostics.push_back(
+            diagnose(id, base::reasonOf(failure), {shot.script.generic_string(), 1, 1}));
     };
     try {
         rendering = tryRender(shot, coming);
@@ -158,10 +160,10 @@ Rendering ShotRenderer::render(const Shot& shot, std::span<const Shot* const> co
         if (hasError(rendering.diagnostics) && !shot.options.incomplete) rendering.picture.reset();
     } catch (const base::DeviceLost&) {
         throw;  // the worker must not be used any more
-    } catch (const std::bad_alloc&) {
-        fail("draw-E05", "out of memory");
+    } catch (const std::bad_alloc& failure) {
+        fail("draw-E05", failure);
     } catch (const std::exception& failure) {
-        fail("draw-E06", failure.what());
+        fail("draw-E06", failure);
     }
     rendering.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -316,10 +318,10 @@ std::optional<Judged> ShotWorker::judge(const ShotReference& reference, const At
         if (judges_.empty()) return keep(reference, drawn);
         const ShotJudge& judge = judges_[reference.suite];
         return again ? judge.second(drawn, *again) : judge.first(drawn);
-    } catch (const std::bad_alloc&) {
-        return fail("draw-E05", "out of memory while the picture was compared");
+    } catch (const std::bad_alloc& failure) {
+        return fail("draw-E05", "the picture is not compared: " + base::reasonOf(failure));
     } catch (const std::exception& failure) {
-        return fail("draw-E06", failure.what());
+        return fail("draw-E06", base::reasonOf(failure));
     }
 }
 

@@ -203,7 +203,7 @@ struct LoopbackServer::State {
         try {
             sendReply(static_cast<State*>(context)->answerTo(*request), reply, send);
         } catch (const std::exception& problem) {
-            sendReply(refusal(500, problem.what()), reply, send);
+            sendReply(refusal(500, base::reasonOf(problem)), reply, send);
         }
     }
 };

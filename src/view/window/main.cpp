@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/file_access.h"
@@ -113,7 +114,7 @@ int main(int argc, char** argv) {
     try {
         return glibra::cli::endProgram(start(argc, argv));
     } catch (const std::exception& failure) {
-        std::fprintf(stderr, "glibra: error: %s\n", failure.what());
+        std::fprintf(stderr, "glibra: error: %s\n", glibra::base::reasonOf(failure).c_str());
         return kNoDriver;
     }
 }
