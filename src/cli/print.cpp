@@ -13,7 +13,7 @@
 #include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/scene_arguments.h"
-#include "render/load/program_sources.h"
+#include "scene/file_lookup.h"
 #include "system/places.h"
 
 namespace glibra::cli {
@@ -60,7 +60,7 @@ SourceLines linesOf(const Diagnostics& diagnostics, const std::optional<std::str
     for (const Diagnostic& each : diagnostics) {
         const bool isOfText = each.id.starts_with("glib-") || each.id.starts_with("glsl-");
         if (each.severity != Severity::error || each.place.line < 1 || !isOfText ||
-            each.text.starts_with(render::kHiddenText))
+            each.text.starts_with(scene::kHiddenText))
             continue;
         if (lines.size() == kMostLines) break;
         std::string line;

@@ -341,6 +341,7 @@ SceneCheck withoutDriver(const std::filesystem::path& scene, const RenderOptions
         for (const scene::Buffer& each : interpreted->scene.buffers)
             append(check.diagnostics, each.values.takeProblems());
         translateAll(interpreted->scene, options, asksFrontEnd, stats, check);
+        scene::hideTexts(check.diagnostics, interpreted->scene.hiddenFiles);
     }
     removeEqual(check.diagnostics);
     render::applyStrict(check.diagnostics, options.strict);

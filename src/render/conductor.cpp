@@ -207,6 +207,11 @@ Diagnostics Conductor::makeAxes() {
     return std::move(made.diagnostics);
 }
 
+void Conductor::judge(Diagnostics& diagnostics) const {
+    scene::hideTexts(diagnostics, scene.hiddenFiles);
+    applyStrict(diagnostics, options.strict);
+}
+
 bool Conductor::interpret(const scene::FrameInputs& wanted, Diagnostics& diagnostics, Stats& stats) {
     using expression::Depends;
     using Inputs = scene::FrameInputs;

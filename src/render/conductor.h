@@ -140,6 +140,8 @@ struct Conductor {
     [[nodiscard]] bool hasPlan() const { return plan.nodes != nullptr; }
     /// True if these diagnostics, the last ones, leave nothing to draw.
     [[nodiscard]] bool stopsWith(const Diagnostics& diagnostics) const;
+    /// applyStrict() as the options say, without what quotes files that are not shown (Scene::hiddenFiles).
+    void judge(Diagnostics& diagnostics) const;
     /// Notes what errors cost. `ofBlocks`: they are in Once or Step blocks.
     void note(const Diagnostics& diagnostics, bool ofBlocks = false);
 

@@ -276,11 +276,11 @@ void SceneState::equip(FrameDrawer& drawer) {
 bool SceneState::makeReady(Diagnostics& diagnostics) {
     const RenderOptions& options = conductor.options;
     const auto refuse = [&] {
-        applyStrict(diagnostics, options.strict);
+        conductor.judge(diagnostics);
         return false;
     };
     explainRemovedLoops(conductor.scene, conductor.plan, conductor.programs, diagnostics);
-    applyStrict(diagnostics, options.strict);
+    conductor.judge(diagnostics);
     conductor.note(diagnostics);
     if (conductor.stopsWith(diagnostics)) return false;
 
@@ -299,7 +299,7 @@ bool SceneState::makeReady(Diagnostics& diagnostics) {
     window = std::move(made.value);
     if (options.axes) append(diagnostics, conductor.makeAxes());
     append(diagnostics, conductor.context.debugLog().takeDiagnostics());
-    applyStrict(diagnostics, options.strict);
+    conductor.judge(diagnostics);
     conductor.note(diagnostics);
     return !conductor.stopsWith(diagnostics);
 }
@@ -374,7 +374,7 @@ void SceneState::endFrame(Diagnostics& diagnostics, Stats& stats) {
     stats.add("frames", 1);
     append(diagnostics, conductor.context.debugLog().takeDiagnostics());
     if (conductor.options.checkUndefined) append(diagnostics, conductor.programs.takeUndefined());
-    applyStrict(diagnostics, conductor.options.strict);
+    conductor.judge(diagnostics);
     conductor.note(diagnostics);
 }
 

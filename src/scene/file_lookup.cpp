@@ -404,6 +404,19 @@ base::Roots shownRoots(const SearchFolders& folders) {
     return roots;
 }
 
+std::string whyHidden(const std::string& file) {
+    return fmt::format(
+        "'{}', which lies outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
+        file);
+}
+
+void hideTexts(Diagnostics& diagnostics, const std::set<std::string>& files) {
+    for (Diagnostic& each : diagnostics)
+        if (files.contains(each.place.file))
+            each = {each.severity, each.id, std::string(kHiddenText) + whyHidden(each.place.file),
+                    each.place};
+}
+
 SearchFolders searchFolders(const fs::path& scenePath, const InterpretOptions& options) {
     SearchFolders folders;
     folders.inMemory = options.inMemory;

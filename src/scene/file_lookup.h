@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -119,6 +120,14 @@ SearchFolders searchFolders(const std::filesystem::path& scenePath, const Interp
 /// read other files, as "../a.frag" or "/usr/share/a.frag", but their text is not quoted in messages, reports
 /// and translated shaders, because a scene of somebody else can name any file of this machine.
 base::Roots shownRoots(const SearchFolders& folders);
+
+/// How the text of a message about a place in a file that is not shown begins. The line is not quoted either.
+inline constexpr std::string_view kHiddenText =
+    "the text of this message is not shown, because it may quote ";
+/// "'a.glib', which lies outside of the scene's folder and the library; add its folder to GLIBRA_PATH"
+std::string whyHidden(const std::string& file);
+/// Replaces the texts of messages about places in these files.
+void hideTexts(Diagnostics& diagnostics, const std::set<std::string>& files);
 
 /// Looks up a file. "a/../b" is looked up as "b". The result contains file-E01 if the file is
 /// missing, with the names by which the library has it in other folders, or else the nearest existing names;

@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "base/text.h"
 #include "geometry/shapes/primitive.h"
 #include "glib/messages.h"
 #include "glib/statement_table.h"
@@ -236,10 +237,13 @@ Scene Interpretation::State::run(const FrameInputs& inputs) {
         if (in.isModern) in.scene.mayBeWritten = undecidedWrites(in);
         in.scene.idleChecks = idleChecks(in);
     } catch (const std::exception& problem) {
-        in.report(diagnose("glib-E14", fmt::format("the scene cannot be run: {}", problem.what()),
-                           script.place({})));
+        const auto& [of, position] = in.running;
+        in.report(diagnose("glib-E14", "the scene cannot be run: " + base::reasonOf(problem),
+                           (of != nullptr ? of : &script)->place(position)));
     }
     in.scene.diagnostics = in.log.take();
+    in.scene.hiddenFiles = shared.files.hidden;
+    hideTexts(in.scene.diagnostics, in.scene.hiddenFiles);
     return std::move(in.scene);
 }
 

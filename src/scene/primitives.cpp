@@ -53,16 +53,6 @@ Result<Mesh> parseModel(CommandId command, std::vector<std::byte> bytes, const s
     return {objMesh(command, *model, withTangents), std::move(model.diagnostics)};
 }
 
-/// Replaces the texts of messages about a model outside of the scene's folder and the library, because they
-/// quote it.
-void hideTexts(Diagnostics& diagnostics, const std::string& name) {
-    for (Diagnostic& each : diagnostics)
-        each.text = fmt::format(
-            "'{}' has a mistake; its text is not shown, because the file lies outside of the "
-            "scene's folder and its library",
-            name);
-}
-
 Result<Mesh> readModel(const Shape& shape, const FileReference& file, const std::string& scenePath,
                        bool withTangents) {
     Diagnostics diagnostics = file.remarks;
@@ -74,7 +64,7 @@ Result<Mesh> readModel(const Shape& shape, const FileReference& file, const std:
         parseModel(shape.command, std::move(*bytes), file.path.generic_string(), withTangents);
     if (!mesh.diagnostics.empty() && !file.content &&
         !shownRoots(searchFolders(scenePath)).contains(file.path))
-        hideTexts(mesh.diagnostics, file.name);
+        hideTexts(mesh.diagnostics, {file.path.generic_string()});
     append(diagnostics, std::move(mesh.diagnostics));
     if (!mesh) return diagnostics;
     if (mesh->vertexCount() > kMostCommandVertices) {
@@ -147,14 +137,18 @@ Result<Mesh> makeMesh(const Scene& scene, ShapeIndex shape, bool withTangents) {
     const Shape& wanted = scene.shapes[shape];
     if (wanted.list) return *wanted.list;
     if (wanted.bare) return Mesh{.topology = *wanted.bare, .attributes = {}, .indices = {}};
-    const Place place = wanted.file ? scene.files[wanted.file].place : Place{scene.path, 1, 1};
+    Place place = wanted.file ? scene.files[wanted.file].place : Place{scene.path, 1, 1};
     try {
         if (const PrimitiveSpec* spec = glib::primitiveOf(wanted.command))
             return primitiveMesh(*spec, wanted);
         if (wanted.file) return readModel(wanted, scene.files[wanted.file], scene.path, withTangents);
         return diagnose("glib-E09", fmt::format("{} needs a file name", glib::nameOf(wanted.command)), place);
     } catch (const std::exception& problem) {
-        return diagnose("draw-E05", fmt::format("cannot make a mesh: {}", problem.what()), place);
+        if (!wanted.file)
+            scene.frame.visitDraws([&](const Draw& draw, const Pass&) {
+                if (draw.shape == shape) place = draw.place;
+            });
+        return diagnose("draw-E05", "cannot make a mesh: " + base::reasonOf(problem), place);
     }
 }
 

@@ -100,6 +100,7 @@ struct Scene : Declarations {
     /// What statements that do not run in this frame write in others: other values of variables decide.
     std::set<TextureIndex> mayBeWritten;
     bool verbose = false;  ///< Verbose: the diagnostics contain a glib-N02 for each executed operation
+    std::set<std::string> hiddenFiles;  ///< included files that are not shown (shownRoots)
     Diagnostics diagnostics;
 };
 

@@ -207,6 +207,54 @@ TEST_F(BadInput, TheTextOfAFileOutsideOfTheSceneIsNeverQuoted) {
     EXPECT_EQ(translated.find("#error"), std::string::npos) << "a library root may be shown";
 }
 
+TEST_F(BadInput, TheTextOfAnIncludedSceneOutsideOfTheSceneIsNeverQuoted) {
+    writeShaders();
+    fs::create_directories(folder / "scenes");
+    for (const char* each : {"a.vert", "a.frag"}) fs::rename(folder / each, folder / "scenes" / each);
+    folder.write("scenes/own.glib", "Let own (1)\n");
+    fs::create_directories(folder / "outside");
+    fs::create_symlink("../outside/secret.txt", folder / "scenes/link.glib");
+    const std::string program = "Vertex a.vert\nFragment a.frag\nProgram P ";
+    for (const std::string& secret :
+         {std::string("TOP-SECRET 1 2\n"), std::string("MessageBox TOP_SECRET\n"),
+          std::string("Sphere TOP_SECRET\n"), std::string("Let x (TOP_SECRET + 1)\n"),
+          std::string("Texture2D 5 TOP_SECRET.png\n"), std::string("Obj TOP_SECRET.obj\n"),
+          std::string("Print (TOP_SECRET)\n"), std::string("Draw TOP_SECRET\n"),
+          program + "TOP_SECRET 1\nSphere\n", program + "\nSphere\nSet TOP_SECRET 1\n"}) {
+        folder.write("outside/secret.txt", secret);
+        for (const char* name : {"../outside/secret.txt", "link.glib"})
+            for (const char* command :
+                 {"check scenes/a.glib", "check scenes/a.glib --run", "check scenes/a.glib --json",
+                  "render scenes/a.glib -o a.png", "test scenes --results r --report p --junit j.xml"}) {
+                folder.write("scenes/a.glib",
+                             std::string("Include ") + name + "\n" + program + "\nSphere 1\n");
+                Finished finished = glibra(folder.path(), command);
+                if (std::string_view(command).starts_with("test"))
+                    for (const char* each : {"r/results.jsonl", "j.xml", "p/index.html"})
+                        finished.out += readFile(folder / each);
+                const std::string text = finished.out + finished.err;
+                for (const char* word : {"TOP_SECRET", "TOP-SECRET"})
+                    EXPECT_FALSE(contains(text, word)) << secret << name << command << text;
+                if (std::string_view(command).ends_with("--run"))
+                    EXPECT_TRUE(contains(text, "the text of this message is not shown"))
+                        << secret << name << command << text;
+            }
+    }
+    folder.write("scenes/own.glib", "TOP_SECRET 1 2\n");
+    folder.write("scenes/a.glib", "Include own.glib\nSphere 1\n");
+    EXPECT_TRUE(contains(glibra(folder.path(), "check scenes/a.glib").err, "TOP_SECRET"));
+    fs::create_directories(folder / "lib/shaders");
+    fs::copy(folder / "scenes/own.glib", folder / "lib/shaders/other.glib");
+    folder.write("scenes/a.glib", "Include other.glib\nSphere 1\n");
+    EXPECT_TRUE(contains(glibra(folder.path(), "check scenes/a.glib", "GLIBRA_PATH=lib").err, "TOP_SECRET"));
+    std::string header = "#?RADIANCE\nFORMAT=TOP_SECRET\n\n-Y 1 +X 1\n1234";
+    folder.write("outside/a.hdr", header);
+    folder.write("scenes/a.glib", "Texture2D 5 ../outside/a.hdr\n" + program + "uTexUnit 5\nSphere 1\n");
+    const Finished picture = glibra(folder.path(), "render scenes/a.glib -o a.png");
+    EXPECT_TRUE(contains(picture.err, "[file-E04]")) << picture.err;
+    EXPECT_FALSE(contains(picture.err, "TOP_SECRET")) << picture.err;
+}
+
 TEST_F(BadInput, MessagesAboutTheScenesOwnShadersAreShownWithoutWordsOfFilesOutside) {
     folder.write(
         "common/light.glsl",

@@ -63,7 +63,7 @@ Result<HdrHeader> readHdrHeader(std::string_view file, const FileLabel& label) {
         if (format == "32-bit_rle_xyze")
             return damaged(label, "its colours are XYZ, not RGB; 'ra_xyze -r' of Radiance converts them");
         if (format != "32-bit_rle_rgbe")
-            return damaged(label, fmt::format("unknown HDR format '{}'", format));
+            return damaged(label, "its FORMAT is not 32-bit_rle_rgbe");  // a text that may be secret
     }
     if (line) line = lineAt(file, at);
     if (!line) return damaged(label, "the file ends within the HDR header");

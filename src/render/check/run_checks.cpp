@@ -328,7 +328,7 @@ bool hasChecks(const scene::Scene& scene) {
 Diagnostics answerChecks(SceneRenderer& renderer, double time, Diagnostics& reported, Stats& stats) {
     SceneState& state = renderer.state();
     Diagnostics found = state.moveTo(time, stats);
-    applyStrict(found, state.conductor.options.strict);
+    state.conductor.judge(found);
     OpenChecks open(state.conductor.scene, time);
     Conditions conditions;
     state.conductor.note(found);
@@ -336,6 +336,7 @@ Diagnostics answerChecks(SceneRenderer& renderer, double time, Diagnostics& repo
         for (const double each : open.times()) append(found, answerAt(state, each, open, conditions, stats));
     Diagnostics wrong;
     const auto sort = [&](Diagnostics diagnostics) {
+        scene::hideTexts(diagnostics, state.conductor.scene.hiddenFiles);
         for (Diagnostic& each : diagnostics) {
             if (each.severity == Severity::error && each.id.starts_with("check-"))
                 wrong.push_back(std::move(each));
@@ -344,7 +345,7 @@ Diagnostics answerChecks(SceneRenderer& renderer, double time, Diagnostics& repo
         }
     };
     Diagnostics idle = reportIdle(open.idle());
-    applyStrict(idle, state.conductor.options.strict);
+    state.conductor.judge(idle);
     append(found, std::move(idle));
     sort(std::move(found));
     Diagnostics unexplained = std::exchange(reported, {});

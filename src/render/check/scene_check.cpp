@@ -113,9 +113,11 @@ CheckResult checkScene(gpu::Context& context, const std::filesystem::path& path,
              state.conductor.scene.buffers)  // also of those that no program reads
             addUnknown(result.diagnostics, each.values.takeProblems());
         result.shaders = translatedShaders(state, isForWeb, result.diagnostics);
+        append(result.diagnostics, context.debugLog().takeDiagnostics());
+        state.conductor.judge(result.diagnostics);
+    } else {
+        applyStrict(result.diagnostics, options.strict);
     }
-    append(result.diagnostics, context.debugLog().takeDiagnostics());
-    applyStrict(result.diagnostics, options.strict);
     return result;
 }
 

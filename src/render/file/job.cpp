@@ -188,6 +188,7 @@ class JobRun {
         if (search_) append(remarks, search_->at(timeOf(index)));
         if (picture && job_.checkOrder && index == 0) append(remarks, checkedOrder());
         if (picture) append(remarks, printed(scene));
+        scene::hideTexts(remarks, scene.scene().hiddenFiles);
         if (picture) append(remarks, remarksOn(*picture, job_.scene, whyNothing, options_.checkNan));
         applyStrict(remarks, options_.strict);
         if (picture && (!hasError(remarks) || options_.incomplete)) append(remarks, save(scene, index));

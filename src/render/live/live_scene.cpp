@@ -266,6 +266,7 @@ LiveScene::Loading LiveScene::load(gpu::Context& context, const std::filesystem:
         append(loading.diagnostics, state->prepare(previous ? previous->state_.get() : nullptr));
         if (!earlierSteps.empty() && state->sourceOfSteps() == earlierSteps)
             state->conductor.simulation->takeOver(*previous->state_->conductor.simulation);
+        scene::hideTexts(loading.diagnostics, state->conductor.scene.hiddenFiles);
         applyStrict(loading.diagnostics, false);
         explainRemovedLoops(state->conductor.scene, state->conductor.plan, state->conductor.programs,
                             loading.diagnostics);

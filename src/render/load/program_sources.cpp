@@ -159,14 +159,12 @@ void ProgramSources::hideTexts(scene::ProgramIndex program, Diagnostics& diagnos
     for (const auto& [index, source] : sources_)
         if (source.text) add(source.path, *source.text);
     for (const auto& [path, text] : included_) add(path.generic_string(), text);
-    const std::string why = fmt::format(
-        "'{}', which lies outside of the scene's folder and the library; add its folder to GLIBRA_PATH",
-        hidden);
+    const std::string why = scene::whyHidden(hidden);
     for (Diagnostic& each : diagnostics) {
         // Messages about finding and opening a file name the file and nothing else.
         if (each.id.starts_with("file-")) continue;
         if (!each.place.file.empty() && !isShown(each.place.file)) {
-            each.text = fmt::format("{}, because it may quote {}", kHiddenText, why);
+            each.text = std::string(scene::kHiddenText) + why;
         } else if (std::string text = words.removedFrom(each.text); text != each.text) {
             each.text = fmt::format("{} (\"...\" stands for words of {})", text, why);
         }

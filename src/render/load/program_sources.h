@@ -24,9 +24,6 @@ namespace glibra::render {
 // Messages about shaders that include files which a scene must not show: files outside of its folder and the
 // library.
 
-/// How a message about a place in such a file begins. The line that it names must not be quoted either.
-inline constexpr std::string_view kHiddenText = "the text of this message is not shown";
-
 /// Which words of a compiler's message may come from the files that are not shown. The compiler quotes words
 /// of the source, and words that the preprocessor has joined; it never quotes comments.
 class HiddenWords {

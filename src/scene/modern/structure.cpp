@@ -337,6 +337,8 @@ const glib::Script* includedScript(Interpreter& in, const Command& command, cons
     script = std::make_unique<const glib::Script>(
         glib::parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path));
     in.shared->files.includedOrder.push_back(script.get());
+    if (!reference.content && !shownRoots(in.folders).contains(reference.path))
+        in.shared->files.hidden.insert(path);
     for (const Diagnostic& each : script->diagnostics) in.reportOnce(each);
     return script.get();
 }

@@ -242,6 +242,7 @@ struct MeshContent {
 struct KnownFiles {
     std::map<std::string, std::unique_ptr<const glib::Script>> included;  ///< by path
     std::vector<const glib::Script*> includedOrder;
+    std::set<std::string> hidden;  ///< Scene::hiddenFiles
     List<FileReference> all;
     std::map<std::string, FileIndex> indices;
 };
@@ -462,6 +463,7 @@ struct Interpreter {
     bool isOrphan = false;  ///< the previous statement needed an open list, which has been reported
     std::optional<std::pair<int, int>> windowSize{};
     std::set<std::tuple<std::string, std::string, int, int>> reported{};  ///< errors by id and place
+    std::pair<const glib::Script*, glib::Position> running{};             ///< the place of the last statement
     std::size_t problems = 0;  ///< errors of this frame, also those that an earlier frame has reported
 
     [[nodiscard]] Environment& names() const { return shared->environment; }
