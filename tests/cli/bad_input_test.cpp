@@ -235,9 +235,9 @@ TEST_F(BadInput, TheTextOfAnIncludedSceneOutsideOfTheSceneIsNeverQuoted) {
                 const std::string text = finished.out + finished.err;
                 for (const char* word : {"TOP_SECRET", "TOP-SECRET"})
                     EXPECT_FALSE(contains(text, word)) << secret << name << command << text;
-                if (std::string_view(command).ends_with("--run"))
-                    EXPECT_TRUE(contains(text, "the text of this message is not shown"))
-                        << secret << name << command << text;
+                EXPECT_TRUE(!std::string_view(command).ends_with("--run") ||
+                            contains(text, "the text of this message is not shown"))
+                    << secret << name << command << text;
             }
     }
     folder.write("scenes/own.glib", "TOP_SECRET 1 2\n");
