@@ -75,6 +75,8 @@ fs::path fileOfThisCode() {
 // memory.h and places.h
 
 SharedMemory::SharedMemory(std::size_t size) : bytes_(new std::byte[size](), size) {}
+LiftedMemoryLimit::LiftedMemoryLimit() = default;
+LiftedMemoryLimit::~LiftedMemoryLimit() = default;
 SharedMemory::~SharedMemory() {
     delete[] bytes_.data();
 }
