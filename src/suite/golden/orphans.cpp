@@ -14,10 +14,10 @@
 #include "base/suggest.h"
 #include "image/file.h"
 #include "image/read.h"
+#include "suite/file/shot_name.h"
 #include "suite/file/suite_file.h"
 #include "suite/golden/golden_store.h"
 #include "suite/golden/hash_list.h"
-#include "suite/file/shot_name.h"
 #include "suite/golden/picture_store.h"
 #include "system/folder.h"
 
