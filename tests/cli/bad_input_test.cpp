@@ -247,9 +247,13 @@ TEST_F(BadInput, TheTextOfAnIncludedSceneOutsideOfTheSceneIsNeverQuoted) {
     fs::copy(folder / "scenes/own.glib", folder / "lib/shaders/other.glib");
     folder.write("scenes/a.glib", "Include other.glib\nSphere 1\n");
     EXPECT_TRUE(contains(glibra(folder.path(), "check scenes/a.glib", "GLIBRA_PATH=lib").err, "TOP_SECRET"));
-    std::string header = "#?RADIANCE\nFORMAT=TOP_SECRET\n\n-Y 1 +X 1\n1234";
-    folder.write("outside/a.hdr", header);
-    folder.write("scenes/a.glib", "Texture2D 5 ../outside/a.hdr\n" + program + "uTexUnit 5\nSphere 1\n");
+    folder.write("outside/a.hdr", "#?RADIANCE\nFORMAT=TOP_SECRET\n\n-Y 1 +X 1\n1234");
+    folder.write("scenes/b.frag",
+                 "#version 330 core\nuniform sampler2D uImage;\nout vec4 f;\nvoid main() { f = "
+                 "texture(uImage, vec2(.5)); }\n");
+    folder.write("scenes/a.glib",
+                 "Texture2D 5 ../outside/a.hdr\nVertex a.vert\nFragment b.frag\nProgram P uImage "
+                 "5\nSphere 1\n");
     const Finished picture = glibra(folder.path(), "render scenes/a.glib -o a.png");
     EXPECT_TRUE(contains(picture.err, "[file-E04]")) << picture.err;
     EXPECT_FALSE(contains(picture.err, "TOP_SECRET")) << picture.err;
