@@ -264,8 +264,8 @@ TEST(Rubrics, KeysOfAnotherKindOfCheckAreErrors) {
               "3 suite-E24 'measure' belongs to a check that asks for 'like'; this one asks for 'slider'");
     EXPECT_EQ(mistakeOf("range = [0, 1]\nreacts = \"uTol\"\n"),
               "2 suite-E24 'range' belongs to a check that asks for 'slider'; this one asks for 'reacts'");
-    EXPECT_EQ(mistakeOf("without = [\"glsl-E01\", \"nonsense-E99\"]\n").substr(0, 57),
-              "2 suite-E17 without: there is no message 'nonsense-E99'; ");
+    EXPECT_EQ(mistakeOf("without = [\"glsl-E01\", \"nonsense-E9\"]\n").substr(0, 56),
+              "2 suite-E17 without: there is no message 'nonsense-E9'; ");
     EXPECT_EQ(mistakeOf("drawn = false\n").substr(0, 33), "2 suite-E03 drawn: expected true,");
     EXPECT_EQ(mistakeOf("lik = 0.8\ndrawn = true\n"),
               "2 suite-E02 unknown key 'lik' in [[check]]; did you mean 'like'?");
