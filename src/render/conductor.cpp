@@ -9,6 +9,7 @@
 #include "glsl/es/additions.h"
 #include "gpu/object/loop_limit.h"
 #include "plan/overrides.h"
+#include "render/consequences.h"
 #include "render/draw/work_share.h"
 #include "scene/view.h"
 
